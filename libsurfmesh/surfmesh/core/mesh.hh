@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Mesh/Traits.hh>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
+#include "surfmesh/core/values.hh"
+
+namespace surfmesh {
+
+using OpenMesh::EdgeHandle;
+using OpenMesh::FaceHandle;
+using OpenMesh::HalfedgeHandle;
+using OpenMesh::VertexHandle;
+
+/// Double precision points; no status bits, which cost time and memory in every operation (an
+/// application requests them on its own copy).
+struct MeshTraits : public OpenMesh::DefaultTraitsDouble {
+  FaceAttributes(OpenMesh::Attributes::None);
+  VertexAttributes(OpenMesh::Attributes::None);
+};
+
+/// Domain meshes (one a patch) and control meshes.
+using TriMesh = OpenMesh::TriMesh_ArrayKernelT<MeshTraits>;
+
+/// The result: polygons from the start, so that quads change no interface.
+using PolyMesh = OpenMesh::PolyMesh_ArrayKernelT<MeshTraits>;
+
+inline Vec3 to_eigen(const OpenMesh::Vec3d& p) { return {p[0], p[1], p[2]}; }
+inline OpenMesh::Vec3d to_openmesh(const Vec3& p) { return {p[0], p[1], p[2]}; }
+
+}  // namespace surfmesh

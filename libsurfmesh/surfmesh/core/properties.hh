@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "surfmesh/core/error.hh"
+#include "surfmesh/core/mesh.hh"
+#include "surfmesh/core/values.hh"
+
+namespace surfmesh {
+
+/// The one way to name a mesh property: element, value type and name belong together.
+///
+/// OpenMesh makes two silent properties of one name with two value types, and neither copies nor
+/// saves names that begin with v:, e:, f: or h:, hence the prefix surf:.
+template <class ElementHandle, class ValueType>
+struct PropertyKey {
+  using Handle = typename OpenMesh::PropHandle<ElementHandle>::template type<ValueType>;
+  using Value = ValueType;
+
+  const char* name;    ///< the name in OpenMesh and in .om files
+  const char* writer;  ///< the stage that makes it
+};
+
+namespace keys {
+
+/// Parameters of a vertex of a domain or control mesh.
+inline constexpr PropertyKey<VertexHandle, Uv> vertex_uv{"surf:uv", "control, refine"};
+/// Metric of a vertex of a domain mesh, kept from its one query of the control space.
+inline constexpr PropertyKey<VertexHandle, Metric> vertex_metric{"surf:metric", "refine"};
+/// Size tensor of a control node.
+inline constexpr PropertyKey<VertexHandle, SizeTensor> vertex_size{"surf:size", "control"};
+/// 1 on edges that are segments of a contour: never swapped, never crossed by a cavity. A char,
+/// for OpenMesh packs bool into bits, which are slower to read in the kernel.
+inline constexpr PropertyKey<EdgeHandle, char> edge_constrained{"surf:constrained", "delaunay"};
+/// Patch of a face of the result.
+inline constexpr PropertyKey<FaceHandle, int> face_patch{"surf:patch", "assemble"};
+/// Contour of an edge of the result, -1 inside patches.
+inline constexpr PropertyKey<EdgeHandle, int> edge_contour{"surf:contour", "assemble"};
+/// Parameters of a corner of the result, at the tip of the halfedge, in the patch of its face.
+inline constexpr PropertyKey<HalfedgeHandle, Uv> corner_uv{"surf:uv", "assemble"};
+/// Metric of a corner of the result, at the tip of the halfedge, in the patch of its face.
+inline constexpr PropertyKey<HalfedgeHandle, Metric> corner_metric{"surf:metric", "assemble"};
+
+}  // namespace keys
+
+/// Make the property and set it to `initial` on every element.
+/// Throws   InvalidInput if the mesh has it already
+template <class Mesh, class Element, class Value>
+auto attach(Mesh& mesh, const PropertyKey<Element, Value>& key, const Value& initial = Value()) {
+  typename PropertyKey<Element, Value>::Handle handle;
+  if (mesh.get_property_handle(handle, key.name)) {
+    throw Error(ErrorCode::InvalidInput,
+                std::string("the mesh has a property ") + key.name + " already");
+  }
+  mesh.add_property(handle, key.name);
+  mesh.property(handle).set_persistent(true);
+  auto& values = mesh.property(handle).data_vector();
+  values.assign(values.size(), initial);
+  return handle;
+}
+
+/// Look the property up; an invalid handle if the mesh does not have it.
+template <class Mesh, class Element, class Value>
+auto find(const Mesh& mesh, const PropertyKey<Element, Value>& key) {
+  typename PropertyKey<Element, Value>::Handle handle;
+  if (!mesh.get_property_handle(handle, key.name)) handle.invalidate();
+  return handle;
+}
+
+/// Look up a property that an earlier stage must have made.
+/// Throws   MissingProperty, naming the property and the stage that makes it
+template <class Mesh, class Element, class Value>
+auto require(const Mesh& mesh, const PropertyKey<Element, Value>& key) {
+  auto handle = find(mesh, key);
+  if (!handle.is_valid()) {
+    throw Error(ErrorCode::MissingProperty, std::string("the mesh has no property ") + key.name +
+                                                ", which the stage " + key.writer + " makes");
+  }
+  return handle;
+}
+
+/// Remove the property if the mesh has it.
+template <class Mesh, class Element, class Value>
+void detach(Mesh& mesh, const PropertyKey<Element, Value>& key) {
+  auto handle = find(mesh, key);
+  if (handle.is_valid()) mesh.remove_property(handle);
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "surfmesh/core/values.hh"
+#include "surfmesh/geometry/curve.hh"
+#include "surfmesh/geometry/surface.hh"
+
+namespace surfmesh {
+
+/// A contour as one patch sees it: a curve in that patch's parameters.
+struct ContourUse {
+  int patch = -1;
+  /// t = 0 is the contour's start, t = 1 its end, on every patch.
+  std::shared_ptr<const Curve> curve;
+  /// True if the patch lies on the left of the contour's direction in its own parameters.
+  bool is_forward = true;
+  /// True if equal t on this use and on the contour's first use are equal points in space; false
+  /// if t has to be found by projection.
+  bool is_same_speed = true;
+};
+
+/// A curve of the boundary, shared by all the patches that meet there; it has one list of nodes.
+struct Contour {
+  std::string name;
+  int start = -1;  ///< vertex
+  int end = -1;    ///< vertex; the start again for a closed contour
+  std::vector<ContourUse> uses;
+  /// True for a side that is one point in space (a pole): start and end are the same vertex.
+  bool is_degenerate = false;
+};
+
+/// One contour use of a loop, as indices into Model::contours and Contour::uses.
+struct LoopEntry {
+  int contour = -1;
+  int use = -1;
+};
+
+/// Contour uses end to end with the patch on their left: a use that is not forward is run through
+/// from its end to its start.
+using Loop = std::vector<LoopEntry>;
+
+/// A piece of surface with its boundary.
+struct Patch {
+  std::string name;
+  std::shared_ptr<const Surface> surface;
+  std::vector<Loop> loops;  ///< the outer loop first, then the holes
+  int cage_face = -1;       ///< face of the cage that the patch is (a part of)
+};
+
+/// A named set of patches (OBJ `g`, `usemtl`).
+struct Group {
+  std::string name;
+  std::vector<int> patches;
+};
+
+/// A point where contours end.
+struct ModelVertex {
+  Vec3 position = Vec3::Constant(kUnset);
+};
+
+/// Patches and the contours and vertices they share.
+struct Model {
+  std::vector<ModelVertex> vertices;
+  std::vector<Contour> contours;
+  std::vector<Patch> patches;
+  std::vector<Group> groups;
+  double diagonal = 0;                ///< of the bounding box: cage points, or samples of patches
+  std::vector<std::string> warnings;  ///< of its construction, in plain English
+};
+
+/// Check the indices and that all loops close in space, to 1e-6 of the diagonal.
+///
+/// Throws   InvalidInput or Geometry, naming the patch and the contour
+/// Cost     O(contour uses), two surface evaluations each
+void check(const Model& model);
+
+}  // namespace surfmesh

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "surfmesh/core/values.hh"
+#include "surfmesh/geometry/domain.hh"
+
+namespace surfmesh {
+
+/// How many derivatives an evaluation gives.
+enum class Order { Position = 0, First = 1, Second = 2 };
+
+/// Position and derivatives of a surface at one (u,v). Members above the order asked for are NaN.
+struct Jet {
+  Vec3 point = Vec3::Constant(kUnset);
+  Vec3 du = Vec3::Constant(kUnset);
+  Vec3 dv = Vec3::Constant(kUnset);
+  Vec3 duu = Vec3::Constant(kUnset);
+  Vec3 duv = Vec3::Constant(kUnset);
+  Vec3 dvv = Vec3::Constant(kUnset);
+};
+
+/// A point of the domain near which second derivatives grow without bound or are not those of the
+/// true surface: an extraordinary vertex of a subdivision surface.
+struct SingularPoint {
+  Uv at;
+  /// Parameter distance below which derivatives are an artefact of the evaluation.
+  double reach = 0;
+};
+
+/// A parametric surface p(u,v).
+///
+/// Implementations are immutable after construction; evaluation is const and may be called from
+/// several threads at once.
+class Surface {
+ public:
+  virtual ~Surface() = default;
+
+  /// Evaluate position and, by `order`, first and second derivatives.
+  ///
+  /// Derivatives are exact up to rounding. Points outside of the domain by rounding errors are
+  /// allowed.
+  /// Throws   Geometry if the result is not finite, naming (u,v)
+  virtual Jet evaluate(Uv uv, Order order) const = 0;
+
+  virtual Domain domain() const = 0;
+
+  /// Corners of the domain that are extraordinary; none for analytic surfaces.
+  virtual std::vector<SingularPoint> singular_points() const { return {}; }
+};
+
+}  // namespace surfmesh
