@@ -54,7 +54,6 @@ auto attach(Mesh& mesh, const PropertyKey<Element, Value>& key, const Value& ini
                 std::string("the mesh has a property ") + key.name + " already");
   }
   mesh.add_property(handle, key.name);
-  mesh.property(handle).set_persistent(true);
   auto& values = mesh.property(handle).data_vector();
   values.assign(values.size(), initial);
   return handle;

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "surfmesh/core/mesh.hh"
+#include "surfmesh/core/properties.hh"
+#include "surfmesh/metric/tensor.hh"
+
+namespace surfmesh {
+
+// In-circle rules: function objects that tell whether a point lies inside the circumcircle of a
+// triangle. The kernel takes them as argument; a rule decides which triangles a new point
+// replaces, never whether the result is valid, for the kernel asks exact orientation on its own.
+
+/// Parameters of the three vertices of a triangle, counter-clockwise.
+inline std::array<Uv, 3> corners(const TriMesh& mesh, FaceHandle fh,
+                                 decltype(keys::vertex_uv)::Handle uv) {
+  const HalfedgeHandle a = mesh.halfedge_handle(fh);
+  const HalfedgeHandle b = mesh.next_halfedge_handle(a);
+  const HalfedgeHandle c = mesh.next_halfedge_handle(b);
+  return {mesh.property(uv, mesh.to_vertex_handle(a)), mesh.property(uv, mesh.to_vertex_handle(b)),
+          mesh.property(uv, mesh.to_vertex_handle(c))};
+}
+
+/// True if p lies inside the circumcircle of a counter-clockwise triangle in a constant metric.
+///
+/// With d_i = corner − p and M = L Lᵀ the sign of in-circle is that of Σ (dᵢᵀ M dᵢ) (d_j × d_k).
+/// A sum within its own rounding error counts as outside, so cocircular points do not extend the
+/// cavity: which of the equal triangulations results does not matter, an exact sign is not needed.
+inline bool in_metric_circle(const std::array<Uv, 3>& triangle, Uv p, const Metric& m) {
+  /// Bound of the relative rounding error of each term: about 14 operations of 2⁻⁵³ each.
+  constexpr double rounding = 1.6e-15;
+  const Uv a = triangle[0] - p, b = triangle[1] - p, c = triangle[2] - p;
+  const double la = squared_length(m, a), lb = squared_length(m, b), lc = squared_length(m, c);
+  const double bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+  const double sum = la * bc + lb * ca + lc * ab;
+  return sum > rounding * (la * std::abs(bc) + lb * std::abs(ca) + lc * std::abs(ab));
+}
+
+/// Constant metric: Euclidean with diag(1,1), or in a parameter plane scaled by its entries. As in
+/// the paper, section 2.1, item 2, with the metric at the inserted point.
+struct ConstantMetricRule {
+  decltype(keys::vertex_uv)::Handle uv;
+  Metric metric{1, 0, 1};
+
+  bool operator()(const TriMesh& mesh, FaceHandle fh, Uv p) const {
+    return in_metric_circle(corners(mesh, fh, uv), p, metric);
+  }
+};
+
+/// Mean metric of the triangle's own vertices: more robust than the new point's where the metric
+/// turns.
+struct TriangleMetricRule {
+  decltype(keys::vertex_uv)::Handle uv;
+  decltype(keys::vertex_metric)::Handle metric;
+
+  bool operator()(const TriMesh& mesh, FaceHandle fh, Uv p) const {
+    const HalfedgeHandle a = mesh.halfedge_handle(fh);
+    const HalfedgeHandle b = mesh.next_halfedge_handle(a);
+    const HalfedgeHandle c = mesh.next_halfedge_handle(b);
+    const Metric m = mean(mesh.property(metric, mesh.to_vertex_handle(a)),
+                          mesh.property(metric, mesh.to_vertex_handle(b)),
+                          mesh.property(metric, mesh.to_vertex_handle(c)));
+    return in_metric_circle(corners(mesh, fh, uv), p, m);
+  }
+};
+
+}  // namespace surfmesh

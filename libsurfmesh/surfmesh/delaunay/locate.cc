@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/delaunay/locate.hh"
+
+#include <cmath>
+
+#include "surfmesh/delaunay/predicates.hh"
+
+namespace surfmesh {
+namespace {
+
+class Walk {
+ public:
+  Walk(const TriMesh& mesh, decltype(keys::vertex_uv)::Handle uv, Uv p)
+      : mesh_(mesh), uv_(uv), p_(p) {}
+
+  /// Sign of the side of `heh` on which p lies: 1 left, where its triangle is.
+  int side(HalfedgeHandle heh) const {
+    return orient2d(mesh_.property(uv_, mesh_.from_vertex_handle(heh)),
+                    mesh_.property(uv_, mesh_.to_vertex_handle(heh)), p_);
+  }
+
+  /// Classify p within a triangle that contains it.
+  Location inside(FaceHandle fh) const {
+    Location location{Location::Kind::Inside, fh, HalfedgeHandle(), VertexHandle()};
+    HalfedgeHandle heh = mesh_.halfedge_handle(fh);
+    for (int k = 0; k < 3; ++k, heh = mesh_.next_halfedge_handle(heh)) {
+      if (mesh_.property(uv_, mesh_.to_vertex_handle(heh)) == p_) {
+        return {Location::Kind::OnVertex, fh, heh, mesh_.to_vertex_handle(heh)};
+      }
+      if (side(heh) == 0) {
+        location.kind = Location::Kind::OnEdge;
+        location.edge = heh;
+      }
+    }
+    return location;
+  }
+
+  bool contains(FaceHandle fh) const {
+    HalfedgeHandle heh = mesh_.halfedge_handle(fh);
+    for (int k = 0; k < 3; ++k, heh = mesh_.next_halfedge_handle(heh)) {
+      if (side(heh) < 0) return false;
+    }
+    return true;
+  }
+
+ private:
+  const TriMesh& mesh_;
+  decltype(keys::vertex_uv)::Handle uv_;
+  Uv p_;
+};
+
+Location search_all(const Walk& walk, FaceHandle last, std::size_t face_count) {
+  for (std::size_t i = 0; i < face_count; ++i) {
+    const FaceHandle fh(static_cast<int>(i));
+    if (walk.contains(fh)) return walk.inside(fh);
+  }
+  return {Location::Kind::Outside, last, HalfedgeHandle(), VertexHandle()};
+}
+
+/// A walk across n triangles of a reasonable mesh takes about √n steps; this leaves room for
+/// stretched ones before the search of all of them, which costs n.
+std::size_t step_limit(std::size_t face_count) {
+  return 100 + 20 * static_cast<std::size_t>(std::sqrt(static_cast<double>(face_count)));
+}
+
+}  // namespace
+
+Location locate(const TriMesh& mesh, decltype(keys::vertex_uv)::Handle uv, Uv p, FaceHandle start,
+                RandomBits& random, std::size_t face_count) {
+  const Walk walk(mesh, uv, p);
+  HalfedgeHandle entry = mesh.halfedge_handle(start);
+  bool is_first = true;
+  for (std::size_t steps = step_limit(face_count); steps > 0; --steps) {
+    // Ask the side through which the walk came only in the first triangle.
+    HalfedgeHandle a = mesh.next_halfedge_handle(entry);
+    HalfedgeHandle b = mesh.next_halfedge_handle(a);
+    if (random.next() & 1u) std::swap(a, b);
+    HalfedgeHandle exit;
+    if (walk.side(a) < 0) {
+      exit = a;
+    } else if (walk.side(b) < 0) {
+      exit = b;
+    } else if (is_first && walk.side(entry) < 0) {
+      exit = entry;
+    } else {
+      return walk.inside(mesh.face_handle(entry));
+    }
+    is_first = false;
+    const HalfedgeHandle opposite = mesh.opposite_halfedge_handle(exit);
+    if (mesh.is_boundary(opposite)) {
+      return {Location::Kind::Outside, mesh.face_handle(exit), exit, VertexHandle()};
+    }
+    entry = opposite;
+  }
+  return search_all(walk, mesh.face_handle(entry), face_count);
+}
+
+}  // namespace surfmesh

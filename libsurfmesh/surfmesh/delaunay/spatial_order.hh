@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "surfmesh/core/values.hh"
+
+namespace surfmesh {
+
+/// An order of insertion in which neighbours in the list are neighbours in the plane.
+///
+/// Biased randomised insertion order: rounds of doubling size, each along a Hilbert curve. Random
+/// order makes insertion 40 times slower, one Hilbert curve 10 to 15 %. Deterministic.
+///
+/// Returns  indices into `points`
+/// Cost     O(n log n), about 100 ns a point
+/// Source   Amenta, Choi, Rote, Incremental constructions con BRIO (2003)
+std::vector<int> spatial_order(const std::vector<Uv>& points);
+
+}  // namespace surfmesh
