@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "surfmesh/control/metric_field.hh"
+#include "surfmesh/geometry/model.hh"
+
+namespace surfmesh {
+
+/// The nodes of one contour in its direction, both ends included.
+struct ContourNodes {
+  std::vector<Vec3> points;
+  std::vector<std::vector<Uv>> uv;  ///< by use, then by node
+
+  int segment_count() const { return static_cast<int>(points.size()) - 1; }
+};
+
+struct BoundaryOptions {
+  /// The number of segments of every contour is a multiple of this; quads need 2. 1 or above.
+  int multiple = 1;
+};
+
+void check(const BoundaryOptions& options);
+
+/// Place the nodes of all contours.
+///
+/// The nodes of a contour come from the patch in whose metric it is longest: their number is the
+/// nearest integer to that length, at least 1, and they lie at equal metric arcs, which is marching
+/// by eq. (3) with the remainder spread evenly. Then every segment is measured in the metric of
+/// every other patch and halved while it is longer than √2.
+///
+/// Contours get more nodes where the result would not be a proper mesh otherwise: at least three
+/// segments if closed, two if another contour joins the same vertices, one to spare beside each
+/// pole. A degenerate contour has one segment of no length.
+///
+/// `fields` holds the metric of each patch.
+/// Cost     about four metric queries a segment and use
+/// Source   paper, section 2.1, item 1
+std::vector<ContourNodes> place_contour_nodes(const Model& model,
+                                              const std::vector<const MetricField*>& fields,
+                                              const BoundaryOptions& options = {});
+
+}  // namespace surfmesh

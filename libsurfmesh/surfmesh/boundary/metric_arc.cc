@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/boundary/metric_arc.hh"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surfmesh {
+namespace {
+
+constexpr int kFirstPieces = 8;
+/// Halvings of a first piece: enough for a size of 1e-9 of it, and an end for curves of infinite
+/// length.
+constexpr int kMaxDepth = 30;
+constexpr double kLongestPiece = 0.5;
+/// Relative disagreement at which a piece is not halved any more; that of the whole is smaller.
+constexpr double kAgreement = 1e-3;
+/// Pieces shorter than this do not matter, whatever their agreement.
+constexpr double kNegligible = 1e-4;
+
+struct Station {
+  double t;
+  Uv uv;
+  Metric metric;
+};
+
+double piece_length(const Station& a, const Station& b) {
+  const Uv step = b.uv - a.uv;
+  return edge_length(std::sqrt(squared_length(a.metric, step)),
+                     std::sqrt(squared_length(b.metric, step)));
+}
+
+/// Interpolate linearly in a table with increasing x.
+double look_up(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
+  const auto after = std::upper_bound(xs.begin(), xs.end(), x);
+  if (after == xs.begin()) return ys.front();
+  if (after == xs.end()) return ys.back();
+  const auto i = static_cast<std::size_t>(after - xs.begin());
+  const double share = (x - xs[i - 1]) / (xs[i] - xs[i - 1]);
+  return (1 - share) * ys[i - 1] + share * ys[i];
+}
+
+class Bisection {
+ public:
+  Bisection(const Curve& curve, const MetricField& field, std::vector<double>& parameters,
+            std::vector<double>& arcs)
+      : curve_(curve), field_(field), parameters_(parameters), arcs_(arcs) {}
+
+  Station station(double t) {
+    const Uv uv = curve_.evaluate(t);
+    return {t, uv, field_.at(uv, hint_)};
+  }
+
+  void add(const Station& a, const Station& b, int depth) {
+    const Station middle = station(0.5 * (a.t + b.t));
+    const double whole = piece_length(a, b);
+    const double first = piece_length(a, middle), second = piece_length(middle, b);
+    const double halves = first + second;
+    const bool is_good = halves <= kNegligible ||
+                         (halves <= kLongestPiece && std::abs(whole - halves) <= kAgreement * halves);
+    if (is_good || depth == 0) {
+      append(middle.t, first);
+      append(b.t, second);
+      return;
+    }
+    add(a, middle, depth - 1);
+    add(middle, b, depth - 1);
+  }
+
+ private:
+  void append(double t, double length) {
+    parameters_.push_back(t);
+    arcs_.push_back(arcs_.back() + length);
+  }
+
+  const Curve& curve_;
+  const MetricField& field_;
+  MetricField::Hint hint_;
+  std::vector<double>& parameters_;
+  std::vector<double>& arcs_;
+};
+
+}  // namespace
+
+MetricArc::MetricArc(const Curve& curve, const MetricField& field)
+    : parameters_{0.0}, arcs_{0.0} {
+  Bisection bisection(curve, field, parameters_, arcs_);
+  Station from = bisection.station(0);
+  for (int i = 1; i <= kFirstPieces; ++i) {
+    const Station to = bisection.station(double(i) / kFirstPieces);
+    bisection.add(from, to, kMaxDepth);
+    from = to;
+  }
+}
+
+double MetricArc::arc(double t) const { return look_up(parameters_, arcs_, t); }
+
+double MetricArc::parameter(double arc) const { return look_up(arcs_, parameters_, arc); }
+
+}  // namespace surfmesh

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "surfmesh/control/metric_field.hh"
+#include "surfmesh/geometry/curve.hh"
+
+namespace surfmesh {
+
+/// Metric arc length along a curve in the parameters of a patch, as a table.
+///
+/// The curve is bisected until a piece is at most half a unit long and the length of the piece
+/// agrees with the sum over its halves. Each piece counts with the metrics of both its ends, as in
+/// eq. (3) of the paper.
+///
+/// Error    about 1e-3 of the length (test MetricArc.*)
+/// Cost     about four metric queries a unit of length, at least 17
+class MetricArc {
+ public:
+  MetricArc(const Curve& curve, const MetricField& field);
+
+  /// Metric length of the whole curve: the number of segments wanted.
+  double length() const { return arcs_.back(); }
+
+  /// Metric length from t = 0 to t.
+  double arc(double t) const;
+
+  /// The t at which the metric length from t = 0 is `arc`.
+  double parameter(double arc) const;
+
+ private:
+  std::vector<double> parameters_;
+  std::vector<double> arcs_;
+};
+
+}  // namespace surfmesh

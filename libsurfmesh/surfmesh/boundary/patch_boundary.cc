@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/boundary/patch_boundary.hh"
+
+#include <algorithm>
+#include <cmath>
+
+#include "surfmesh/boundary/metric_arc.hh"
+
+namespace surfmesh {
+namespace {
+
+/// A segment of a loop that lies on a degenerate contour, before it is cut off.
+bool is_pole(const Model& model, const BoundaryNode& node) {
+  return node.contour >= 0 &&
+         model.contours[static_cast<std::size_t>(node.contour)].is_degenerate;
+}
+
+BoundaryLoop chain_of_nodes(const Model& model, const Loop& loop,
+                            const std::vector<ContourNodes>& nodes, const NodeNumbers& numbers) {
+  BoundaryLoop chain;
+  for (const LoopEntry& entry : loop) {
+    const Contour& contour = model.contours[static_cast<std::size_t>(entry.contour)];
+    const ContourNodes& list = nodes[static_cast<std::size_t>(entry.contour)];
+    const auto& uv = list.uv[static_cast<std::size_t>(entry.use)];
+    const bool is_forward = contour.uses[static_cast<std::size_t>(entry.use)].is_forward;
+    const int count = list.segment_count();
+    for (int i = 0; i < count; ++i) {
+      const int node = is_forward ? i : count - i;
+      chain.push_back({uv[static_cast<std::size_t>(node)], numbers(entry.contour, node),
+                       entry.contour});
+    }
+  }
+  return chain;
+}
+
+/// Nodes between `from` and `to` at equal metric distances along the straight line.
+std::vector<Uv> ring_between(const BoundaryNode& from, const BoundaryNode& to,
+                             const MetricField& field) {
+  const SegmentCurve line(from.uv, to.uv);
+  const MetricArc arc(line, field);
+  const int least = from.vertex == to.vertex ? 3 : 1;
+  const int count = std::max(least, static_cast<int>(std::lround(arc.length())));
+  std::vector<Uv> inner;
+  for (int i = 1; i < count; ++i) {
+    inner.push_back(line.evaluate(arc.parameter(i * arc.length() / count)));
+  }
+  return inner;
+}
+
+/// Replace each pole in a loop by a ring. `offset` is the number of nodes in earlier loops.
+BoundaryLoop cut_off_poles(const Model& model, const BoundaryLoop& chain, int offset,
+                           const MetricField& field, std::vector<PoleFan>& fans) {
+  BoundaryLoop loop = chain;
+  // Start at a node that is no end of a pole, so that none wraps around.
+  const std::size_t n = chain.size();
+  std::size_t start = 0;
+  while (start < n && (is_pole(model, chain[start]) || is_pole(model, chain[(start + n - 1) % n]))) {
+    ++start;
+  }
+  if (start == n) return loop;
+  loop.clear();
+  for (std::size_t i = 0; i < n; ++i) {
+    const BoundaryNode& node = chain[(start + i) % n];
+    if (!is_pole(model, node)) {
+      loop.push_back(node);
+      continue;
+    }
+    // `loop` ends with the node before the pole; the pole's own second node is skipped, too.
+    PoleFan fan;
+    fan.pole = node.vertex;
+    BoundaryNode& before = loop.back();
+    const BoundaryNode after = chain[(start + i + 2) % n];
+    before.contour = -1;
+    fan.ring.push_back(offset + static_cast<int>(loop.size()) - 1);
+    for (const Uv uv : ring_between(before, after, field)) {
+      fan.ring.push_back(offset + static_cast<int>(loop.size()));
+      loop.push_back({uv, -1, -1});
+    }
+    const bool wraps = i + 2 >= n;
+    fan.ring.push_back(wraps ? offset : offset + static_cast<int>(loop.size()));
+    fans.push_back(std::move(fan));
+    ++i;
+  }
+  return loop;
+}
+
+}  // namespace
+
+NodeNumbers::NodeNumbers(const Model& model, const std::vector<ContourNodes>& nodes)
+    : count_(static_cast<int>(model.vertices.size())) {
+  for (std::size_t c = 0; c < nodes.size(); ++c) {
+    const int segments = nodes[c].segment_count();
+    ranges_.push_back({model.contours[c].start, model.contours[c].end, count_, segments});
+    count_ += std::max(0, segments - 1);
+  }
+}
+
+int NodeNumbers::operator()(int contour, int node) const {
+  const Range& range = ranges_[static_cast<std::size_t>(contour)];
+  if (node == 0) return range.start;
+  if (node == range.segments) return range.end;
+  return range.first_inner + node - 1;
+}
+
+PatchBoundary collect_boundary(const Model& model, int patch,
+                               const std::vector<ContourNodes>& nodes, const NodeNumbers& numbers,
+                               const MetricField& field) {
+  PatchBoundary boundary;
+  int offset = 0;
+  for (const Loop& loop : model.patches[static_cast<std::size_t>(patch)].loops) {
+    const BoundaryLoop chain = chain_of_nodes(model, loop, nodes, numbers);
+    boundary.loops.push_back(cut_off_poles(model, chain, offset, field, boundary.fans));
+    offset += static_cast<int>(boundary.loops.back().size());
+  }
+  return boundary;
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "surfmesh/boundary/contour_nodes.hh"
+
+namespace surfmesh {
+
+/// Numbers of the result vertices that contours own: first the model's vertices, then the inner
+/// nodes of each contour.
+class NodeNumbers {
+ public:
+  NodeNumbers(const Model& model, const std::vector<ContourNodes>& nodes);
+
+  /// Result vertex of a node of a contour.
+  int operator()(int contour, int node) const;
+
+  /// Number of vertices and nodes in all.
+  int count() const { return count_; }
+
+ private:
+  struct Range {
+    int start, end;  ///< model vertices
+    int first_inner;
+    int segments;
+  };
+
+  std::vector<Range> ranges_;
+  int count_ = 0;
+};
+
+/// A node of the boundary of a patch's domain.
+struct BoundaryNode {
+  Uv uv;
+  int vertex = -1;   ///< result vertex; -1 for a node of a ring around a pole, which is the patch's own
+  int contour = -1;  ///< contour of the segment from here to the next node; -1 on such a ring
+};
+
+/// Nodes counter-clockwise around the outside, clockwise around holes.
+using BoundaryLoop = std::vector<BoundaryNode>;
+
+/// The triangles between a pole and the ring of nodes around it, which the domain mesh leaves out.
+struct PoleFan {
+  int pole = -1;               ///< result vertex
+  std::vector<int> ring;       ///< positions in the patch's list of boundary nodes
+};
+
+/// All that the mesh of one patch must keep.
+struct PatchBoundary {
+  std::vector<BoundaryLoop> loops;
+  std::vector<PoleFan> fans;
+};
+
+/// Collect the boundary of one patch from the nodes of its contours.
+///
+/// A side that is one point (a pole) is cut off: the nodes next to it on both adjoining sides are
+/// joined by a ring at constant metric distances, so that the metric, which is singular at a pole,
+/// is never asked for there.
+PatchBoundary collect_boundary(const Model& model, int patch,
+                               const std::vector<ContourNodes>& nodes, const NodeNumbers& numbers,
+                               const MetricField& field);
+
+}  // namespace surfmesh

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/control/control_nodes.hh"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+#include "surfmesh/core/error.hh"
+#include "surfmesh/metric/conformity.hh"
+#include "surfmesh/metric/interpolate.hh"
+#include "surfmesh/metric/tensor.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Cells are intervals of a grid of this many lines, so that neighbours share corners exactly.
+constexpr std::uint32_t kGridSize = 1u << 24;
+
+/// The first cells: so many along each side, for a field of which the samples of one cell would
+/// see too little.
+constexpr std::uint32_t kFirstCells = 4;
+
+/// Cells shorter than this share of the elements wanted there are not halved any more: elements
+/// cannot follow finer detail.
+constexpr double kLeastCellLength = 0.35;
+
+/// Shares of a cell's width at which it is sampled: irrational, and not symmetric.
+constexpr std::array<double, 3> kSampleShares = {0.1273, 0.4817, 0.8359};
+
+struct Cell {
+  std::uint32_t i0, j0, i1, j1;
+};
+
+/// Samples of the field inside one cell, rows along u.
+using CellSamples = std::array<std::array<SizeField::Sample, 3>, 3>;
+
+class NodeChooser {
+ public:
+  NodeChooser(const SizeField& field, double precision)
+      : field_(field), domain_(field.surface().domain()), precision_(precision) {}
+
+  std::vector<ControlNode> run() {
+    constexpr std::uint32_t step = kGridSize / kFirstCells;
+    std::vector<Cell> cells;
+    for (std::uint32_t j = 0; j < kGridSize; j += step)
+      for (std::uint32_t i = 0; i < kGridSize; i += step)
+        cells.push_back({i, j, i + step, j + step});
+    while (!cells.empty()) {
+      const Cell cell = cells.back();
+      cells.pop_back();
+      split_or_keep(cell, cells);
+    }
+    return std::move(nodes_);
+  }
+
+ private:
+  Uv at(double i, double j) const { return domain_.at(i / kGridSize, j / kGridSize); }
+
+  const ControlNode& node(std::uint32_t i, std::uint32_t j) {
+    const std::uint64_t key = std::uint64_t{i} << 32 | j;
+    const auto [entry, is_new] = index_.try_emplace(key, nodes_.size());
+    if (is_new) {
+      const Uv uv = at(i, j);
+      const SizeField::Sample sample = field_.at(uv);
+      nodes_.push_back({uv, sample.point, sample.form, sample.size});
+    }
+    return nodes_[entry->second];
+  }
+
+  CellSamples sample(const Cell& cell) const {
+    CellSamples samples;
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t column = 0; column < 3; ++column) {
+        samples[row][column] = field_.at(position(cell, row, column));
+      }
+    }
+    return samples;
+  }
+
+  Uv position(const Cell& cell, std::size_t row, std::size_t column) const {
+    // Each row is shifted, so that no line of constant u or v holds three samples.
+    const double s = kSampleShares[column] + 0.017 * static_cast<double>(row);
+    const double t = kSampleShares[row] + 0.013 * static_cast<double>(column);
+    return at(cell.i0 + s * (cell.i1 - cell.i0), cell.j0 + t * (cell.j1 - cell.j0));
+  }
+
+  void split_or_keep(const Cell& cell, std::vector<Cell>& cells) {
+    const std::array<ControlNode, 4> corners = {node(cell.i0, cell.j0), node(cell.i1, cell.j0),
+                                                node(cell.i1, cell.j1), node(cell.i0, cell.j1)};
+    const CellSamples samples = sample(cell);
+    if (conforms(cell, corners, samples)) return;
+    const bool can_split_u = is_long(cell, samples, true);
+    const bool can_split_v = is_long(cell, samples, false);
+    if (!can_split_u && !can_split_v) return;
+    const bool along_u =
+        can_split_u && (!can_split_v || variation(samples, true) >= variation(samples, false));
+    Cell first = cell, second = cell;
+    if (along_u) {
+      first.i1 = second.i0 = cell.i0 + (cell.i1 - cell.i0) / 2;
+    } else {
+      first.j1 = second.j0 = cell.j0 + (cell.j1 - cell.j0) / 2;
+    }
+    cells.push_back(second);
+    cells.push_back(first);
+  }
+
+  bool conforms(const Cell& cell, const std::array<ControlNode, 4>& corners,
+                const CellSamples& samples) const {
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t column = 0; column < 3; ++column) {
+        const SizeField::Sample& exact = samples[row][column];
+        const SizeTensor interpolated = from_corners(corners, position(cell, row, column), exact);
+        if (!(log_conformity(exact.size, interpolated) <= precision_)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// What V_t gives at a sample if the cell is cut along its rising diagonal.
+  static SizeTensor from_corners(const std::array<ControlNode, 4>& corners, Uv uv,
+                                 const SizeField::Sample& sample) {
+    const bool is_below =
+        cross(corners[2].uv - corners[0].uv, uv - corners[0].uv) < 0;
+    const std::array<const ControlNode*, 3> nodes = {&corners[0], &corners[is_below ? 1 : 3],
+                                                     &corners[2]};
+    std::array<SizeTensor, 3> sizes;
+    std::array<double, 3> distances{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      sizes[k] = nodes[k]->size;
+      distances[k] = squared_distance(sample.form, uv - nodes[k]->uv);
+    }
+    return interpolate(sizes, distances);
+  }
+
+  /// True if the cell is not yet small against the elements wanted in it.
+  bool is_long(const Cell& cell, const CellSamples& samples, bool along_u) const {
+    const double width = (domain_.u1 - domain_.u0) * (cell.i1 - cell.i0) / kGridSize;
+    const double height = (domain_.v1 - domain_.v0) * (cell.j1 - cell.j0) / kGridSize;
+    const Uv step = along_u ? Uv{width, 0} : Uv{0, height};
+    const std::uint32_t lines = along_u ? cell.i1 - cell.i0 : cell.j1 - cell.j0;
+    if (lines < 2) return false;
+    for (const auto& row : samples) {
+      for (const SizeField::Sample& s : row) {
+        const double squared = squared_length(metric_from_size(s.form, s.size), step);
+        if (squared > kLeastCellLength * kLeastCellLength) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Greatest change of the field between samples of one row (or column).
+  static double variation(const CellSamples& samples, bool along_u) {
+    double greatest = 0;
+    for (std::size_t line = 0; line < 3; ++line) {
+      for (std::size_t k = 0; k < 2; ++k) {
+        const auto& a = along_u ? samples[line][k] : samples[k][line];
+        const auto& b = along_u ? samples[line][k + 1] : samples[k + 1][line];
+        greatest = std::max(greatest, log_conformity(a.size, b.size));
+      }
+    }
+    return greatest;
+  }
+
+  const SizeField& field_;
+  Domain domain_;
+  double precision_;
+  std::vector<ControlNode> nodes_;
+  std::unordered_map<std::uint64_t, std::size_t> index_;
+};
+
+std::vector<ControlNode> regular_nodes(const SizeField& field, int count) {
+  const Domain domain = field.surface().domain();
+  const int side = std::max(2, static_cast<int>(std::lround(std::sqrt(count))));
+  std::vector<ControlNode> nodes;
+  nodes.reserve(static_cast<std::size_t>(side * side));
+  for (int j = 0; j < side; ++j) {
+    for (int i = 0; i < side; ++i) {
+      const Uv uv = domain.at(double(i) / (side - 1), double(j) / (side - 1));
+      const SizeField::Sample sample = field.at(uv);
+      nodes.push_back({uv, sample.point, sample.form, sample.size});
+    }
+  }
+  return nodes;
+}
+
+}  // namespace
+
+void check(const ControlNodeOptions& options) {
+  if (options.regular < 0 || (options.regular > 0 && options.regular < 4)) {
+    throw Error(ErrorCode::InvalidOption,
+                fmt::format("nodes = {} is outside its range: auto, or 4 and above", options.regular));
+  }
+  if (!(options.precision > 0)) {
+    throw Error(ErrorCode::InvalidOption,
+                fmt::format("precision = {} is outside its range: above 0", options.precision));
+  }
+}
+
+std::vector<ControlNode> choose_control_nodes(const SizeField& field,
+                                              const ControlNodeOptions& options) {
+  check(options);
+  if (options.regular > 0) return regular_nodes(field, options.regular);
+  return NodeChooser(field, options.precision).run();
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "surfmesh/control/size_field.hh"
+
+namespace surfmesh {
+
+/// A point of a control space with the sizes wanted there.
+struct ControlNode {
+  Uv uv;
+  Vec3 point;
+  FirstFormFactor form;
+  SizeTensor size;
+};
+
+/// How control nodes are placed.
+struct ControlNodeOptions {
+  /// Number of regular nodes in the bounding rectangle, made square (40,000 is 200 × 200); 0
+  /// chooses them by precision. 0 or at least 4.
+  int regular = 0;
+  /// Greatest conformity (max |ln λ|, DESIGN terms) between the exact field and one interpolated
+  /// within a cell from its corners. Above 0.
+  double precision = 0.1;
+};
+
+void check(const ControlNodeOptions& options);
+
+/// Place nodes so that the field is represented to a precision.
+///
+/// Cells, first the whole rectangle, are halved across the direction in which the field changes
+/// most until all their samples conform or the cell is small against the elements wanted there.
+/// Samples lie at irrational shares of a cell, so that a periodic field cannot hide between nodes.
+/// The corners of the domain are always nodes, no position comes twice.
+///
+/// Cost     about ten samples of the field a cell
+std::vector<ControlNode> choose_control_nodes(const SizeField& field,
+                                              const ControlNodeOptions& options);
+
+}  // namespace surfmesh

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "surfmesh/control/control_nodes.hh"
+#include "surfmesh/core/properties.hh"
+#include "surfmesh/delaunay/locate.hh"
+
+namespace surfmesh {
+
+/// The sizes of one patch: a triangulation of its control nodes, asked for the metric anywhere.
+///
+/// Immutable after construction; queries are const and may come from several threads, each with a
+/// hint of its own.
+class ControlSpace {
+ public:
+  /// What a caller keeps from one query to the next, so that near points are found fast.
+  struct Hint {
+    FaceHandle face;
+    RandomBits random;
+  };
+
+  /// Triangulate the nodes in the parameter plane, scaled so that it is not distorted, over the
+  /// bounding rectangle of the domain; nodes nearer to each other than a tenth of the size wanted
+  /// become one with the minimum of both; then sizes are graded.
+  ///
+  /// Writes   surf:uv, surf:size, point() of the control mesh
+  /// Cost     O(n log n), about 1 µs a node
+  /// Pre      the corners of the rectangle are among the nodes
+  /// Throws   InvalidInput for a node outside the rectangle, naming its (u,v)
+  /// Source   paper, section 3.2
+  ControlSpace(const Domain& domain, const std::vector<ControlNode>& nodes, double grade);
+
+  /// Interpolate the sizes at a point with V_t and turn them into the metric there.
+  ///
+  /// Weights are 1/d² with distances through M_p at the point asked for (paper, eq. (4), (5)). A
+  /// point outside the rectangle gets the sizes of its nearest triangle.
+  ///
+  /// Cost     about 50 ns near the point asked for last, 130 ns elsewhere
+  Metric metric(Uv uv, const FirstFormFactor& form, Hint& hint) const;
+
+  /// The sizes alone.
+  SizeTensor size(Uv uv, const FirstFormFactor& form, Hint& hint) const;
+
+  /// The control mesh with surf:uv, surf:size and positions in space.
+  const TriMesh& mesh() const { return mesh_; }
+
+ private:
+  struct SeedGrid {
+    Uv lower;
+    double columns_per_u = 0;
+    double rows_per_v = 0;
+    int columns = 0;
+    int rows = 0;
+    std::vector<FaceHandle> faces;
+
+    int column(double u) const;
+    int row(double v) const;
+  };
+
+  void triangulate(const Domain& domain, const std::vector<ControlNode>& nodes);
+  void grade_sizes(double grade);
+  void make_seed_grid(const Domain& domain);
+  FaceHandle find_face(Uv uv, Hint& hint) const;
+
+  TriMesh mesh_;
+  decltype(keys::vertex_uv)::Handle uv_;
+  decltype(keys::vertex_size)::Handle size_;
+  std::vector<FirstFormFactor> forms_;
+  SeedGrid seeds_;
+};
+
+}  // namespace surfmesh

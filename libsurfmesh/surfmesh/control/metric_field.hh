@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "surfmesh/control/control_space.hh"
+#include "surfmesh/geometry/first_form.hh"
+#include "surfmesh/geometry/surface.hh"
+#include "surfmesh/metric/tensor.hh"
+
+namespace surfmesh {
+
+/// The metric of one patch as the meshing stages see it.
+class MetricField {
+ public:
+  using Hint = ControlSpace::Hint;
+
+  virtual ~MetricField() = default;
+
+  /// Metric at a point of the domain; `hint` is the caller's own, for points near each other.
+  virtual Metric at(Uv uv, Hint& hint) const = 0;
+};
+
+/// Metric from the sizes of a control space and the exact first form of the surface.
+class SurfaceMetricField : public MetricField {
+ public:
+  /// Both must outlive the field.
+  SurfaceMetricField(const Surface& surface, const ControlSpace& control)
+      : surface_(surface), control_(control) {}
+
+  Metric at(Uv uv, Hint& hint) const override {
+    const Jet jet = surface_.evaluate(uv, Order::First);
+    return control_.metric(uv, first_form_factor(jet.du, jet.dv), hint);
+  }
+
+ private:
+  const Surface& surface_;
+  const ControlSpace& control_;
+};
+
+}  // namespace surfmesh

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/delaunay/metric_swaps.hh"
+
+#include <algorithm>
+#include <array>
+
+namespace surfmesh {
+namespace {
+
+/// Least gain of quality for which an edge is swapped: far above rounding, so that swaps end.
+constexpr double kLeastGain = 1e-6;
+
+/// Swaps an edge of the list may cause in all, in the mean; a few tenths are usual.
+constexpr std::size_t kSwapsPerEdge = 10;
+
+struct Quadrilateral {
+  HalfedgeHandle halfedge, opposite;
+  MetricCorner origin, tip, left, right;
+};
+
+Quadrilateral around(const DelaunayMesh& delaunay, EdgeHandle eh) {
+  const TriMesh& mesh = delaunay.mesh();
+  const HalfedgeHandle a = mesh.halfedge_handle(eh, 0), b = mesh.halfedge_handle(eh, 1);
+  return {a,
+          b,
+          corner(delaunay, mesh.to_vertex_handle(b)),
+          corner(delaunay, mesh.to_vertex_handle(a)),
+          corner(delaunay, mesh.to_vertex_handle(mesh.next_halfedge_handle(a))),
+          corner(delaunay, mesh.to_vertex_handle(mesh.next_halfedge_handle(b)))};
+}
+
+bool is_worth_swapping(const Quadrilateral& q) {
+  const double before = std::min(triangle_quality(q.origin, q.tip, q.left),
+                                 triangle_quality(q.tip, q.origin, q.right));
+  const double after = std::min(triangle_quality(q.right, q.tip, q.left),
+                                triangle_quality(q.left, q.origin, q.right));
+  return after > before + kLeastGain;
+}
+
+}  // namespace
+
+double quality(const DelaunayMesh& delaunay, FaceHandle fh) {
+  const TriMesh& mesh = delaunay.mesh();
+  const HalfedgeHandle a = mesh.halfedge_handle(fh);
+  const HalfedgeHandle b = mesh.next_halfedge_handle(a);
+  const HalfedgeHandle c = mesh.next_halfedge_handle(b);
+  return triangle_quality(corner(delaunay, mesh.to_vertex_handle(a)),
+                          corner(delaunay, mesh.to_vertex_handle(b)),
+                          corner(delaunay, mesh.to_vertex_handle(c)));
+}
+
+std::size_t swap_edges(DelaunayMesh& delaunay, std::vector<EdgeHandle> edges) {
+  const TriMesh& mesh = delaunay.mesh();
+  const std::size_t limit = kSwapsPerEdge * edges.size();
+  std::size_t swaps = 0;
+  while (!edges.empty() && swaps < limit) {
+    const EdgeHandle eh = edges.back();
+    edges.pop_back();
+    const HalfedgeHandle inner = mesh.halfedge_handle(eh, 0);
+    if (delaunay.is_constrained(eh) || mesh.is_boundary(inner) ||
+        mesh.is_boundary(mesh.opposite_halfedge_handle(inner))) {
+      continue;
+    }
+    const Quadrilateral q = around(delaunay, eh);
+    if (!is_worth_swapping(q) || !delaunay.can_flip(eh)) continue;
+    for (const HalfedgeHandle heh : {q.halfedge, q.opposite}) {
+      const HalfedgeHandle next = mesh.next_halfedge_handle(heh);
+      edges.push_back(mesh.edge_handle(next));
+      edges.push_back(mesh.edge_handle(mesh.next_halfedge_handle(next)));
+    }
+    delaunay.flip(eh);
+    ++swaps;
+  }
+  return swaps;
+}
+
+std::size_t swap_edges(DelaunayMesh& delaunay) {
+  std::vector<EdgeHandle> edges;
+  edges.reserve(delaunay.n_edges());
+  for (std::size_t i = delaunay.n_edges(); i > 0; --i) {
+    edges.push_back(EdgeHandle(static_cast<int>(i - 1)));
+  }
+  return swap_edges(delaunay, std::move(edges));
+}
+
+}  // namespace surfmesh

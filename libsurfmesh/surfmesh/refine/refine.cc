@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/refine/refine.hh"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "surfmesh/core/error.hh"
+#include "surfmesh/delaunay/metric_swaps.hh"
+#include "surfmesh/refine/front_queue.hh"
+#include "surfmesh/refine/placement.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Squared metric circumradius up to which a triangle is accepted; the unit triangle has 1/3.
+double accepted_size(Placement placement) {
+  // A front of unit triangles needs room for those a little too large; circumcentres halve what
+  // they split, so the mean edge is 1 only with a higher bound.
+  return placement == Placement::Frontal ? 0.72 * 0.72 : 0.74 * 0.74;
+}
+
+/// Least metric distance of a new node from the others.
+double least_distance(Placement placement) {
+  return placement == Placement::Frontal ? 0.7 : 0.5;
+}
+
+class Refinement {
+ public:
+  Refinement(DelaunayMesh& delaunay, const MetricField& field, const RefineOptions& options)
+      : delaunay_(delaunay),
+        field_(field),
+        options_(options),
+        rule_{delaunay.uv_handle(), delaunay.metric_handle()},
+        accepted_size_(accepted_size(options.placement)),
+        least_distance_(least_distance(options.placement)) {}
+
+  RefineReport run() {
+    grow_states();
+    for (std::size_t f = 0; f < delaunay_.n_faces(); ++f) {
+      measure(FaceHandle(static_cast<int>(f)));
+    }
+    for (std::size_t f = 0; f < delaunay_.n_faces(); ++f) {
+      activate(FaceHandle(static_cast<int>(f)));
+    }
+    FrontQueue::Entry entry;
+    while (queue_.pop(entry)) {
+      const State& state = states_[index(entry.face)];
+      if (state.stamp != entry.stamp || state.is_accepted) continue;
+      if (!split(entry.face)) {
+        ++report_.refused;
+        accept(entry.face);
+      }
+    }
+    return report_;
+  }
+
+ private:
+  struct State {
+    double squared_radius = 0;
+    std::uint32_t stamp = 0;
+    bool is_accepted = false;
+    bool is_active = false;
+  };
+
+  static std::size_t index(FaceHandle fh) { return static_cast<std::size_t>(fh.idx()); }
+
+  void grow_states() {
+    // Faces come two at a time; the states grow in bulk.
+    if (states_.size() < delaunay_.n_faces()) {
+      states_.resize(delaunay_.n_faces() + delaunay_.n_faces() / 2 + 64);
+    }
+  }
+
+  BaseTriangle triangle_at(HalfedgeHandle base) const {
+    const TriMesh& mesh = delaunay_.mesh();
+    return {corner(delaunay_, mesh.from_vertex_handle(base)),
+            corner(delaunay_, mesh.to_vertex_handle(base)),
+            corner(delaunay_, mesh.to_vertex_handle(mesh.next_halfedge_handle(base)))};
+  }
+
+  void measure(FaceHandle fh) {
+    const BaseTriangle t = triangle_at(delaunay_.mesh().halfedge_handle(fh));
+    State& state = states_[index(fh)];
+    state.squared_radius = squared_circumradius(t.a, t.b, t.apex);
+    state.is_accepted = state.squared_radius <= accepted_size_;
+    state.is_active = false;
+    ++state.stamp;
+  }
+
+  bool is_front(HalfedgeHandle heh) const {
+    const FaceHandle neighbour =
+        delaunay_.mesh().face_handle(delaunay_.mesh().opposite_halfedge_handle(heh));
+    return !neighbour.is_valid() || states_[index(neighbour)].is_accepted;
+  }
+
+  /// Put a triangle into the queue if it is to be split and, with frontal placement, is at the
+  /// front.
+  void activate(FaceHandle fh) {
+    State& state = states_[index(fh)];
+    if (state.is_accepted || state.is_active) return;
+    const HalfedgeHandle a = delaunay_.mesh().halfedge_handle(fh);
+    const HalfedgeHandle b = delaunay_.mesh().next_halfedge_handle(a);
+    const HalfedgeHandle c = delaunay_.mesh().next_halfedge_handle(b);
+    if (options_.placement == Placement::Frontal && !is_front(a) && !is_front(b) && !is_front(c)) {
+      return;
+    }
+    state.is_active = true;
+    queue_.push({fh, state.stamp}, state.squared_radius);
+  }
+
+  void activate_neighbour(HalfedgeHandle heh) {
+    const FaceHandle neighbour =
+        delaunay_.mesh().face_handle(delaunay_.mesh().opposite_halfedge_handle(heh));
+    if (neighbour.is_valid()) activate(neighbour);
+  }
+
+  void accept(FaceHandle fh) {
+    states_[index(fh)].is_accepted = true;
+    HalfedgeHandle heh = delaunay_.mesh().halfedge_handle(fh);
+    for (int k = 0; k < 3; ++k, heh = delaunay_.mesh().next_halfedge_handle(heh)) {
+      activate_neighbour(heh);
+    }
+  }
+
+  /// The shortest side at the front (frontal), or the longest (circumcentre).
+  HalfedgeHandle base_of(FaceHandle fh) const {
+    const TriMesh& mesh = delaunay_.mesh();
+    const bool is_frontal = options_.placement == Placement::Frontal;
+    HalfedgeHandle best;
+    double best_length = INFINITY;
+    HalfedgeHandle heh = mesh.halfedge_handle(fh);
+    for (int k = 0; k < 3; ++k, heh = mesh.next_halfedge_handle(heh)) {
+      if (is_frontal && !is_front(heh)) continue;
+      const MetricCorner a = corner(delaunay_, mesh.from_vertex_handle(heh));
+      const MetricCorner b = corner(delaunay_, mesh.to_vertex_handle(heh));
+      const double length = fast_edge_length(a.uv, a.metric, b.uv, b.metric);
+      const double rank = is_frontal ? length : -length;
+      if (rank < best_length) {
+        best_length = rank;
+        best = heh;
+      }
+    }
+    return best;
+  }
+
+  bool split(FaceHandle fh) {
+    const BaseTriangle triangle = triangle_at(base_of(fh));
+    if (options_.placement == Placement::Frontal) {
+      ++report_.queries;
+      if (try_insert(frontal_point(triangle, field_, hint_), fh, triangle, false)) return true;
+    }
+    if (try_insert(circumcentre(triangle), fh, triangle, true)) return true;
+    return options_.placement == Placement::Circumcentre &&
+           try_insert(0.5 * (triangle.a.uv + triangle.b.uv), fh, triangle, false);
+  }
+
+  bool try_insert(Uv p, FaceHandle fh, const BaseTriangle& triangle, bool must_conform) {
+    if (!std::isfinite(p.u) || !std::isfinite(p.v)) return false;
+    const Location location = delaunay_.locate(p, fh);
+    if (!is_insertable(location)) return false;
+    const Metric metric = field_.at(p, hint_);
+    ++report_.queries;
+    if (must_conform && !conforms(triangle, p, metric)) return false;
+    delaunay_.find_cavity(p, location, rule_, cavity_);
+    if (!is_good_place({p, metric})) return false;
+    insert(p, metric, location);
+    return true;
+  }
+
+  bool is_insertable(const Location& location) const {
+    return location.kind == Location::Kind::Inside ||
+           (location.kind == Location::Kind::OnEdge &&
+            !delaunay_.is_constrained(delaunay_.mesh().edge_handle(location.edge)));
+  }
+
+  /// The check of the paper: in the metric at the new point, the point still splits its triangle.
+  static bool conforms(const BaseTriangle& t, Uv p, const Metric& metric) {
+    return in_metric_circle({t.a.uv, t.b.uv, t.apex.uv}, p, metric);
+  }
+
+  /// Far enough from all nodes around, and not facing a boundary edge under more than 90°.
+  bool is_good_place(const Candidate& p) const {
+    const TriMesh& mesh = delaunay_.mesh();
+    for (const HalfedgeHandle heh : cavity_.rim) {
+      const MetricCorner a = corner(delaunay_, mesh.from_vertex_handle(heh));
+      if (fast_edge_length(a.uv, a.metric, p.uv, p.metric) < least_distance_) return false;
+      if (!delaunay_.is_constrained(mesh.edge_handle(heh))) continue;
+      const Uv to_a = a.uv - p.uv, to_b = delaunay_.uv(mesh.to_vertex_handle(heh)) - p.uv;
+      if (inner_product(p.metric, to_a, to_b) < 0) return false;
+    }
+    return true;
+  }
+
+  void insert(Uv p, const Metric& metric, const Location& location) {
+    VertexHandle vh;
+    if (options_.kernel == Kernel::Cavity) {
+      vh = delaunay_.fill(cavity_, p);
+    } else {
+      vh = delaunay_.insert_by_swaps(p, location.face, rule_);
+    }
+    delaunay_.metric(vh) = metric;
+    ++report_.inserted;
+    if (delaunay_.n_faces() > options_.max_elements) {
+      throw Error(ErrorCode::Limit,
+                  fmt::format("more than max_elements = {} triangles", options_.max_elements));
+    }
+    grow_states();
+    update_fan(vh);
+  }
+
+  void update_fan(VertexHandle vh) {
+    const TriMesh& mesh = delaunay_.mesh();
+    const HalfedgeHandle start = mesh.halfedge_handle(vh);
+    HalfedgeHandle spoke = start;
+    do {
+      measure(mesh.face_handle(spoke));
+      spoke = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(spoke));
+    } while (spoke != start);
+    do {
+      activate(mesh.face_handle(spoke));
+      // A neighbour of an accepted triangle is at the front now.
+      if (states_[index(mesh.face_handle(spoke))].is_accepted) {
+        activate_neighbour(mesh.next_halfedge_handle(spoke));
+      }
+      spoke = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(spoke));
+    } while (spoke != start);
+  }
+
+  DelaunayMesh& delaunay_;
+  const MetricField& field_;
+  const RefineOptions& options_;
+  TriangleMetricRule rule_;
+  double accepted_size_;
+  double least_distance_;
+  MetricField::Hint hint_;
+  FrontQueue queue_;
+  std::vector<State> states_;
+  Cavity cavity_;
+  RefineReport report_;
+};
+
+}  // namespace
+
+void check(const RefineOptions& options) {
+  if (options.max_elements == 0) {
+    throw Error(ErrorCode::InvalidOption, "max_elements = 0 is outside its range: above 0");
+  }
+}
+
+RefineReport refine(DelaunayMesh& delaunay, const MetricField& field,
+                    const RefineOptions& options) {
+  check(options);
+  RefineReport report = Refinement(delaunay, field, options).run();
+  delaunay.shrink();
+  return report;
+}
+
+}  // namespace surfmesh

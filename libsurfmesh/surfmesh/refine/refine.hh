@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "surfmesh/control/metric_field.hh"
+#include "surfmesh/delaunay/delaunay_mesh.hh"
+
+namespace surfmesh {
+
+/// Where a new node goes.
+enum class Placement {
+  Frontal,      ///< where it makes unit edges with the shortest side at the front
+  Circumcentre  ///< at the metric circumcentre of the worst triangle, as in the paper
+};
+
+/// How a new node is connected.
+enum class Kernel { Cavity, Swap };
+
+struct RefineOptions {
+  Placement placement = Placement::Frontal;
+  Kernel kernel = Kernel::Cavity;
+  /// More triangles than this end the run with an error. Above 0.
+  std::size_t max_elements = 50'000'000;
+};
+
+void check(const RefineOptions& options);
+
+struct RefineReport {
+  std::size_t inserted = 0;  ///< inner nodes
+  std::size_t refused = 0;   ///< triangles left larger than wanted, for no place was good
+  std::size_t queries = 0;   ///< of the metric field
+
+  friend bool operator==(const RefineReport&, const RefineReport&) = default;
+};
+
+/// Insert inner nodes until every triangle is small enough in the metric or cannot be bettered.
+///
+/// One loop: take the worst triangle of the front, ask the placement for a point, insert it if it
+/// keeps its distance from nodes and boundary and the metric there conforms with the triangle's,
+/// else try the circumcentre, else leave the triangle as it is.
+///
+/// Reads    surf:constrained
+/// Writes   surf:uv, surf:metric of new vertices
+/// Cost     O(n) queue, about 0.5 µs a triangle and two metric queries a node (one with
+///          Circumcentre)
+/// Throws   Limit if there are more than max_elements
+/// Source   paper, section 2.1, item 3; frontal placement: Rebay, Efficient unstructured mesh
+///          generation by means of Delaunay triangulation and Bowyer-Watson algorithm (1993)
+RefineReport refine(DelaunayMesh& delaunay, const MetricField& field,
+                    const RefineOptions& options = {});
+
+}  // namespace surfmesh
