@@ -4,12 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <string>
 
 #include "surfmesh/geometry/formula_surface.hh"
 
 namespace surfmesh {
 namespace {
+
+using Constants = std::map<std::string, double>;
 
 constexpr Domain kDomain{-10, 10, -10, 10};
 
@@ -88,6 +92,17 @@ TEST(Curvature, DoesNotDependOnTheParameters) {
   EXPECT_NEAR(k.k1, 1, 1e-13);
   EXPECT_NEAR(k.k2, -2, 1e-13);
   EXPECT_NEAR(std::abs(direction(jet, k.angle).x()), 1, 1e-13);
+}
+
+TEST(Curvature, LosesDigitsByTheSquareOfTheSine) {
+  for (double sine : {1.0, 1e-1, 1e-2, 1e-3, 1e-4}) {
+    const Constants constants = {{"c", std::sqrt(1 - sine * sine)}, {"s", sine}};
+    const FormulaSurface skew({"u+c*v", "s*v", "((u+c*v)^2-0.7*(s*v)^2)/2"}, kDomain, constants);
+    const Jet jet = skew.evaluate({0, 0}, Order::Second);
+    const PrincipalCurvatures k = principal_curvatures(jet);
+    EXPECT_NEAR(k.k1, 1, 1e-14 / (sine * sine)) << sine;
+    EXPECT_NEAR(k.k2, -0.7, 1e-14 / (sine * sine)) << sine;
+  }
 }
 
 TEST(Curvature, ChangesSignWithTheNormal) {

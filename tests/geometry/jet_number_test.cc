@@ -100,6 +100,16 @@ TEST(JetNumberPower, OfNegativeBaseIsThatOfMultiplication) {
   EXPECT_TRUE(std::isnan(pow(x, 0.5).value()));
 }
 
+TEST(JetNumberPower, ByMultiplicationIsAccurate) {
+  for (int n = -16; n <= 16; ++n) {
+    for (double x = -3.1; x < 3; x += 0.173) {
+      const long double exact = std::pow(static_cast<long double>(x), n);
+      const auto error = std::abs(pow(Jet2::parameter(x, 0), n).value() / exact - 1);
+      EXPECT_LE(error, 17 * 0x1p-53L) << x << "^" << n;
+    }
+  }
+}
+
 TEST(JetNumberPower, WithVariableExponentIsRightAtZeroBase) {
   const Jet2 zero = Jet2::parameter(0, 0);
   const Jet2 two = Jet2::parameter(2, 1);

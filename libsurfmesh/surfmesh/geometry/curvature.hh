@@ -22,8 +22,8 @@ struct PrincipalCurvatures {
 /// At an umbilic k1 = k2 and the angle is arbitrary but finite. Where p_u or p_v vanishes or they
 /// are parallel (is_regular of their first form is false) the result is NaN.
 ///
-/// Error    about 1e-15 of the greater curvature, divided by the sine between p_u and p_v (test
-///          Curvature.*)
+/// Error    below 1e-14 of the greater curvature, divided by the square of the sine between p_u
+///          and p_v (test Curvature.LosesDigitsByTheSquareOfTheSine)
 PrincipalCurvatures principal_curvatures(const Jet& jet);
 
 }  // namespace surfmesh

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -289,6 +290,7 @@ double evaluate_constant(std::string_view text, const Constants& constants) {
 
 template <int order>
 JetNumber<order> Formula::evaluate(double u, double v) const {
+  assert(program_.variable_count() <= 2);
   const std::array variables = {JetNumber<order>::parameter(u, 0),
                                 JetNumber<order>::parameter(v, 1)};
   std::array<JetNumber<order>, 1> result;

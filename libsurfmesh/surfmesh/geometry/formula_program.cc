@@ -131,12 +131,11 @@ template void FormulaProgram::evaluate<1>(std::span<const JetNumber<1>>,
 template void FormulaProgram::evaluate<2>(std::span<const JetNumber<2>>,
                                           std::span<JetNumber<2>>) const;
 
-/// An order of all instructions; constants by their bits, so that NaN and −0 have their place.
-bool FormulaBuilder::is_before(const Instruction& a, const Instruction& b) {
+bool operator<(const Instruction& x, const Instruction& y) {
   const auto key = [](const Instruction& i) {
     return std::tuple(i.operation, i.a, i.b, std::bit_cast<std::uint64_t>(i.constant));
   };
-  return key(a) < key(b);
+  return key(x) < key(y);
 }
 
 int FormulaBuilder::append(const Instruction& instruction) {
@@ -196,36 +195,43 @@ int FormulaBuilder::apply_with_constant(Operation operation, int a, int b) {
   }
 }
 
-FormulaProgram FormulaBuilder::finish(const std::vector<int>& results) const {
-  std::vector<char> is_used(static_cast<std::size_t>(variable_count_) + nodes_.size(), 0);
+std::vector<char> FormulaBuilder::used_nodes(const std::vector<int>& results) const {
+  const auto first = static_cast<std::size_t>(variable_count_);
+  std::vector<char> is_used(first + nodes_.size(), 0);
   for (int result : results) is_used[static_cast<std::size_t>(result)] = 1;
-  for (std::size_t i = is_used.size(); i-- > static_cast<std::size_t>(variable_count_);) {
-    const Instruction& node = nodes_[i - static_cast<std::size_t>(variable_count_)];
+  for (std::size_t i = is_used.size(); i-- > first;) {
+    const Instruction& node = nodes_[i - first];
     if (!is_used[i] || node.operation == Operation::Constant) continue;
     is_used[static_cast<std::size_t>(node.a)] = 1;
     if (is_binary(node.operation)) is_used[static_cast<std::size_t>(node.b)] = 1;
   }
+  return is_used;
+}
 
+FormulaProgram FormulaBuilder::finish(const std::vector<int>& results) const {
+  const std::vector<char> is_used = used_nodes(results);
+  const auto first = static_cast<std::size_t>(variable_count_);
   FormulaProgram program;
-  program.variable_count_ = static_cast<std::size_t>(variable_count_);
-  std::vector<int> new_index(is_used.size(), 0);
-  for (int i = 0; i < variable_count_; ++i) new_index[static_cast<std::size_t>(i)] = i;
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    const std::size_t i = n + static_cast<std::size_t>(variable_count_);
+  program.variable_count_ = first;
+
+  std::vector<int> registers(is_used.size(), 0);
+  for (std::size_t i = 0; i < first; ++i) registers[i] = static_cast<int>(i);
+  for (std::size_t i = first; i < is_used.size(); ++i) {
     if (!is_used[i]) continue;
-    Instruction step = nodes_[n];
-    step.a = new_index[static_cast<std::size_t>(step.a)];
-    step.b = new_index[static_cast<std::size_t>(step.b)];
-    new_index[i] = variable_count_ + static_cast<int>(program.instructions_.size());
+    Instruction step = nodes_[i - first];
+    step.a = registers[static_cast<std::size_t>(step.a)];
+    step.b = registers[static_cast<std::size_t>(step.b)];
+    registers[i] = static_cast<int>(first + program.instructions_.size());
     program.instructions_.push_back(step);
   }
-  if (program.variable_count_ + program.instructions_.size() > FormulaProgram::kMaxRegisters) {
+  for (int result : results) {
+    program.results_.push_back(registers[static_cast<std::size_t>(result)]);
+  }
+
+  if (first + program.instructions_.size() > FormulaProgram::kMaxRegisters) {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("a formula has {} different operations, of at most {}",
-                            program.instructions_.size(), FormulaProgram::kMaxRegisters));
-  }
-  for (int result : results) {
-    program.results_.push_back(new_index[static_cast<std::size_t>(result)]);
+                            program.instructions_.size(), FormulaProgram::kMaxRegisters - first));
   }
   return program;
 }
