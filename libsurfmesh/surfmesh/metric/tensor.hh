@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "surfmesh/core/values.hh"
+#include "surfmesh/geometry/first_form.hh"
 
 namespace surfmesh {
 
@@ -31,16 +32,6 @@ inline Metric mean(const Metric& a, const Metric& b, const Metric& c) {
   constexpr double third = 1.0 / 3.0;
   return {third * (a.m11 + b.m11 + c.m11), third * (a.m12 + b.m12 + c.m12),
           third * (a.m22 + b.m22 + c.m22)};
-}
-
-/// The first fundamental form's factor from the first derivatives of a surface.
-/// Source   paper, eq. (2)
-inline FirstFormFactor first_form_factor(const Vec3& du, const Vec3& dv) {
-  const double l11 = du.norm();
-  if (l11 == 0) return {0, dv.norm(), 0};
-  const double l21 = du.dot(dv) / l11;
-  // |du × dv| / |du| is √(G − F²/E) without its cancellation.
-  return {l11, l21, du.cross(dv).norm() / l11};
 }
 
 /// Metric in (u,v) that asks for the sizes H: M = M_p H⁻² M_pᵀ.

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "surfmesh/core/values.hh"
+
+namespace surfmesh {
+
+/// The first fundamental form's factor from the first derivatives of a surface.
+/// Source   paper, eq. (2)
+inline FirstFormFactor first_form_factor(const Vec3& du, const Vec3& dv) {
+  const double l11 = du.norm();
+  if (l11 == 0) return {0, dv.norm(), 0};
+  const double l21 = du.dot(dv) / l11;
+  // |du × dv| / |du| is √(G − F²/E) without its cancellation.
+  return {l11, l21, du.cross(dv).norm() / l11};
+}
+
+/// Sine of the angle between p_u and p_v below which they count as parallel: the cross product has
+/// rounding errors near 1e-16 |p_u| |p_v|, so a normal still has about four digits here.
+inline constexpr double kSmallestSine = 1e-12;
+
+/// True if the surface has a tangent plane: p_u and p_v are finite, not zero and not parallel.
+inline bool is_regular(const FirstFormFactor& p) {
+  return p.l11 > 0 && p.l22 > kSmallestSine * std::hypot(p.l21, p.l22);
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "surfmesh/geometry/jet_number.hh"
+
+namespace surfmesh {
+
+/// What one instruction of a formula program computes from its operands a, b and its constant c.
+enum class Operation : unsigned char {
+  Constant,  ///< c
+  Negate,
+  Add,
+  Subtract,
+  Multiply,
+  Divide,
+  AddConstant,       ///< a + c
+  SubtractFrom,      ///< c − a
+  Scale,             ///< c a
+  DivideByConstant,  ///< a / c
+  DivideConstant,    ///< c / a
+  Square,
+  PowerOf,    ///< a to the constant power c
+  PowerBase,  ///< c to the power a
+  Power,      ///< a to the power b
+  Sqrt,
+  Cbrt,
+  Exp,
+  Log,
+  Sin,
+  Cos,
+  Tan,
+  Asin,
+  Acos,
+  Atan,
+  Atan2,
+  Sinh,
+  Cosh,
+  Tanh,
+  Abs,
+  Min,
+  Max,
+  Hypot
+};
+
+/// One step of a program; instruction i writes register (variable count + i).
+struct Instruction {
+  Operation operation = Operation::Constant;
+  int a = 0;
+  int b = 0;
+  double constant = 0;
+
+  /// An order of all instructions; constants by their bits, so that NaN and −0 have their place.
+  friend bool operator<(const Instruction& x, const Instruction& y);
+};
+
+/// Formulas as a list of instructions without jumps, each result computed once.
+///
+/// Evaluation is const, allocates nothing and may run in several threads at once.
+class FormulaProgram {
+ public:
+  /// Registers of an evaluation, which are on the stack: 48 bytes each at order 2.
+  static constexpr std::size_t kMaxRegisters = 1024;
+
+  /// Evaluate all formulas. Variables that carry derivatives give results that do.
+  /// Cost     about 4 ns for an arithmetic operation, 10 to 20 ns for sin or exp, at any order
+  /// Pre      as many variables and results as the program has
+  template <int order>
+  void evaluate(std::span<const JetNumber<order>> variables,
+                std::span<JetNumber<order>> results) const;
+
+  std::size_t variable_count() const { return variable_count_; }
+  std::size_t result_count() const { return results_.size(); }
+  const std::vector<Instruction>& instructions() const { return instructions_; }
+
+ private:
+  friend class FormulaBuilder;
+
+  std::size_t variable_count_ = 0;
+  std::vector<Instruction> instructions_;
+  std::vector<int> results_;  // registers
+};
+
+/// Collects the operations of formulas; a node is named by its index, the variables come first.
+///
+/// Constants are folded and equal operations on equal operands become one node.
+class FormulaBuilder {
+ public:
+  explicit FormulaBuilder(std::size_t variable_count)
+      : variable_count_(static_cast<int>(variable_count)) {}
+
+  int constant(double value) { return append({Operation::Constant, 0, 0, value}); }
+
+  /// The result of an operation: Negate to Divide, Power, or a function. The forms with a
+  /// constant are chosen by the builder.
+  int apply(Operation operation, int a, int b = 0);
+
+  /// The program that computes the nodes `results`, without the nodes that these do not use.
+  /// Throws   InvalidInput if it needs more than FormulaProgram::kMaxRegisters
+  FormulaProgram finish(const std::vector<int>& results) const;
+
+ private:
+  std::optional<double> constant_of(int node) const;
+  std::vector<char> used_nodes(const std::vector<int>& results) const;
+  int append(const Instruction& instruction);
+  int apply_with_constant(Operation operation, int a, int b);
+
+  int variable_count_;
+  std::vector<Instruction> nodes_;
+  std::map<Instruction, int> known_;
+};
+
+}  // namespace surfmesh
