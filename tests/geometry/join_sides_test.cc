@@ -9,6 +9,7 @@
 
 #include "support/analytic.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/geometry/patch_sides_detail.hh"
 
 namespace surfmesh {
 namespace {
@@ -74,9 +75,9 @@ Vec3 place(const Model& model, const ContourUse& use, double t) {
 
 /// What every contour promises: ends at its vertices on every patch, speed as told.
 void expect_valid_contour(const Model& model, const Contour& contour) {
-  const double tolerance = 2e-9 * model.diagonal;
   const Vec3 start = model.vertices[static_cast<std::size_t>(contour.start)].position;
   const Vec3 end = model.vertices[static_cast<std::size_t>(contour.end)].position;
+  const double tolerance = 2e-9 * model.diagonal + 1e-14 * start.norm();
   for (const ContourUse& use : contour.uses) {
     EXPECT_LE((place(model, use, 0) - start).norm(), tolerance) << contour.name;
     EXPECT_LE((place(model, use, 1) - end).norm(), tolerance) << contour.name;
@@ -287,6 +288,14 @@ TEST(JoinSides, JoinsClosedCirclesOfDifferentSpeedAndDirection) {
   EXPECT_EQ(shared.uses[0].is_forward, shared.uses[1].is_forward);
 }
 
+/// Each side passes its own start and covers itself.
+TEST(JoinSides, JoinsTheTurnsOfACylinderThatGoesRoundTwice) {
+  const Model model = join({cylinder(0, 4 * pi)});
+  expect_counts(model, 2, 3, 6);
+  EXPECT_EQ(count_shared(model), 3);
+  EXPECT_EQ(side_uses(model, "p0:v0").size(), 2U);
+}
+
 TEST(JoinSides, ClosesATorusOfOnePatch) {
   const Model model = join({torus({0, 2 * pi, 0, 2 * pi})});
   expect_counts(model, 1, 2, 4);
@@ -449,6 +458,26 @@ class WavyPlate : public AnalyticSurface {
   }
 };
 
+/// A rectangle that stays at (0, 0) for the first half of its sides v0 and v1.
+class LateStart : public AnalyticSurface {
+ public:
+  LateStart() : AnalyticSurface({}) {}
+
+ protected:
+  Jet all(Uv uv) const override {
+    const double s = std::max(0.0, 2 * uv.u - 1);
+    const double ds = uv.u > 0.5 ? 2 : 0;
+    return {Vec3(s, s * uv.v, 0), Vec3(ds, ds * uv.v, 0), Vec3(0, s, 0),
+            Vec3::Zero(),         Vec3(0, ds, 0),         Vec3::Zero()};
+  }
+};
+
+TEST(JoinSides, DoesNotDivideASideThatWaitsAtItsStart) {
+  const Model model = join({std::make_shared<LateStart>(), rectangle(0, 0, 1, -1)});
+  expect_counts(model, 5, 7, 8);
+  EXPECT_FALSE(contour_of(model, "p0:v0").uses[1].is_same_speed);
+}
+
 TEST(JoinSides, IsNotMisledByWaves) {
   const Model model = join({std::make_shared<WavyPlate>(), rectangle(0, 0, 1, -1)});
   EXPECT_EQ(count_shared(model), 0);
@@ -500,6 +529,19 @@ TEST(JoinSides, RefusesInvalidInput) {
     EXPECT_EQ(error.code(), ErrorCode::InvalidInput);
     if (!input.empty()) {
       EXPECT_NE(std::string(error.what()).find("patch " + input.back().name), std::string::npos);
+    }
+  }
+}
+
+TEST(SampleParameters, RiseUnevenlyFromZeroToOne) {
+  for (const int count : {2, 8, 32, 64}) {
+    const std::vector<double> t = sample_parameters(count);
+    ASSERT_EQ(t.size(), static_cast<std::size_t>(count) + 1);
+    EXPECT_EQ(t.front(), 0);
+    EXPECT_EQ(t.back(), 1);
+    for (std::size_t i = 1; i < t.size(); ++i) {
+      EXPECT_GT(t[i], t[i - 1]);
+      EXPECT_LT(t[i] - t[i - 1], 2.0 / count);
     }
   }
 }

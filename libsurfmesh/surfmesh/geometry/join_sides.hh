@@ -26,13 +26,14 @@ struct PatchInput {
 /// A contour has the direction of its first use, in the order of patches and, in a patch, of the
 /// sides as listed above; it is named after the first whole side among its uses, else after its
 /// first use with the number of the part: `left:u1#0`.
-/// Sides that come within 1e-4 of the diagonal but do not coincide are not joined; a warning tells
-/// their gap.
+/// Sides that come within 1e-4 of the diagonal but do not coincide are not joined; Model::warnings
+/// tells their gap.
 ///
 /// Error    coincidence is tested at 33 places of each side, unevenly spread; ends are merged
 ///          transitively. Far from the origin the tolerance is not below a few roundings of the
 ///          coordinates
-/// Cost     O(n log n) for n sides of bounded length, about 1,300 evaluations a patch
+/// Cost     O(n log n) for n sides of bounded length, about 1,000 evaluations a patch;
+///          some thousands more for a side that nearly coincides with others
 /// Throws   InvalidInput for no patches, a name used twice, a missing surface, a domain that is not
 ///          a rectangle; Geometry for a patch that is a point or a line. All name the patch
 Model model_from_patches(const std::vector<PatchInput>& patches);

@@ -36,13 +36,14 @@ bool is_falling(const std::vector<double>& parameters) {
   return balance > 0;
 }
 
+/// How one curve runs along another.
 struct Comparison {
   bool is_reversed = false;
   bool is_same_speed = true;
 };
 
-/// How `b` runs along `a`, or nothing if they do not coincide. `is_closed`: both are; else
-/// `is_opposite` tells whether their ends are exchanged.
+/// Tells how `b` runs along `a`, or nothing if they do not coincide. Between different end vertices
+/// the direction is known; of closed curves it is found.
 class Comparer {
  public:
   explicit Comparer(double tolerance) : tolerance_(tolerance) {}

@@ -18,9 +18,13 @@ constexpr double kTangentStep = 0x1p-13;
 /// A foot this near, in units of the curve's speed, is the nearest place of the curve (or as good).
 constexpr double kOnCurve = 1e-7;
 
-/// Squared distances that differ by less than this share of the greatest are the same place in
-/// space, 1e-12 of the curve's extent apart; then the guess decides.
-constexpr double kSamePlace = 1e-24;
+/// Places this near, in units of the curve's extent or speed, are one place in space: some thousand
+/// roundings. Among the places of a curve that are one, the guess decides.
+constexpr double kSamePlace = 1e-12;
+
+/// Evaluations round to a few units in the last place of the coordinates; far from the origin that
+/// is more than kSamePlace.
+constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
 
 /// A step in t below this does not move the curve's point by more than its own rounding.
 constexpr double kLeastStep = std::numeric_limits<double>::epsilon();
@@ -75,7 +79,12 @@ class Projection {
  private:
   Foot at(double t) const;
   double squared_distance(double t) const;
-  int nearest_sample(double t_guess) const;
+  /// Distance within which places are one, for a curve of this extent or speed.
+  double same_place(double extent) const {
+    return std::max(kSamePlace * extent, kRounding * point_.lpNorm<Eigen::Infinity>());
+  }
+  std::array<double, kScanIntervals + 1> scan() const;
+  double refine(int sample) const;
   Bracket narrow(Bracket bracket) const;
   double root(const Bracket& bracket) const;
 
@@ -94,7 +103,9 @@ double Projection::squared_distance(double t) const {
   return (surface_->evaluate(curve_->evaluate(t), Order::Position).point - point_).squaredNorm();
 }
 
-/// Newton from t until it brings no more; nothing unless that ends on the curve.
+/// Newton from t until it brings no more; nothing unless that ends on the curve. An end of the
+/// curve has to be met exactly: a point a little beyond may be before the other end of a closed
+/// curve.
 std::optional<double> Projection::follow(double t) const {
   Foot foot = at(t);
   for (int i = 0; i < kMaxNewtonSteps; ++i) {
@@ -104,26 +115,20 @@ std::optional<double> Projection::follow(double t) const {
     if (next_foot.squared_distance() >= foot.squared_distance()) break;
     foot = next_foot;
   }
-  const double reach = kOnCurve * foot.tangent.norm();
+  const bool is_end = foot.t == 0 || foot.t == 1;
+  const double speed = foot.tangent.norm();
+  const double reach = is_end ? same_place(speed) : std::max(kOnCurve * speed, same_place(speed));
   if (foot.squared_distance() > reach * reach) return std::nullopt;
   return foot.t;
 }
 
-/// The nearest of the samples; among samples at one place in space, the one next to the guess.
-int Projection::nearest_sample(double t_guess) const {
+/// Squared distances of evenly spread samples.
+std::array<double, kScanIntervals + 1> Projection::scan() const {
   std::array<double, kScanIntervals + 1> squares{};
-  for (int i = 0; i <= kScanIntervals; ++i) {
-    squares[static_cast<std::size_t>(i)] = squared_distance(double(i) / kScanIntervals);
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    squares[i] = squared_distance(double(i) / kScanIntervals);
   }
-  const auto [least, greatest] = std::minmax_element(squares.begin(), squares.end());
-  const double bound = *least + kSamePlace * *greatest;
-  int best = static_cast<int>(least - squares.begin());
-  for (int i = 0; i <= kScanIntervals; ++i) {
-    const bool is_nearer_guess =
-        std::abs(i - t_guess * kScanIntervals) < std::abs(best - t_guess * kScanIntervals);
-    if (squares[static_cast<std::size_t>(i)] <= bound && is_nearer_guess) best = i;
-  }
-  return best;
+  return squares;
 }
 
 /// Halve the bracket until the slope changes its sign over it, or it is as small as the rounding
@@ -167,17 +172,38 @@ double Projection::root(const Bracket& bracket) const {
   return foot.t;
 }
 
-double Projection::search(double t_guess) const {
-  const int nearest = nearest_sample(t_guess);
-  const auto sample = [&](int i) {
+/// The nearest place between the neighbours of a sample that is nearer than these.
+double Projection::refine(int sample) const {
+  const auto foot = [&](int i) {
     return at(double(std::clamp(i, 0, kScanIntervals)) / kScanIntervals);
   };
-  Bracket bracket{sample(nearest - 1), sample(nearest), sample(nearest + 1)};
-  if (nearest == 0 && bracket.middle.slope() > 0) return 0;
-  if (nearest == kScanIntervals && bracket.middle.slope() < 0) return 1;
+  Bracket bracket{foot(sample - 1), foot(sample), foot(sample + 1)};
+  if (sample == 0 && bracket.middle.slope() > 0) return 0;
+  if (sample == kScanIntervals && bracket.middle.slope() < 0) return 1;
   bracket = narrow(bracket);
   const bool has_root = bracket.low.slope() < 0 && bracket.high.slope() > 0;
   return has_root ? root(bracket) : bracket.middle.t;
+}
+
+/// The nearest place next to the nearest samples, which are several where the curve is closed.
+double Projection::search(double t_guess) const {
+  const auto squares = scan();
+  const auto [least, greatest] = std::minmax_element(squares.begin(), squares.end());
+  const double same = std::pow(same_place(std::sqrt(*greatest)), 2);
+  if (*greatest <= *least + same) return t_guess;
+  double best = t_guess;
+  double best_square = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= kScanIntervals; ++i) {
+    if (squares[static_cast<std::size_t>(i)] > *least + same) continue;
+    const double t = refine(i);
+    const double square = squared_distance(t);
+    const bool is_nearer_guess = std::abs(t - t_guess) < std::abs(best - t_guess);
+    if (square < best_square - same || (square <= best_square + same && is_nearer_guess)) {
+      best = t;
+      best_square = square;
+    }
+  }
+  return best;
 }
 
 }  // namespace
