@@ -5,6 +5,7 @@
 #include <OpenMesh/Core/Mesh/Traits.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
+#include "surfmesh/core/storable.hh"
 #include "surfmesh/core/values.hh"
 
 namespace surfmesh {

@@ -27,4 +27,10 @@ inline bool is_regular(const FirstFormFactor& p) {
   return p.l11 > 0 && p.l22 > kSmallestSine * std::hypot(p.l21, p.l22);
 }
 
+/// Squared length in space of a parameter step, to first order.
+inline double squared_distance(const FirstFormFactor& p, Uv step) {
+  const double x = p.l11 * step.u + p.l21 * step.v, y = p.l22 * step.v;
+  return x * x + y * y;
+}
+
 }  // namespace surfmesh

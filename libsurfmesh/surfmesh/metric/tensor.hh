@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "surfmesh/core/values.hh"
@@ -43,15 +44,19 @@ inline Metric metric_from_size(const FirstFormFactor& p, const SizeTensor& h) {
   return {b11 * b11 + b12 * b12, b11 * b21 + b12 * b22, b21 * b21 + b22 * b22};
 }
 
+/// Squared relative half difference of two lengths below which edge_length takes its series: there
+/// the first term left out, 44/945 of the cube, is below rounding.
+inline constexpr double kNearlyEqualLengths = 1e-6;
+
 /// Metric length of an edge from its lengths in the metrics of its two ends: (l0−l1)/ln(l0/l1),
 /// exact for a size that changes geometrically.
-/// Error    below 1e-12 relative where the series is used (test MetricLength.*)
+/// Error    below 1e-12 relative where the series is used (test EdgeLength.*)
 inline double edge_length(double l0, double l1) {
   const double sum = l0 + l1;
   const double x = (l0 - l1) / sum;
   const double y = x * x;
-  // ln(l0/l1) = 2 artanh(x); below 1e-3 the series of x/artanh(x) is exact to rounding.
-  if (y < 1e-6) return 0.5 * sum * (1 - y * (1.0 / 3.0 + y * 4.0 / 45.0));
+  // ln(l0/l1) = 2 artanh(x), and the series is that of x/artanh(x).
+  if (y < kNearlyEqualLengths) return 0.5 * sum * (1 - y * (1.0 / 3.0 + y * 4.0 / 45.0));
   return l0 > 0 && l1 > 0 ? (l0 - l1) / std::log(l0 / l1) : 0;
 }
 

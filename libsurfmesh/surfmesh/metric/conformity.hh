@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surfmesh/core/values.hh"
+
+namespace surfmesh {
+
+/// Compare two size tensors entry by entry: max over i,j of |D_ij − δ_ij|, D = H_o H_t⁻¹.
+///
+/// 0 for equal tensors. Depends on the frame and on the order of the arguments.
+///
+/// Pre      both positive definite
+/// Source   paper, eq. (6)
+/// Differs: the identity is subtracted, so that 0 and not 1 means equal
+double entry_conformity(const SizeTensor& h_o, const SizeTensor& h_t);
+
+/// Compare two size tensors by the logarithms of their ratios: max |ln λ| over the eigenvalues λ of
+/// H_o H_t⁻¹.
+///
+/// 0 for equal tensors, symmetric, independent of the frame; ln 2 where one asks for twice the
+/// length of the other.
+///
+/// Error    1e-14 × aspect, also for nearly equal tensors (test LogConformity.*)
+/// Pre      both positive definite
+double log_conformity(const SizeTensor& h_o, const SizeTensor& h_t);
+
+}  // namespace surfmesh

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+#include "surfmesh/core/values.hh"
+
+namespace surfmesh {
+
+/// Average size tensors of nodes with the inverse of their squared distances as weights.
+///
+/// Linear in H. At a node it gives that node's tensor exactly, the first one's if several nodes lie
+/// there.
+///
+/// Units    squared distances in any one unit, 0 or more
+/// Pre      as many distances as tensors, at least one
+/// Source   paper, eq. (4) and (5)
+/// Differs: H is averaged, not the matrix of eq. (2): the parameterisation is known exactly
+inline SizeTensor interpolate(std::span<const SizeTensor> sizes,
+                              std::span<const double> squared_distances) {
+  const auto nearest = std::min_element(squared_distances.begin(), squared_distances.end());
+  if (*nearest == 0) return sizes[static_cast<std::size_t>(nearest - squared_distances.begin())];
+  double total = 0;
+  SizeTensor sum{0, 0, 0};
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    // Relative to the nearest: at most 1, however near that node is.
+    const double weight = *nearest / squared_distances[i];
+    total += weight;
+    sum.h11 += weight * sizes[i].h11;
+    sum.h12 += weight * sizes[i].h12;
+    sum.h22 += weight * sizes[i].h22;
+  }
+  const double scale = 1 / total;
+  return {scale * sum.h11, scale * sum.h12, scale * sum.h22};
+}
+
+}  // namespace surfmesh

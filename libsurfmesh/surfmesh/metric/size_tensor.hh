@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surfmesh/core/values.hh"
+
+namespace surfmesh {
+
+/// The wanted edge lengths of a size tensor and where they are wanted.
+struct PrincipalSizes {
+  double l_s = kUnset;    ///< the larger length, model units
+  double l_t = kUnset;    ///< the smaller length, across
+  double angle = kUnset;  ///< of l_s from the first tangent axis, radians in [−π/2, π/2]
+};
+
+/// Build H = R(α) diag(l_s, l_t) R(α)ᵀ; either length may be the larger one.
+///
+/// Units    lengths in model units, angle in radians from the first tangent axis
+/// Source   paper, eq. (1), made symmetric
+SizeTensor size_tensor(double l_s, double l_t, double angle);
+
+/// The size tensor that asks for one length in all directions.
+inline SizeTensor isotropic(double size) { return {size, 0, size}; }
+
+/// Multiply both lengths.
+inline SizeTensor scaled(const SizeTensor& h, double factor) {
+  return {factor * h.h11, factor * h.h12, factor * h.h22};
+}
+
+/// Find the lengths and the direction of the larger one; angle 0 where they are equal.
+///
+/// Error    rounding of the larger length in both, so 1e-16 × aspect in the smaller one
+///          (test PrincipalSizes.*)
+PrincipalSizes principal_sizes(const SizeTensor& h);
+
+/// Bring both lengths into [hmin, hmax], keeping the directions; unchanged if they are inside.
+///
+/// Pre      0 < hmin <= hmax
+SizeTensor clamp_sizes(const SizeTensor& h, double hmin, double hmax);
+
+/// Limit the larger length to `stretch` times the smaller one; unchanged if it is not greater.
+///
+/// Pre      stretch >= 1
+SizeTensor limit_stretch(const SizeTensor& h, double stretch);
+
+/// The size tensor that a metric in (u,v) asks for: the inverse of metric_from_size.
+///
+/// Error    rounding × aspect² of the metric, which is what its three numbers can hold
+///          (test SizeFromMetric.*)
+/// Pre      both are regular; at a pole M determines no size along the direction that vanishes
+SizeTensor size_from_metric(const FirstFormFactor& p, const Metric& m);
+
+}  // namespace surfmesh

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/quality/statistics.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <unordered_map>
+
+#include "surfmesh/core/properties.hh"
+#include "surfmesh/metric/tensor.hh"
+
+namespace surfmesh {
+namespace {
+
+constexpr double kLongestUnit = std::numbers::sqrt2;
+constexpr double kShortestUnit = 1 / std::numbers::sqrt2;
+
+constexpr double kPoorQuality = 0.3;
+
+constexpr int kBinsPerOctave = 4;
+constexpr int kOctaves = 2;  // each way from 1
+
+double bin_limit(int i) { return std::exp2(static_cast<double>(i) / kBinsPerOctave - kOctaves); }
+
+/// The bin of a length by its logarithm; those beyond the ends fall into the first and last one.
+std::size_t bin_of(double length, std::size_t bins) {
+  const double position = (std::log2(length) + kOctaves) * kBinsPerOctave;
+  return static_cast<std::size_t>(std::clamp(position, 0.0, static_cast<double>(bins - 1)));
+}
+
+std::vector<HistogramBin> empty_histogram() {
+  std::vector<HistogramBin> bins;
+  for (int i = 0; i < 2 * kOctaves * kBinsPerOctave; ++i) {
+    bins.push_back({i == 0 ? 0 : bin_limit(i), bin_limit(i + 1), 0});
+  }
+  return bins;
+}
+
+/// Mean and variance in one pass, without the cancellation of Σx² − (Σx)²/n (Welford).
+class Moments {
+ public:
+  void add(double x) {
+    ++count_;
+    const double before = x - mean_;
+    mean_ += before / static_cast<double>(count_);
+    squares_ += before * (x - mean_);
+  }
+
+  double mean() const { return mean_; }
+  double stddev() const {
+    return count_ == 0 ? 0 : std::sqrt(squares_ / static_cast<double>(count_));
+  }
+
+ private:
+  std::size_t count_ = 0;
+  double mean_ = 0;
+  double squares_ = 0;
+};
+
+/// The corner properties of a result mesh.
+struct Corners {
+  explicit Corners(const PolyMesh& result)
+      : mesh(result),
+        uv_handle(require(result, keys::corner_uv)),
+        metric_handle(require(result, keys::corner_metric)) {}
+
+  Uv uv(HalfedgeHandle heh) const { return mesh.property(uv_handle, heh); }
+  const Metric& metric(HalfedgeHandle heh) const { return mesh.property(metric_handle, heh); }
+
+  const PolyMesh& mesh;
+  decltype(keys::corner_uv)::Handle uv_handle;
+  decltype(keys::corner_metric)::Handle metric_handle;
+};
+
+double metric_length(const Corners& corners, EdgeHandle eh) {
+  HalfedgeHandle tip = corners.mesh.halfedge_handle(eh, 0);
+  if (corners.mesh.is_boundary(tip)) tip = corners.mesh.halfedge_handle(eh, 1);
+  const HalfedgeHandle tail = corners.mesh.prev_halfedge_handle(tip);
+  const Uv step = corners.uv(tip) - corners.uv(tail);
+  return edge_length(std::sqrt(squared_length(corners.metric(tail), step)),
+                     std::sqrt(squared_length(corners.metric(tip), step)));
+}
+
+struct Triangle {
+  int patch;
+  double area_uv;
+  double quality;  // as seen in (u,v)
+};
+
+Triangle measure_triangle(const Corners& corners, FaceHandle fh, int patch) {
+  const HalfedgeHandle h0 = corners.mesh.halfedge_handle(fh);
+  const HalfedgeHandle h1 = corners.mesh.next_halfedge_handle(h0);
+  const HalfedgeHandle h2 = corners.mesh.next_halfedge_handle(h1);
+  const Uv a = corners.uv(h0), b = corners.uv(h1), c = corners.uv(h2);
+  const Metric m = mean(corners.metric(h0), corners.metric(h1), corners.metric(h2));
+  return {patch, 0.5 * cross(b - a, c - a), triangle_quality(a, b, c, m)};
+}
+
+std::vector<Triangle> measure_triangles(const PolyMesh& mesh) {
+  const Corners corners(mesh);
+  const auto patch = find(mesh, keys::face_patch);
+  std::vector<Triangle> triangles;
+  triangles.reserve(mesh.n_faces());
+  for (const FaceHandle fh : mesh.faces()) {
+    if (mesh.valence(fh) != 3) continue;
+    triangles.push_back(
+        measure_triangle(corners, fh, patch.is_valid() ? mesh.property(patch, fh) : 0));
+  }
+  return triangles;
+}
+
+}  // namespace
+
+double triangle_quality(Uv a, Uv b, Uv c, const Metric& m) {
+  const Uv ab = b - a, ac = c - a;
+  const double squares = squared_length(m, ab) + squared_length(m, ac) + squared_length(m, c - b);
+  if (squares == 0) return 0;
+  // A metric that is singular by rounding has no area.
+  const double area = 0.5 * cross(ab, ac) * std::sqrt(std::max(0.0, determinant(m)));
+  return 4 * std::numbers::sqrt3 * area / squares;
+}
+
+EdgeStatistics measure_edges(const PolyMesh& mesh) {
+  const Corners corners(mesh);
+  EdgeStatistics result;
+  result.histogram = empty_histogram();
+  result.count = mesh.n_edges();
+  if (result.count == 0) return result;
+  Moments moments;
+  std::size_t unit = 0;
+  result.min = std::numeric_limits<double>::infinity();
+  for (const EdgeHandle eh : mesh.edges()) {
+    const double length = metric_length(corners, eh);
+    moments.add(length);
+    result.min = std::min(result.min, length);
+    result.max = std::max(result.max, length);
+    if (length >= kShortestUnit && length <= kLongestUnit) ++unit;
+    ++result.histogram[bin_of(length, result.histogram.size())].count;
+  }
+  result.mean = moments.mean();
+  result.stddev = moments.stddev();
+  result.unit_fraction = static_cast<double>(unit) / static_cast<double>(result.count);
+  result.histogram.back().to = std::max(result.histogram.back().to, result.max);
+  return result;
+}
+
+QualityStatistics measure_quality(const PolyMesh& mesh) {
+  const std::vector<Triangle> triangles = measure_triangles(mesh);
+  QualityStatistics result;
+  result.count = triangles.size();
+  if (triangles.empty()) return result;
+  std::unordered_map<int, double> patch_area;
+  for (const Triangle& triangle : triangles) patch_area[triangle.patch] += triangle.area_uv;
+  Moments moments;
+  std::size_t poor = 0;
+  result.min = std::numeric_limits<double>::infinity();
+  for (const Triangle& triangle : triangles) {
+    const bool is_turned = patch_area.at(triangle.patch) < 0;
+    const double quality = is_turned ? -triangle.quality : triangle.quality;
+    moments.add(quality);
+    result.min = std::min(result.min, quality);
+    if (quality < kPoorQuality) ++poor;
+  }
+  result.mean = moments.mean();
+  result.below_0_3 = static_cast<double>(poor) / static_cast<double>(result.count);
+  return result;
+}
+
+}  // namespace surfmesh

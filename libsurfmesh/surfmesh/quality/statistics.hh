@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "surfmesh/core/mesh.hh"
+#include "surfmesh/core/values.hh"
+
+namespace surfmesh {
+
+/// Number of values in [from, to).
+struct HistogramBin {
+  double from = 0;
+  double to = 0;
+  std::size_t count = 0;
+
+  friend bool operator==(const HistogramBin&, const HistogramBin&) = default;
+};
+
+/// Metric lengths of edges: no dimension, 1 is wanted.
+struct EdgeStatistics {
+  std::size_t count = 0;
+  double mean = 0;           ///< μ
+  double stddev = 0;         ///< σ, of the whole population
+  double min = 0;            ///< shortest
+  double max = 0;            ///< longest
+  double unit_fraction = 0;  ///< share of the lengths in [1/√2, √2]
+  /// Four bins to a factor of 2 from ¼ to 4, so that the middle four are the unit interval; the
+  /// first begins at 0, the last ends at 4 or the longest edge.
+  std::vector<HistogramBin> histogram;
+
+  friend bool operator==(const EdgeStatistics&, const EdgeStatistics&) = default;
+};
+
+/// Metric quality Q of triangles: 1 for the unit triangle, 0 for no area, negative if turned over.
+struct QualityStatistics {
+  std::size_t count = 0;  ///< triangles; other faces are left out
+  double min = 0;
+  double mean = 0;
+  double below_0_3 = 0;  ///< share of the triangles with Q < 0.3
+
+  friend bool operator==(const QualityStatistics&, const QualityStatistics&) = default;
+};
+
+/// Metric quality Q = 4√3 A / (l1² + l2² + l3²) of a triangle in the constant metric m; negative
+/// if clockwise, 0 if all corners are one point.
+double triangle_quality(Uv a, Uv b, Uv c, const Metric& m);
+
+/// Measure every edge of a result mesh once.
+///
+/// The length is edge_length of the lengths in the metrics of its two corners in one face, of the
+/// patch of that face: the face of the edge's first halfedge, of its second where the first is on
+/// the boundary. On a contour the other patch may see a slightly different length.
+///
+/// Reads    surf:uv, surf:metric (halfedge)
+/// Error    exact for sizes that change geometrically along the edge
+/// Pre      every edge has a face
+/// Throws   MissingProperty
+/// Source   DESIGN, section 2
+EdgeStatistics measure_edges(const PolyMesh& mesh);
+
+/// Measure the triangles of a result mesh, each in the mean of the metrics of its corners.
+///
+/// A patch may be turned as a whole against its parameters, to be oriented as its neighbours are: a
+/// triangle counts as turned over if its sign in (u,v) is not that of its patch's area.
+///
+/// Reads    surf:uv, surf:metric (halfedge), surf:patch (face; without it all is one patch)
+/// Throws   MissingProperty
+/// Source   DESIGN, section 2
+QualityStatistics measure_quality(const PolyMesh& mesh);
+
+}  // namespace surfmesh

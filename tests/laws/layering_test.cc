@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <regex>
+#include <string>
+
+#include "laws/sources.hh"
+
+namespace surfmesh {
+namespace {
+
+/// The order of the data flow: a folder includes only itself and those before it.
+const std::array<std::string, 13> kFolders = {
+    "core",   "geometry", "metric", "quality",  "delaunay", "control", "boundary",
+    "refine", "improve",  "quad",   "assemble", "io",       "pipeline"};
+
+std::optional<std::size_t> rank(const std::string& folder) {
+  const auto found = std::find(kFolders.begin(), kFolders.end(), folder);
+  if (found == kFolders.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - kFolders.begin());
+}
+
+bool may_include(const std::string& from, const std::string& folder) {
+  return rank(from) && rank(folder) && *rank(folder) <= *rank(from);
+}
+
+/// The folder of ours that a line includes, if it does.
+std::optional<std::string> included_folder(const std::string& line) {
+  static const std::regex pattern(R"re(^\s*#\s*include\s*["<]surfmesh/([^/">]+)/)re");
+  std::smatch match;
+  if (!std::regex_search(line, match, pattern)) return std::nullopt;
+  return match[1].str();
+}
+
+TEST(Layering, KnowsEveryFolder) {
+  for (const auto& file : testing::library_sources()) {
+    EXPECT_TRUE(rank(file.folder)) << file.path << " lies in no folder of the design";
+  }
+}
+
+TEST(Layering, IncludesOnlyWhatComesBefore) {
+  for (const auto& file : testing::library_sources()) {
+    for (std::size_t i = 0; i < file.code.size(); ++i) {
+      const auto folder = included_folder(file.code[i]);
+      EXPECT_TRUE(!folder || may_include(file.folder, *folder)) << place(file, i);
+    }
+  }
+}
+
+TEST(Layering, IncludesItsOwnHeadersByTheirWholePath) {
+  static const std::regex quoted(R"re(^\s*#\s*include\s*"(?!surfmesh/))re");
+  for (const auto& file : testing::library_sources()) {
+    for (std::size_t i = 0; i < file.code.size(); ++i) {
+      EXPECT_FALSE(std::regex_search(file.code[i], quoted)) << place(file, i);
+    }
+  }
+}
+
+TEST(Layering, FollowsTheDataFlow) {
+  EXPECT_TRUE(may_include("core", "core"));
+  EXPECT_TRUE(may_include("pipeline", "io"));
+  EXPECT_FALSE(may_include("geometry", "metric"));
+  EXPECT_FALSE(may_include("core", "elsewhere"));
+}
+
+TEST(Layering, SeesAnInclude) {
+  EXPECT_EQ(included_folder("#include \"surfmesh/core/mesh.hh\""), "core");
+  EXPECT_EQ(included_folder("#include <surfmesh/quad/front.hh>"), "quad");
+  EXPECT_EQ(included_folder("#include <vector>"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace surfmesh
