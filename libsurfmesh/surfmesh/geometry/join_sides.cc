@@ -133,6 +133,7 @@ Model model_from_patches(const std::vector<PatchInput>& patches) {
   const JoinLengths lengths = join_lengths(parts.sides, model.diagonal);
   parts.split = split_sides(parts.sides, lengths.join);
   parts.curves = match_pieces(parts.sides, parts.split.pieces, lengths.join);
+  model.vertices.reserve(parts.split.vertices.size());
   for (const Vec3& position : parts.split.vertices) model.vertices.push_back({position});
   for (const MatchedCurve& curve : parts.curves) {
     model.contours.push_back(make_contour(parts, curve));

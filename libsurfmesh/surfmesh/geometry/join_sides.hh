@@ -32,8 +32,8 @@ struct PatchInput {
 /// Error    coincidence is tested at 33 places of each side, unevenly spread; ends are merged
 ///          transitively. Far from the origin the tolerance is not below a few roundings of the
 ///          coordinates
-/// Cost     O(n log n) for n sides of bounded length, about 1,000 evaluations a patch;
-///          some thousands more for a side that nearly coincides with others
+/// Cost     O(n log n) for n sides of bounded length, about 1,000 evaluations a patch,
+///          1,300 where speeds differ, some thousands more for a near miss
 /// Throws   InvalidInput for no patches, a name used twice, a missing surface, a domain that is not
 ///          a rectangle; Geometry for a patch that is a point or a line. All name the patch
 Model model_from_patches(const std::vector<PatchInput>& patches);

@@ -119,6 +119,7 @@ std::vector<Pair> meeting_pairs(const std::vector<Box3>& boxes, double margin) {
 std::vector<std::string> near_miss_warnings(const std::vector<ContourShape>& contours,
                                             const JoinLengths& lengths) {
   std::vector<Box3> boxes;
+  boxes.reserve(contours.size());
   for (const ContourShape& contour : contours) boxes.push_back(contour.curve.box());
   std::vector<std::string> result;
   std::size_t more = 0;

@@ -171,14 +171,12 @@ std::vector<Cut> Splitter::without_repeats(const PatchSide& side,
                                            const std::vector<Cut>& cuts) const {
   std::vector<Cut> result{cuts.front()};
   for (std::size_t i = 1; i < cuts.size(); ++i) {
-    const bool is_last = i + 1 == cuts.size();
-    if (!is_collapsed(side, result.back(), cuts[i])) {
-      result.push_back(cuts[i]);
-    } else if (is_last && result.size() > 1) {
-      result.back() = cuts[i];
-    } else if (is_last) {
-      result.push_back(cuts[i]);
+    if (is_collapsed(side, result.back(), cuts[i])) {
+      const bool is_last = i + 1 == cuts.size();
+      if (!is_last) continue;
+      if (result.size() > 1) result.pop_back();
     }
+    result.push_back(cuts[i]);
   }
   return result;
 }
