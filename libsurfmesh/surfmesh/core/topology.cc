@@ -127,7 +127,73 @@ void link_open_halfedges(Mesh& mesh) {
   }
 }
 
+/// Corners of triangles (3 × triangle + corner), joined where they belong to one fan.
+class CornerUnion {
+ public:
+  explicit CornerUnion(std::size_t count) : parents_(count) {
+    for (std::size_t i = 0; i < count; ++i) parents_[i] = static_cast<int>(i);
+  }
+
+  int root(int corner) {
+    while (parent(corner) != corner) {
+      parent(corner) = parent(parent(corner));
+      corner = parent(corner);
+    }
+    return corner;
+  }
+
+  /// The smaller root stays, so that the result does not depend on the order.
+  void join(int a, int b) {
+    a = root(a);
+    b = root(b);
+    parent(std::max(a, b)) = std::min(a, b);
+  }
+
+ private:
+  int& parent(int corner) { return parents_[static_cast<std::size_t>(corner)]; }
+
+  std::vector<int> parents_;
+};
+
+/// The corner at the tip of a side.
+int tip(int side) { return side % 3 == 2 ? side - 2 : side + 1; }
+
 }  // namespace
+
+SeparatedFans separate_fans(std::size_t vertex_count,
+                            const std::vector<std::array<int, 3>>& triangles) {
+  SeparatedFans result;
+  SideTable table(vertex_count, triangles);
+  CornerUnion corners(3 * triangles.size());
+  table.for_each_edge([&](auto first, auto last) {
+    if (last - first == 2 && first->is_rising != first[1].is_rising) {
+      corners.join(first->index, tip(first[1].index));
+      corners.join(tip(first->index), first[1].index);
+    } else if (last - first > 1) {
+      result.cut_edges += static_cast<std::size_t>(last - first);
+    }
+  });
+  result.old_vertex.resize(vertex_count);
+  for (std::size_t v = 0; v < vertex_count; ++v) result.old_vertex[v] = static_cast<int>(v);
+  std::vector<int> first_fan(vertex_count, -1);
+  std::vector<int> vertex_of(3 * triangles.size());
+  result.triangles = triangles;
+  for (std::size_t corner = 0; corner < vertex_of.size(); ++corner) {
+    int& vertex = result.triangles[corner / 3][corner % 3];
+    const auto root = static_cast<std::size_t>(corners.root(static_cast<int>(corner)));
+    if (root == corner) {
+      int& fan = first_fan[static_cast<std::size_t>(vertex)];
+      if (fan < 0) {
+        fan = vertex_of[corner] = vertex;
+      } else {
+        vertex_of[corner] = static_cast<int>(result.old_vertex.size());
+        result.old_vertex.push_back(vertex);
+      }
+    }
+    vertex = vertex_of[root];
+  }
+  return result;
+}
 
 template <class Mesh>
 void build_triangles(Mesh& mesh, std::size_t vertex_count,

@@ -77,6 +77,23 @@ template <class Mesh>
 void build_triangles(Mesh& mesh, std::size_t vertex_count,
                      const std::vector<std::array<int, 3>>& triangles);
 
+/// Triangles in which every fan around a vertex has a vertex of its own.
+struct SeparatedFans {
+  std::vector<std::array<int, 3>> triangles;
+  /// The old vertex of each new one. The first fan of a vertex keeps its number, further ones have
+  /// numbers from the old count on.
+  std::vector<int> old_vertex;
+  std::size_t cut_edges = 0;  ///< sides that are not glued though another triangle has them, too
+};
+
+/// Duplicate the vertices at which triangles do not form one fan, so that build_triangles can
+/// build them: where surfaces touch in a vertex, and along edges with three and more triangles or
+/// with two of the same direction.
+///
+/// Cost     O(n log n)
+SeparatedFans separate_fans(std::size_t vertex_count,
+                            const std::vector<std::array<int, 3>>& triangles);
+
 /// Swap the diagonal of the two triangles at an inner edge. The caller makes sure that the four
 /// points are in convex position and that the new edge does not exist.
 inline void flip(TriMesh& mesh, EdgeHandle eh) {

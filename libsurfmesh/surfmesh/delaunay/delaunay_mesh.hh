@@ -97,6 +97,14 @@ class DelaunayMesh {
   /// True if the edge is inner, not constrained, and its quadrilateral strictly convex.
   bool can_flip(EdgeHandle eh) const;
 
+  /// Put a new vertex on an inner edge, without any swap. Its metric is unset.
+  /// Pre      the edge is not constrained; p lies on it, or sees all four sides around
+  VertexHandle split_edge(EdgeHandle eh, Uv p) {
+    const HalfedgeHandle heh = mesh_.halfedge_handle(eh, 0);
+    seed_cavity({Location::Kind::OnEdge, mesh_.face_handle(heh), heh, VertexHandle()}, cavity_);
+    return fill(cavity_, p);
+  }
+
   void flip(EdgeHandle eh) { surfmesh::flip(mesh_, eh); }
 
   /// The halfedge from a to b; an invalid handle if they are not joined.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -33,7 +34,10 @@ struct MetricCorner {
 /// degenerate one, negative for an inverted one.
 inline double triangle_quality(Uv a, Uv b, Uv c, const Metric& m) {
   const double sum = squared_length(m, b - a) + squared_length(m, c - b) + squared_length(m, a - c);
-  return 2 * std::numbers::sqrt3 * cross(b - a, c - a) * std::sqrt(determinant(m)) / sum;
+  if (!(sum > 0)) return 0 * sum;  // all corners are one point, or unset
+  // A metric that is singular by rounding has no area.
+  const double density = std::sqrt(std::max(0.0, determinant(m)));
+  return 2 * std::numbers::sqrt3 * cross(b - a, c - a) * density / sum;
 }
 
 /// Quality with the mean metric of the corners, which stands for the one at the barycentre.

@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "surfmesh/core/properties.hh"
-#include "surfmesh/metric/tensor.hh"
+#include "surfmesh/metric/triangle.hh"
 
 namespace surfmesh {
 namespace {
@@ -111,15 +111,6 @@ std::vector<Triangle> measure_triangles(const PolyMesh& mesh) {
 }
 
 }  // namespace
-
-double triangle_quality(Uv a, Uv b, Uv c, const Metric& m) {
-  const Uv ab = b - a, ac = c - a;
-  const double squares = squared_length(m, ab) + squared_length(m, ac) + squared_length(m, c - b);
-  if (squares == 0) return 0;
-  // A metric that is singular by rounding has no area.
-  const double area = 0.5 * cross(ab, ac) * std::sqrt(std::max(0.0, determinant(m)));
-  return 4 * std::numbers::sqrt3 * area / squares;
-}
 
 EdgeStatistics measure_edges(const PolyMesh& mesh) {
   const Corners corners(mesh);

@@ -43,10 +43,6 @@ struct QualityStatistics {
   friend bool operator==(const QualityStatistics&, const QualityStatistics&) = default;
 };
 
-/// Metric quality Q = 4√3 A / (l1² + l2² + l3²) of a triangle in the constant metric m; negative
-/// if clockwise, 0 if all corners are one point.
-double triangle_quality(Uv a, Uv b, Uv c, const Metric& m);
-
 /// Measure every edge of a result mesh once.
 ///
 /// The length is edge_length of the lengths in the metrics of its two corners in one face, of the

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "surfmesh/assemble/patch_mesh.hh"
+#include "surfmesh/core/mesh.hh"
+
+namespace surfmesh {
+
+struct AssembleReport {
+  std::size_t turned = 0;  ///< triangles turned against the normal of the surface
+  std::vector<std::string> warnings;
+};
+
+struct Assembly {
+  PolyMesh mesh;
+  AssembleReport report;
+};
+
+/// Join the meshes of all patches to one.
+///
+/// Vertices on contours are the same by the numbers of their nodes, never by distance; several
+/// vertices of a domain may become one (seams, poles), and a triangle that collapses is left out.
+/// Neighbouring patches are oriented alike. Where a half-edge mesh cannot hold what the model asks
+/// for (edges of three and more patches, a Möbius band), the mesh is cut along the contour, with
+/// equal positions on both sides and a warning.
+///
+/// Writes   point(); surf:patch (face), surf:contour (edge), surf:uv and surf:metric (halfedge, at
+///          its tip)
+/// Cost     one surface evaluation with first derivatives a vertex, O(n log n) for the connectivity
+/// Pre      split_improper_chords has been called
+Assembly assemble(const Model& model, const std::vector<ContourNodes>& nodes,
+                  const NodeNumbers& numbers, const std::vector<PatchMesh>& patches);
+
+}  // namespace surfmesh

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "surfmesh/geometry/model.hh"
+
+namespace surfmesh {
+
+/// Which patches are to be turned over so that neighbours are oriented alike.
+struct PatchOrientation {
+  std::vector<char> is_turned;  ///< by patch
+  /// Contours along which two patches cannot be oriented alike (a Möbius band is cut there).
+  std::vector<int> cut_contours;
+};
+
+/// Spread the orientation of the first patch of each component to its neighbours over the contours
+/// with two uses.
+///
+/// Cost     O(contour uses)
+PatchOrientation orient_patches(const Model& model);
+
+}  // namespace surfmesh

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "surfmesh/boundary/patch_boundary.hh"
+#include "surfmesh/control/metric_field.hh"
+#include "surfmesh/delaunay/delaunay_mesh.hh"
+
+namespace surfmesh {
+
+/// The finished mesh of one patch in its domain: its first vertices are the nodes of the loops in
+/// their order.
+struct PatchMesh {
+  PatchBoundary boundary;
+  std::unique_ptr<DelaunayMesh> delaunay;
+  const MetricField* field = nullptr;
+};
+
+/// Result vertices of the nodes of the loops, -1 for nodes that are the patch's own.
+std::vector<int> boundary_vertices(const PatchBoundary& boundary);
+
+/// Give inner nodes to chords that would make the result improper: edges from a vertex to itself,
+/// and edges between two vertices that another edge joins, also across patches.
+///
+/// Chords between boundary nodes are split in their middle until none offends.
+///
+/// Reads    surf:constrained
+/// Writes   surf:uv, surf:metric of new vertices
+/// Returns  the number of nodes
+/// Cost     O(boundary nodes) a round, rarely more than two rounds
+/// Throws   Geometry if rounds do not end
+std::size_t split_improper_chords(std::vector<PatchMesh>& patches);
+
+}  // namespace surfmesh
