@@ -140,5 +140,10 @@ TEST(EdgeLength, OfEqualLengthsIsThatLengthAndOfNoLengthIsZero) {
   EXPECT_EQ(edge_length(0, 2), 0);
 }
 
+TEST(EdgeLength, DoesNotHideALengthThatIsUnset) {
+  EXPECT_TRUE(std::isnan(edge_length(kUnset, 1)));
+  EXPECT_TRUE(std::isnan(edge_length(1, kUnset)));
+}
+
 }  // namespace
 }  // namespace surfmesh

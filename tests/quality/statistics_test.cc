@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "support/expect_valid.hh"
 #include "support/meshes.hh"
 #include "support/tensors.hh"
+#include "surfmesh/core/error.hh"
 #include "surfmesh/core/properties.hh"
 
 namespace surfmesh {
@@ -137,6 +137,20 @@ TEST(MeasureEdges, OfNothingIsZero) {
 
 TEST(MeasureEdges, NamesAMissingProperty) {
   EXPECT_THROW(measure_edges(testing::octahedron()), Error);
+}
+
+TEST(MeasureEdges, RefusesACornerThatIsNotSet) {
+  PolyMesh mesh = disc(6);
+  mesh.property(require(mesh, keys::corner_uv), mesh.halfedge_handle(FaceHandle(2))) = Uv();
+  EXPECT_THROW(measure_edges(mesh), Error);
+  EXPECT_THROW(measure_quality(mesh), Error);
+}
+
+TEST(MeasureEdges, TakesASingularMetric) {
+  // A diagonal has no length; rounding of the entries has made its square negative.
+  const EdgeStatistics s = measure_edges(plane_grid(1, 1, {1, -1 - 1e-15, 1}));
+  EXPECT_EQ(s.min, 0);
+  EXPECT_EQ(s.max, 1);
 }
 
 TEST(MeasureQuality, OfUnitTrianglesIsOne) {

@@ -49,7 +49,7 @@ inline Metric metric_from_size(const FirstFormFactor& p, const SizeTensor& h) {
 inline constexpr double kNearlyEqualLengths = 1e-6;
 
 /// Metric length of an edge from its lengths in the metrics of its two ends: (l0−l1)/ln(l0/l1),
-/// exact for a size that changes geometrically.
+/// exact for a size that changes geometrically. 0 if either is 0, NaN if either is NaN.
 /// Error    below 1e-12 relative where the series is used (test EdgeLength.*)
 inline double edge_length(double l0, double l1) {
   const double sum = l0 + l1;
@@ -57,7 +57,7 @@ inline double edge_length(double l0, double l1) {
   const double y = x * x;
   // ln(l0/l1) = 2 artanh(x), and the series is that of x/artanh(x).
   if (y < kNearlyEqualLengths) return 0.5 * sum * (1 - y * (1.0 / 3.0 + y * 4.0 / 45.0));
-  return l0 > 0 && l1 > 0 ? (l0 - l1) / std::log(l0 / l1) : 0;
+  return l0 <= 0 || l1 <= 0 ? 0 : (l0 - l1) / std::log(l0 / l1);
 }
 
 }  // namespace surfmesh

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/quality/statistics.hh"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <unordered_map>
 
+#include "surfmesh/core/error.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/metric/triangle.hh"
 
@@ -73,13 +76,23 @@ struct Corners {
   decltype(keys::corner_metric)::Handle metric_handle;
 };
 
+/// Length of a step, 0 where rounding has made a singular metric negative; NaN stays NaN.
+double length_in(const Metric& m, Uv step) {
+  return std::sqrt(std::max(squared_length(m, step), 0.0));
+}
+
 double metric_length(const Corners& corners, EdgeHandle eh) {
   HalfedgeHandle tip = corners.mesh.halfedge_handle(eh, 0);
   if (corners.mesh.is_boundary(tip)) tip = corners.mesh.halfedge_handle(eh, 1);
   const HalfedgeHandle tail = corners.mesh.prev_halfedge_handle(tip);
   const Uv step = corners.uv(tip) - corners.uv(tail);
-  return edge_length(std::sqrt(squared_length(corners.metric(tail), step)),
-                     std::sqrt(squared_length(corners.metric(tip), step)));
+  const double length =
+      edge_length(length_in(corners.metric(tail), step), length_in(corners.metric(tip), step));
+  if (!std::isfinite(length)) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("edge {}: (u,v) or the metric of a corner is not set", eh.idx()));
+  }
+  return length;
 }
 
 struct Triangle {
@@ -94,7 +107,12 @@ Triangle measure_triangle(const Corners& corners, FaceHandle fh, int patch) {
   const HalfedgeHandle h2 = corners.mesh.next_halfedge_handle(h1);
   const Uv a = corners.uv(h0), b = corners.uv(h1), c = corners.uv(h2);
   const Metric m = mean(corners.metric(h0), corners.metric(h1), corners.metric(h2));
-  return {patch, 0.5 * cross(b - a, c - a), triangle_quality(a, b, c, m)};
+  const double quality = triangle_quality(a, b, c, m);
+  if (!std::isfinite(quality)) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("face {}: (u,v) or the metric of a corner is not set", fh.idx()));
+  }
+  return {patch, 0.5 * cross(b - a, c - a), quality};
 }
 
 std::vector<Triangle> measure_triangles(const PolyMesh& mesh) {
@@ -112,6 +130,18 @@ std::vector<Triangle> measure_triangles(const PolyMesh& mesh) {
 
 }  // namespace
 
+<<<<<<< HEAD
+=======
+double triangle_quality(Uv a, Uv b, Uv c, const Metric& m) {
+  const Uv ab = b - a, ac = c - a;
+  const double squares = squared_length(m, ab) + squared_length(m, ac) + squared_length(m, c - b);
+  if (squares == 0) return 0;
+  // A metric that is singular by rounding has no area.
+  const double area = 0.5 * cross(ab, ac) * std::sqrt(std::max(determinant(m), 0.0));
+  return 4 * std::numbers::sqrt3 * area / squares;
+}
+
+>>>>>>> he
 EdgeStatistics measure_edges(const PolyMesh& mesh) {
   const Corners corners(mesh);
   EdgeStatistics result;

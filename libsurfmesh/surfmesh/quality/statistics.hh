@@ -52,8 +52,7 @@ struct QualityStatistics {
 /// Reads    surf:uv, surf:metric (halfedge)
 /// Error    exact for sizes that change geometrically along the edge
 /// Pre      every edge has a face
-/// Throws   MissingProperty
-/// Source   DESIGN, section 2
+/// Throws   MissingProperty; InvalidInput where a corner is unset (NaN)
 EdgeStatistics measure_edges(const PolyMesh& mesh);
 
 /// Measure the triangles of a result mesh, each in the mean of the metrics of its corners.
@@ -62,8 +61,7 @@ EdgeStatistics measure_edges(const PolyMesh& mesh);
 /// triangle counts as turned over if its sign in (u,v) is not that of its patch's area.
 ///
 /// Reads    surf:uv, surf:metric (halfedge), surf:patch (face; without it all is one patch)
-/// Throws   MissingProperty
-/// Source   DESIGN, section 2
+/// Throws   MissingProperty; InvalidInput where a corner is unset (NaN)
 QualityStatistics measure_quality(const PolyMesh& mesh);
 
 }  // namespace surfmesh

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surfmesh/boundary/contour_nodes.hh"
+#include "surfmesh/control/control_nodes.hh"
+#include "surfmesh/control/sizing.hh"
+#include "surfmesh/core/observer.hh"
+#include "surfmesh/improve/improve.hh"
+#include "surfmesh/refine/refine.hh"
+
+namespace surfmesh {
+
+/// The options of all stages.
+struct PipelineOptions {
+  Sizing sizing;
+  ControlNodeOptions control;
+  BoundaryOptions boundary;
+  RefineOptions refine;
+  ImproveOptions improve;
+  Observer* observer = nullptr;  ///< told of the progress; not owned, null for none
+};
+
+/// Throws   InvalidOption naming the option, its value and its range
+void check(const PipelineOptions& options);
+
+}  // namespace surfmesh

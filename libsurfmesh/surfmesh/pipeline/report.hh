@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "surfmesh/pipeline/options.hh"
+#include "surfmesh/quality/statistics.hh"
+
+namespace surfmesh {
+
+/// Processor time of the stages in seconds, over all threads; `wall` is by the clock.
+struct StageSeconds {
+  double read = 0;
+  double control = 0;
+  double boundary = 0;
+  double triangulate = 0;
+  double refine = 0;
+  double improve = 0;
+  double quad = 0;
+  double assemble = 0;
+  double write = 0;
+  double total = 0;  ///< of all stages above
+  double wall = 0;
+};
+
+/// What a run made, how good it is and what it cost.
+struct Report {
+  struct Mesh {
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+    std::size_t quads = 0;
+    std::size_t patches = 0;
+    bool is_closed = false;
+    long euler = 0;
+  };
+
+  /// How often each stage asked for the metric.
+  struct Queries {
+    std::size_t boundary = 0;
+    std::size_t triangulate = 0;
+    std::size_t refine = 0;
+    std::size_t improve = 0;
+    std::size_t quad = 0;
+  };
+
+  struct Control {
+    std::size_t nodes = 0;
+    std::size_t triangles = 0;
+    Queries queries;
+  };
+
+  std::string input;
+  PipelineOptions options;  ///< the effective values
+  std::vector<std::string> warnings;
+  /// What was asked for and not reached, in plain English; a tool ends with status 3.
+  std::vector<std::string> shortfalls;
+  Mesh mesh;
+  EdgeStatistics edges;       ///< in the metric of the control space
+  QualityStatistics quality;  ///< likewise
+  Control control;
+  StageSeconds seconds;
+  /// Triangles over processor time without reading, control space, report and writing: the NT/s of
+  /// the paper.
+  double triangles_per_second = 0;
+};
+
+/// The report as JSON text, with the keys of the documentation.
+std::string to_json(const Report& report);
+
+/// The report in about ten lines for a terminal.
+std::string to_text(const Report& report);
+
+}  // namespace surfmesh
