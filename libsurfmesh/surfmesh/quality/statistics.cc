@@ -130,18 +130,6 @@ std::vector<Triangle> measure_triangles(const PolyMesh& mesh) {
 
 }  // namespace
 
-<<<<<<< HEAD
-=======
-double triangle_quality(Uv a, Uv b, Uv c, const Metric& m) {
-  const Uv ab = b - a, ac = c - a;
-  const double squares = squared_length(m, ab) + squared_length(m, ac) + squared_length(m, c - b);
-  if (squares == 0) return 0;
-  // A metric that is singular by rounding has no area.
-  const double area = 0.5 * cross(ab, ac) * std::sqrt(std::max(determinant(m), 0.0));
-  return 4 * std::numbers::sqrt3 * area / squares;
-}
-
->>>>>>> he
 EdgeStatistics measure_edges(const PolyMesh& mesh) {
   const Corners corners(mesh);
   EdgeStatistics result;
