@@ -96,6 +96,13 @@ class ContourDivision {
     }
   }
 
+  /// Queries of the metric fields so far.
+  std::size_t queries() const {
+    std::size_t count = 0;
+    for (const MetricArc& arc : arcs_) count += arc.stations();
+    return count;
+  }
+
   ContourNodes nodes() const {
     ContourNodes result;
     result.uv.resize(contour_.uses.size());
@@ -173,27 +180,28 @@ void check(const BoundaryOptions& options) {
   }
 }
 
-std::vector<ContourNodes> place_contour_nodes(const Model& model,
-                                              const std::vector<const MetricField*>& fields,
-                                              const BoundaryOptions& options) {
+BoundaryNodes place_contour_nodes(const Model& model,
+                                  const std::vector<const MetricField*>& fields,
+                                  const BoundaryOptions& options) {
   check(options);
   const LeastSegments least(model);
-  std::vector<ContourNodes> result;
-  result.reserve(model.contours.size());
+  BoundaryNodes result;
+  result.contours.reserve(model.contours.size());
   for (const Contour& contour : model.contours) {
     if (contour.uses.empty()) {
-      result.emplace_back();
+      result.contours.emplace_back();
       continue;
     }
     if (contour.is_degenerate) {
-      result.push_back(degenerate_nodes(model, contour));
+      result.contours.push_back(degenerate_nodes(model, contour));
       continue;
     }
     ContourDivision division(model, contour, fields);
     division.divide(least(contour), options.multiple);
     division.halve_long_segments();
     division.round_up_to(options.multiple);
-    result.push_back(division.nodes());
+    result.contours.push_back(division.nodes());
+    result.report.queries += division.queries();
   }
   return result;
 }

@@ -23,6 +23,16 @@ struct BoundaryOptions {
 
 void check(const BoundaryOptions& options);
 
+struct BoundaryReport {
+  std::size_t queries = 0;  ///< of the metric fields
+};
+
+/// The nodes of all contours, and what they cost.
+struct BoundaryNodes {
+  std::vector<ContourNodes> contours;
+  BoundaryReport report;
+};
+
 /// Place the nodes of all contours.
 ///
 /// The nodes of a contour come from the patch in whose metric it is longest: their number is the
@@ -37,8 +47,8 @@ void check(const BoundaryOptions& options);
 /// `fields` holds the metric of each patch.
 /// Cost     about four metric queries a segment and use
 /// Source   paper, section 2.1, item 1
-std::vector<ContourNodes> place_contour_nodes(const Model& model,
-                                              const std::vector<const MetricField*>& fields,
-                                              const BoundaryOptions& options = {});
+BoundaryNodes place_contour_nodes(const Model& model,
+                                  const std::vector<const MetricField*>& fields,
+                                  const BoundaryOptions& options = {});
 
 }  // namespace surfmesh

@@ -23,6 +23,9 @@ class MetricArc {
   /// Metric length of the whole curve: the number of segments wanted.
   double length() const { return arcs_.back(); }
 
+  /// Number of points at which the metric was asked for.
+  std::size_t stations() const { return parameters_.size(); }
+
   /// Metric length from t = 0 to t.
   double arc(double t) const;
 

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/control/make_control.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "surfmesh/core/error.hh"
+#include "surfmesh/metric/minimum.hh"
+#include "surfmesh/metric/tensor.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Greatest relative error of ∫√det M before gradation. The mark is 2 %; the estimate itself is
+/// good to some tenths of a percent.
+constexpr double kAreaError = 0.015;
+
+/// Finer precisions that are tried, each by this factor.
+constexpr int kMaxRounds = 6;
+constexpr double kFinerPrecision = 0.6;
+
+/// Points of the independent sample: a share of the nodes, within bounds.
+int sample_count(std::size_t nodes) {
+  return static_cast<int>(std::clamp<std::size_t>(4 * nodes, 200, 100'000));
+}
+
+double root_of_determinant(const FirstFormFactor& form, const SizeTensor& size) {
+  return form.l11 * form.l22 / determinant(size);
+}
+
+ControlNode node_of(const AtSource& source, const SizeField& field) {
+  const Domain domain = field.surface().domain();
+  const Uv uv = source.at;
+  const bool is_inside = uv.u >= domain.u0 && uv.u <= domain.u1 && uv.v >= domain.v0 &&
+                         uv.v <= domain.v1 && domain.fold(uv) == uv;
+  if (!is_inside) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("a source at (u,v) = ({}, {}) lies outside the domain", uv.u, uv.v));
+  }
+  const SizeField::Sample sample = field.at(uv);
+  SizeTensor size = field.clamp(field.tensor(source.size));
+  if (field.has_source()) size = minimum(size, sample.size);
+  return {uv, sample.point, sample.form, size};
+}
+
+/// Give the nodes of a field without sources the size of the nearest source.
+void take_nearest(std::vector<ControlNode>& nodes, const std::vector<ControlNode>& sources) {
+  for (ControlNode& node : nodes) {
+    const auto nearest = std::min_element(
+        sources.begin(), sources.end(), [&](const ControlNode& a, const ControlNode& b) {
+          return (a.point - node.point).squaredNorm() < (b.point - node.point).squaredNorm();
+        });
+    node.size = nearest->size;
+  }
+}
+
+std::vector<ControlNode> choose_accurate_nodes(const SizeField& field, ControlNodeOptions options) {
+  for (int round = 0;; ++round) {
+    std::vector<ControlNode> nodes = choose_control_nodes(field, options);
+    if (options.regular > 0 || round == kMaxRounds || !field.has_source()) return nodes;
+    const ControlSpace control(field.surface().domain(), nodes, 0);
+    const MetricArea area = metric_area(field, control, sample_count(nodes.size()));
+    if (std::abs(area.control - area.exact) <= kAreaError * area.exact) return nodes;
+    options.precision *= kFinerPrecision;
+  }
+}
+
+}  // namespace
+
+MetricArea metric_area(const SizeField& field, const ControlSpace& control, int samples) {
+  // The additive sequence of the plastic number covers the square evenly and has no period.
+  // Source: Roberts, The unreasonable effectiveness of quasirandom sequences (2018).
+  constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
+  const Domain domain = field.surface().domain();
+  const double cell = (domain.u1 - domain.u0) * (domain.v1 - domain.v0) / samples;
+  MetricArea area;
+  ControlSpace::Hint hint;
+  for (int i = 1; i <= samples; ++i) {
+    double whole = 0;
+    const Uv uv = domain.at(std::modf(i * first, &whole), std::modf(i * second, &whole));
+    if (!(domain.fold(uv) == uv)) continue;
+    const SizeField::Sample sample = field.at(uv);
+    area.exact += cell * root_of_determinant(sample.form, sample.size);
+    area.control += cell * root_of_determinant(sample.form, control.size(uv, sample.form, hint));
+  }
+  return area;
+}
+
+ControlSpace make_control(const Surface& surface, const Sizing& sizing,
+                          const PatchSources& sources, double diagonal,
+                          const ControlNodeOptions& options) {
+  if (!(sizing.grade == 0 || sizing.grade >= 1)) {
+    throw Error(ErrorCode::InvalidOption,
+                fmt::format("sizing.grade = {} is outside its range: 0 (off), or 1 and above",
+                            sizing.grade));
+  }
+  const SizeField field(surface, sizing, sources.everywhere, diagonal);
+  std::vector<ControlNode> nodes = choose_accurate_nodes(field, options);
+  std::vector<ControlNode> points;
+  for (const AtSource& source : sources.at) points.push_back(node_of(source, field));
+  if (!field.has_source() && !points.empty()) take_nearest(nodes, points);
+  nodes.insert(nodes.end(), points.begin(), points.end());
+  return ControlSpace(surface.domain(), nodes, sizing.grade);
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/pipeline/mesh_model.hh"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <ctime>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "surfmesh/assemble/assemble.hh"
+#include "surfmesh/boundary/patch_boundary.hh"
+#include "surfmesh/control/make_control.hh"
+#include "surfmesh/core/error.hh"
+#include "surfmesh/core/validate.hh"
+#include "surfmesh/refine/boundary_triangulation.hh"
+
+namespace surfmesh {
+namespace {
+
+double processor_seconds() {
+  constexpr double nanosecond = 1e-9;
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + nanosecond * static_cast<double>(now.tv_nsec);
+}
+
+/// Adds the processor time of a scope to a member of the report.
+class StageClock {
+ public:
+  explicit StageClock(double& seconds) : seconds_(seconds), start_(processor_seconds()) {}
+  ~StageClock() { seconds_ += processor_seconds() - start_; }
+  StageClock(const StageClock&) = delete;
+  StageClock& operator=(const StageClock&) = delete;
+
+ private:
+  double& seconds_;
+  double start_;
+};
+
+/// What belongs to one patch during a run.
+struct PatchSizes {
+  std::unique_ptr<ControlSpace> control;
+  std::unique_ptr<SurfaceMetricField> field;
+};
+
+class Run {
+ public:
+  Run(const Model& model, const Sources& sources, const PipelineOptions& options)
+      : model_(model), sources_(sources), options_(options) {
+    report_.options = options;
+    report_.options.observer = nullptr;
+    report_.warnings = model.warnings;
+  }
+
+  MeshResult mesh() {
+    const auto start = std::chrono::steady_clock::now();
+    make_control_spaces();
+    place_nodes();
+    mesh_patches();
+    MeshResult result = assemble_patches();
+    measure(result.mesh);
+    report_.seconds.wall =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.report = std::move(report_);
+    return result;
+  }
+
+ private:
+  void tell(std::string_view stage, std::size_t done, std::size_t total) const {
+    if (!options_.observer) return;
+    options_.observer->progress(stage, done, total);
+    if (options_.observer->is_cancelled()) throw Error(ErrorCode::Limit, "cancelled");
+  }
+
+  /// Call `body(index)`, and name the patch in its errors.
+  template <class Body>
+  void for_each_patch(std::string_view stage, Body body) {
+    for (std::size_t p = 0; p < model_.patches.size(); ++p) {
+      tell(stage, p, model_.patches.size());
+      try {
+        body(p);
+      } catch (const Error& error) {
+        throw Error(error.code(),
+                    fmt::format("patch {}: {}", model_.patches[p].name, error.what()));
+      }
+    }
+    tell(stage, model_.patches.size(), model_.patches.size());
+  }
+
+  void make_control_spaces() {
+    const StageClock clock(report_.seconds.control);
+    sizes_.resize(model_.patches.size());
+    for_each_patch("control", [this](std::size_t p) { make_control_space(p); });
+    for (const PatchSizes& sizes : sizes_) {
+      report_.control.nodes += sizes.control->mesh().n_vertices();
+      report_.control.triangles += sizes.control->mesh().n_faces();
+      fields_.push_back(sizes.field.get());
+    }
+  }
+
+  void make_control_space(std::size_t p) {
+    const Surface& surface = *model_.patches[p].surface;
+    PatchSources patch_sources;
+    for (const EverywhereSource& source : sources_.everywhere) {
+      if (source.patch == static_cast<int>(p)) patch_sources.everywhere.push_back(source);
+    }
+    for (const AtSource& source : sources_.at) {
+      if (source.patch == static_cast<int>(p)) patch_sources.at.push_back(source);
+    }
+    sizes_[p].control = std::make_unique<ControlSpace>(make_control(
+        surface, options_.sizing, patch_sources, model_.diagonal, options_.control));
+    sizes_[p].field = std::make_unique<SurfaceMetricField>(surface, *sizes_[p].control);
+  }
+
+  void place_nodes() {
+    const StageClock clock(report_.seconds.boundary);
+    tell("boundary", 0, model_.contours.size());
+    BoundaryNodes boundary = place_contour_nodes(model_, fields_, options_.boundary);
+    nodes_ = std::move(boundary.contours);
+    report_.control.queries.boundary = boundary.report.queries;
+    numbers_ = std::make_unique<NodeNumbers>(model_, nodes_);
+    tell("boundary", model_.contours.size(), model_.contours.size());
+  }
+
+  void mesh_patches() {
+    patches_.resize(model_.patches.size());
+    std::size_t elements = 0;
+    for_each_patch("mesh", [&](std::size_t p) {
+      RefineOptions refine_options = options_.refine;
+      if (elements >= options_.refine.max_elements) {
+        throw Error(ErrorCode::Limit, fmt::format("more than max_elements = {} triangles",
+                                                  options_.refine.max_elements));
+      }
+      refine_options.max_elements -= elements;
+      mesh_patch(p, refine_options);
+      elements += patches_[p].delaunay->n_faces();
+    });
+    const StageClock clock(report_.seconds.assemble);
+    split_improper_chords(patches_);
+  }
+
+  void mesh_patch(std::size_t p, const RefineOptions& refine_options) {
+    PatchMesh& patch = patches_[p];
+    patch.field = fields_[p];
+    {
+      const StageClock clock(report_.seconds.triangulate);
+      patch.boundary =
+          collect_boundary(model_, static_cast<int>(p), nodes_, *numbers_, *patch.field);
+      std::vector<std::vector<Uv>> loops;
+      for (const BoundaryLoop& loop : patch.boundary.loops) {
+        std::vector<Uv>& uvs = loops.emplace_back();
+        for (const BoundaryNode& node : loop) uvs.push_back(node.uv);
+        report_.control.queries.triangulate += loop.size();
+      }
+      patch.delaunay = triangulate_boundary(loops, *patch.field);
+    }
+    {
+      const StageClock clock(report_.seconds.refine);
+      report_.control.queries.refine += refine(*patch.delaunay, *patch.field, refine_options).queries;
+    }
+    const StageClock clock(report_.seconds.improve);
+    report_.control.queries.improve +=
+        improve(*patch.delaunay, *patch.field, options_.improve).queries;
+  }
+
+  MeshResult assemble_patches() {
+    const StageClock clock(report_.seconds.assemble);
+    tell("assemble", 0, 1);
+    Assembly assembly = assemble(model_, nodes_, *numbers_, patches_);
+    for (std::string& warning : assembly.report.warnings) {
+      report_.warnings.push_back(std::move(warning));
+    }
+    if (assembly.report.turned > 0) {
+      report_.shortfalls.push_back(
+          fmt::format("{} triangles are turned against the normal of the surface; smaller sizes "
+                      "help (curvature, hmax)",
+                      assembly.report.turned));
+    }
+    tell("assemble", 1, 1);
+    return {std::move(assembly.mesh), {}};
+  }
+
+  void measure(const PolyMesh& mesh) {
+    const MeshTopology topology = measure_topology(mesh);
+    report_.mesh = {topology.vertices, topology.faces, 0, model_.patches.size(),
+                    topology.is_closed, topology.euler};
+    report_.edges = measure_edges(mesh);
+    report_.quality = measure_quality(mesh);
+    StageSeconds& s = report_.seconds;
+    const double meshing =
+        s.boundary + s.triangulate + s.refine + s.improve + s.quad + s.assemble;
+    s.total = meshing + s.control;
+    report_.triangles_per_second =
+        meshing > 0 ? static_cast<double>(topology.faces) / meshing : 0;
+  }
+
+  const Model& model_;
+  const Sources& sources_;
+  const PipelineOptions& options_;
+  Report report_;
+  std::vector<PatchSizes> sizes_;
+  std::vector<const MetricField*> fields_;
+  std::vector<ContourNodes> nodes_;
+  std::unique_ptr<NodeNumbers> numbers_;
+  std::vector<PatchMesh> patches_;
+};
+
+}  // namespace
+
+MeshResult mesh_model(const Model& model, const Sources& sources, const PipelineOptions& options) {
+  check(options);
+  check(model);
+  return Run(model, sources, options).mesh();
+}
+
+}  // namespace surfmesh
