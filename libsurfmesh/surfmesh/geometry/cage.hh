@@ -48,4 +48,15 @@ struct Cage {
 /// Diagonal of the bounding box of the cage's points, in model units.
 double diagonal(const Cage& cage);
 
+/// Tell which scheme Auto stands for; any other scheme is returned as it is.
+Scheme resolve_scheme(const Cage& cage, Scheme scheme);
+
+/// Check that the cage can be subdivided: points finite, indices in range, in every face at least
+/// three vertices and none of them twice.
+///
+/// Tags are not looked at: a tag that makes no sense is a warning of the model.
+/// Throws   InvalidInput, naming the point or face
+/// Cost     O(face corners)
+void check(const Cage& cage);
+
 }  // namespace surfmesh

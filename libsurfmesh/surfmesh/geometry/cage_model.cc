@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/geometry/cage_model.hh"
+
+#include <fmt/format.h>
+#include <opensubdiv/sdc/crease.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "surfmesh/core/error.hh"
+#include "surfmesh/geometry/refine_cage.hh"
+#include "surfmesh/geometry/subdivision_detail.hh"
+
+namespace surfmesh {
+namespace {
+
+namespace Far = OpenSubdiv::Far;
+
+bool needs_refinement(const Cage& cage, Scheme scheme) {
+  return scheme != Scheme::Loop && std::any_of(cage.faces.begin(), cage.faces.end(),
+                                               [](const auto& face) { return face.size() != 4; });
+}
+
+/// Builds the model of a cage of regular face sizes, face by face.
+class ModelBuilder {
+ public:
+  ModelBuilder(const Far::TopologyLevel& level, Scheme scheme)
+      : level_(level),
+        scheme_(scheme),
+        vertex_of_(static_cast<std::size_t>(level.GetNumVertices()), -1),
+        contour_of_(static_cast<std::size_t>(level.GetNumEdges()), -1) {}
+
+  void add_patch(int face, std::string name, int cage_face,
+                 std::shared_ptr<const Surface> surface) {
+    const int patch_index = static_cast<int>(model.patches.size());
+    Patch patch;
+    patch.name = std::move(name);
+    patch.surface = std::move(surface);
+    patch.cage_face = cage_face;
+    const Domain domain = patch.surface->domain();
+    const Far::ConstIndexArray vertices = level_.GetFaceVertices(face);
+    for (int i = 0; i < vertices.size(); ++i) {
+      add_vertex(vertices[i], *patch.surface, domain.corner(i));
+    }
+    Loop loop;
+    for (int i = 0; i < vertices.size(); ++i) {
+      const int next = (i + 1) % vertices.size();
+      const Side side = {vertices[i], vertices[next], domain.corner(i), domain.corner(next)};
+      loop.push_back(add_use(level_.GetFaceEdges(face)[i], side, patch_index));
+    }
+    patch.loops.push_back(std::move(loop));
+    model.patches.push_back(std::move(patch));
+  }
+
+  /// A contour that in the end has one use only is a true boundary.
+  void finish() {
+    for (Contour& contour : model.contours) {
+      if (contour.uses.size() == 1) contour.is_smooth = false;
+    }
+  }
+
+  Model model;
+
+ private:
+  /// A side of a face, counter-clockwise: its vertices and its ends in the face's domain.
+  struct Side {
+    int from = -1;
+    int to = -1;
+    Uv from_uv;
+    Uv to_uv;
+  };
+
+  void add_vertex(int vertex, const Surface& surface, Uv corner) {
+    int& index = vertex_of_[static_cast<std::size_t>(vertex)];
+    if (index >= 0) return;
+    index = static_cast<int>(model.vertices.size());
+    model.vertices.push_back({surface.evaluate(corner, Order::Position).point});
+  }
+
+  LoopEntry add_use(int edge, const Side& side, int patch) {
+    const int from = vertex_of_[static_cast<std::size_t>(side.from)];
+    int& index = contour_of_[static_cast<std::size_t>(edge)];
+    if (index < 0) {
+      index = static_cast<int>(model.contours.size());
+      Contour contour;
+      contour.name = fmt::format("e{}-{}", side.from, side.to);
+      contour.start = from;
+      contour.end = vertex_of_[static_cast<std::size_t>(side.to)];
+      contour.is_smooth = scheme_ != Scheme::Bilinear &&
+                          !OpenSubdiv::Sdc::Crease::IsInfinite(level_.GetEdgeSharpness(edge));
+      model.contours.push_back(std::move(contour));
+    }
+    Contour& contour = model.contours[static_cast<std::size_t>(index)];
+    ContourUse use;
+    use.patch = patch;
+    use.is_forward = contour.start == from;
+    use.curve = use.is_forward ? std::make_shared<SegmentCurve>(side.from_uv, side.to_uv)
+                               : std::make_shared<SegmentCurve>(side.to_uv, side.from_uv);
+    contour.uses.push_back(std::move(use));
+    return {index, static_cast<int>(contour.uses.size()) - 1};
+  }
+
+  const Far::TopologyLevel& level_;
+  Scheme scheme_;
+  std::vector<int> vertex_of_;   ///< model vertex of a cage vertex, -1 if it has none
+  std::vector<int> contour_of_;  ///< contour of an edge, -1 if it has none
+};
+
+void add_groups(const Cage& cage, Model& model) {
+  std::vector<std::vector<int>> patches_of(cage.faces.size());
+  for (std::size_t p = 0; p < model.patches.size(); ++p) {
+    patches_of[static_cast<std::size_t>(model.patches[p].cage_face)].push_back(static_cast<int>(p));
+  }
+  for (const Cage::FaceGroup& group : cage.groups) {
+    Group set{group.name, {}};
+    for (int face : group.faces) {
+      if (face < 0 || static_cast<std::size_t>(face) >= patches_of.size()) {
+        model.warnings.push_back(
+            fmt::format("group {} names face {}, which does not exist", group.name, face));
+        continue;
+      }
+      const std::vector<int>& patches = patches_of[static_cast<std::size_t>(face)];
+      set.patches.insert(set.patches.end(), patches.begin(), patches.end());
+    }
+    model.groups.push_back(std::move(set));
+  }
+}
+
+/// The model of a cage of regular face sizes; parents is empty if it is not a refined one.
+Model model_of_faces(const Cage& cage, Scheme scheme, int level, const std::vector<int>& parents) {
+  const CageTopology topology = make_topology(cage, scheme);
+  const auto surfaces = make_limit_surfaces(*topology.refiner, cage.points, {level, true});
+  const Far::TopologyLevel base = topology.refiner->GetLevel(0);
+  ModelBuilder builder(base, scheme);
+  int part = 0;
+  for (std::size_t f = 0; f < surfaces.size(); ++f) {
+    const bool is_part = !parents.empty();
+    const int cage_face = is_part ? parents[f] : static_cast<int>(f);
+    part = f > 0 && is_part && parents[f - 1] == cage_face ? part + 1 : 0;
+    if (!surfaces[f]) continue;
+    std::string name = fmt::format("f{}", cage_face);
+    if (is_part) name += fmt::format(".{}", part);
+    builder.add_patch(static_cast<int>(f), std::move(name), cage_face, surfaces[f]);
+  }
+  builder.finish();
+  builder.model.warnings = topology.warnings;
+  return std::move(builder.model);
+}
+
+}  // namespace
+
+Model model_from_cage(const Cage& cage, const CageOptions& options) {
+  const Scheme scheme = resolve_scheme(cage, options.scheme);
+  Model model;
+  if (needs_refinement(cage, scheme)) {
+    const RefinedCage refined = refine_once(cage, scheme);
+    model = model_of_faces(refined.cage, scheme, options.approximation_level, refined.parent_faces);
+    model.warnings = refined.warnings;
+  } else {
+    model = model_of_faces(cage, scheme, options.approximation_level, {});
+  }
+  if (model.patches.empty()) {
+    throw Error(ErrorCode::InvalidInput,
+                "no face of the cage has a limit surface: all are holes or, by the boundary rule "
+                "none, at the boundary");
+  }
+  model.diagonal = diagonal(cage);
+  add_groups(cage, model);
+  return model;
+}
+
+}  // namespace surfmesh
