@@ -145,6 +145,17 @@ TEST(CageModel, FollowsTheBoundaryRule) {
                Error);
 }
 
+TEST(CageModel, HasADegenerateContourWhereASideIsAPoint) {
+  Cage cage = testing::sheet();
+  cage.faces[4] = {5, 6, 6, 9};
+  const Model model = model_from_cage(cage);
+  expect_valid(model);
+  EXPECT_EQ(model.patches.size(), 9u);
+  int degenerate = 0;
+  for (const Contour& contour : model.contours) degenerate += contour.is_degenerate;
+  EXPECT_EQ(degenerate, 1);
+}
+
 TEST(CageModel, HasThreeUsesOfANonManifoldEdge) {
   const Model model = model_from_cage(testing::fan());
   const auto contour = std::find_if(model.contours.begin(), model.contours.end(),

@@ -45,7 +45,7 @@ TEST(Cage, IsRefusedWithTheFaceNamed) {
   cage.faces[3] = {0, 1};
   expect_refused(cage, "face 3 has fewer than three vertices");
   cage.faces[3] = {0, 1, 0, 2};
-  expect_refused(cage, "face 3 has vertex 0 twice");
+  expect_refused(cage, "face 3 comes back to a vertex");
   expect_refused(Cage{}, "no faces");
 }
 
@@ -53,6 +53,31 @@ TEST(Cage, IsRefusedWithThePointNamed) {
   Cage cage = cube();
   cage.points[5].y() = kUnset;
   expect_refused(cage, "point 5 is not finite");
+}
+
+TEST(Cage, MayHaveASideThatIsAPoint) {
+  Cage cage = cube();
+  cage.faces[3] = {2, 6, 6, 3};
+  EXPECT_NO_THROW(check(cage));
+  EXPECT_EQ(without_repeats({4, 1, 1, 2, 4}), (std::vector<int>{4, 1, 2}));
+  EXPECT_FALSE(is_simple({1, 1, 2, 2}));
+  EXPECT_THROW(refine_once(cage, Scheme::CatmullClark), Error);
+}
+
+TEST(MakeRegular, LeavesOutFacesThatAreNotSimple) {
+  Cage cage = testing::pentagon_prism();
+  cage.faces.insert(cage.faces.begin() + 1, {0, 1, 0, 2});
+  cage.faces.push_back({0, 0, 1, 2});
+  cage.holes = {1, 2};
+  cage.groups = {{"all", {0, 1, 2, 3, 4, 5, 6, 7}}};
+  const RefinedCage regular = make_regular(cage, Scheme::CatmullClark);
+  EXPECT_TRUE(regular.is_refined);
+  EXPECT_EQ(regular.warnings.size(), 2u);
+  EXPECT_EQ(regular.cage.faces.size(), 33u);
+  EXPECT_EQ(regular.parent_faces[5], 2);
+  EXPECT_EQ(regular.parent_faces.back(), 8);
+  EXPECT_EQ(regular.cage.holes, (std::vector<int>{5, 6, 7, 8, 9}));
+  EXPECT_EQ(regular.cage.groups[0].faces.size(), 30u);
 }
 
 TEST(RefineOnce, MakesQuadsThatKnowTheirParents) {

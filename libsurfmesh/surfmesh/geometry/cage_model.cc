@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <opensubdiv/sdc/crease.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "surfmesh/core/error.hh"
@@ -15,11 +14,6 @@ namespace surfmesh {
 namespace {
 
 namespace Far = OpenSubdiv::Far;
-
-bool needs_refinement(const Cage& cage, Scheme scheme) {
-  return scheme != Scheme::Loop && std::any_of(cage.faces.begin(), cage.faces.end(),
-                                               [](const auto& face) { return face.size() != 4; });
-}
 
 /// Builds the model of a cage of regular face sizes, face by face.
 class ModelBuilder {
@@ -52,9 +46,10 @@ class ModelBuilder {
     model.patches.push_back(std::move(patch));
   }
 
-  /// A contour that in the end has one use only is a true boundary.
+  /// A contour that in the end has one use only is a true boundary, unless it is a point.
   void finish() {
     for (Contour& contour : model.contours) {
+      contour.is_degenerate = contour.start == contour.end;
       if (contour.uses.size() == 1) contour.is_smooth = false;
     }
   }
@@ -126,24 +121,23 @@ void add_groups(const Cage& cage, Model& model) {
   }
 }
 
-/// The model of a cage of regular face sizes; parents is empty if it is not a refined one.
-Model model_of_faces(const Cage& cage, Scheme scheme, int level, const std::vector<int>& parents) {
-  const CageTopology topology = make_topology(cage, scheme);
-  const auto surfaces = make_limit_surfaces(*topology.refiner, cage.points, {level, true});
-  const Far::TopologyLevel base = topology.refiner->GetLevel(0);
-  ModelBuilder builder(base, scheme);
+Model model_of_faces(const RefinedCage& regular, Scheme scheme, int level) {
+  const CageTopology topology = make_topology(regular.cage, scheme);
+  const auto surfaces = make_limit_surfaces(*topology.refiner, regular.cage.points, {level, true});
+  ModelBuilder builder(topology.refiner->GetLevel(0), scheme);
   int part = 0;
   for (std::size_t f = 0; f < surfaces.size(); ++f) {
-    const bool is_part = !parents.empty();
-    const int cage_face = is_part ? parents[f] : static_cast<int>(f);
-    part = f > 0 && is_part && parents[f - 1] == cage_face ? part + 1 : 0;
+    const int cage_face = regular.parent_faces[f];
+    part = f > 0 && regular.parent_faces[f - 1] == cage_face ? part + 1 : 0;
     if (!surfaces[f]) continue;
     std::string name = fmt::format("f{}", cage_face);
-    if (is_part) name += fmt::format(".{}", part);
+    if (regular.is_refined) name += fmt::format(".{}", part);
     builder.add_patch(static_cast<int>(f), std::move(name), cage_face, surfaces[f]);
   }
   builder.finish();
-  builder.model.warnings = topology.warnings;
+  builder.model.warnings = regular.warnings;
+  builder.model.warnings.insert(builder.model.warnings.end(), topology.warnings.begin(),
+                                topology.warnings.end());
   return std::move(builder.model);
 }
 
@@ -151,14 +145,7 @@ Model model_of_faces(const Cage& cage, Scheme scheme, int level, const std::vect
 
 Model model_from_cage(const Cage& cage, const CageOptions& options) {
   const Scheme scheme = resolve_scheme(cage, options.scheme);
-  Model model;
-  if (needs_refinement(cage, scheme)) {
-    const RefinedCage refined = refine_once(cage, scheme);
-    model = model_of_faces(refined.cage, scheme, options.approximation_level, refined.parent_faces);
-    model.warnings = refined.warnings;
-  } else {
-    model = model_of_faces(cage, scheme, options.approximation_level, {});
-  }
+  Model model = model_of_faces(make_regular(cage, scheme), scheme, options.approximation_level);
   if (model.patches.empty()) {
     throw Error(ErrorCode::InvalidInput,
                 "no face of the cage has a limit surface: all are holes or, by the boundary rule "

@@ -15,13 +15,14 @@ struct CageOptions {
 /// Make a model of the limit surface of a cage: each face a patch, each edge a contour, each vertex
 /// a model vertex, at its limit position.
 ///
-/// Patches are named f<face>. If a face of a Catmull-Clark or bilinear cage is not a quad, the cage
-/// is refined once first, and patches are f<face>.<k>, k the corner of the face that it is at.
-/// Contours are named e<vertex>-<vertex>, after the vertices of the cage, or the refined one. A
-/// contour of three and more faces has as many uses. Faces without limit surface (see
-/// make_limit_surfaces) are left out, and the contours and vertices that only they have. Each group
-/// of the cage becomes one of the model. The warnings are of tags that make no sense and are
-/// ignored; those of the cage itself are not repeated.
+/// The side of a face that has the same vertex twice in a row is a degenerate contour; see
+/// make_regular for faces that cannot be used. Patches are named f<face>. If a face of a
+/// Catmull-Clark or bilinear cage is not a quad, the cage is refined once first, and patches are
+/// f<face>.<k>, k the corner of the face that it is at. Contours are named e<vertex>-<vertex>,
+/// after the vertices of the cage, or the refined one. A contour of three and more faces has as
+/// many uses. Faces without limit surface (see make_limit_surfaces) are left out, and the contours
+/// and vertices that only they have. Each group of the cage becomes one of the model. The warnings
+/// are of tags that make no sense and are ignored; those of the cage itself are not repeated.
 ///
 /// Error    see make_limit_surfaces; uses of a contour agree to 1e-9 of the cage's diagonal (test
 ///          CageModel.UsesOfAContourAgree)

@@ -206,9 +206,11 @@ class CornerClassifier {
   Sector sector_at(int face, int corner) const {
     Sector sector;
     const int vertex = level_.GetFaceVertices(face)[corner];
+    // A face that passes the vertex twice could lead in a circle that leaves it out.
+    const int face_count = level_.GetVertexFaces(vertex).size();
     for (int edge : edges_at(face, corner)) {
       int current = face;
-      while (!is_cut(edge)) {
+      while (!is_cut(edge) && sector.faces <= face_count) {
         const Far::ConstIndexArray faces = level_.GetEdgeFaces(edge);
         current = faces[0] == current ? faces[1] : faces[0];
         if (current == face) return {sector.faces, true};

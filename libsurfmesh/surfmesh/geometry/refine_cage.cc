@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/geometry/refine_cage.hh"
 
+#include <fmt/format.h>
 #include <opensubdiv/far/primvarRefiner.h>
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
+#include "surfmesh/core/error.hh"
 #include "surfmesh/geometry/subdivision_detail.hh"
 
 namespace surfmesh {
 namespace {
 
 namespace Far = OpenSubdiv::Far;
+
+/// Mark of a face that is left out, no index that a tag could have.
+constexpr int kLeftOut = std::numeric_limits<int>::min();
 
 /// A point as OpenSubdiv's interpolation wants it.
 struct Primvar {
@@ -68,9 +75,57 @@ void copy_groups(const Cage& coarse, RefinedCage& refined) {
   }
 }
 
+/// Leave out the faces that are not simple, and with them their tags and places in groups.
+RefinedCage leave_out_faces(const Cage& cage) {
+  RefinedCage result{cage, {}, false, {}};
+  result.cage.faces.clear();
+  std::vector<int> index(cage.faces.size(), -1);
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
+    if (!is_simple(cage.faces[f])) {
+      result.warnings.push_back(
+          fmt::format("face {} comes back to a vertex, or has fewer than three different ones; it "
+                      "is left out",
+                      f));
+      continue;
+    }
+    index[f] = static_cast<int>(result.cage.faces.size());
+    result.cage.faces.push_back(cage.faces[f]);
+    result.parent_faces.push_back(static_cast<int>(f));
+  }
+  const auto renumber = [&index](std::vector<int>& faces) {
+    // Indices out of range stay so, for others to warn of.
+    for (int& face : faces) {
+      if (face >= 0 && static_cast<std::size_t>(face) < index.size()) {
+        face = index[static_cast<std::size_t>(face)];
+        if (face < 0) face = kLeftOut;
+      }
+    }
+    std::erase(faces, kLeftOut);
+  };
+  renumber(result.cage.holes);
+  for (Cage::FaceGroup& group : result.cage.groups) renumber(group.faces);
+  return result;
+}
+
+/// Leave out of each face the vertices that are the same as the next one.
+void leave_out_sides(RefinedCage& simple) {
+  for (std::size_t f = 0; f < simple.cage.faces.size(); ++f) {
+    std::vector<int> face = without_repeats(simple.cage.faces[f]);
+    if (face.size() == simple.cage.faces[f].size()) continue;
+    simple.warnings.push_back(fmt::format(
+        "face {} has the same vertex twice in a row; once is taken", simple.parent_faces[f]));
+    simple.cage.faces[f] = std::move(face);
+  }
+}
+
 }  // namespace
 
 RefinedCage refine_once(const Cage& cage, Scheme scheme) {
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
+    if (without_repeats(cage.faces[f]).size() == cage.faces[f].size()) continue;
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("face {} has the same vertex twice in a row", f));
+  }
   CageTopology topology = make_topology(cage, resolve_scheme(cage, scheme));
   Far::TopologyRefiner::UniformOptions options(1);
   options.fullTopologyInLastLevel = true;  // else its edges have no vertices
@@ -86,6 +141,24 @@ RefinedCage refine_once(const Cage& cage, Scheme scheme) {
   refined.cage.is_smooth_triangles = cage.is_smooth_triangles;
   refined.cage.warnings = cage.warnings;
   refined.warnings = std::move(topology.warnings);
+  refined.is_refined = true;
+  return refined;
+}
+
+RefinedCage make_regular(const Cage& cage, Scheme scheme) {
+  check_ranges(cage);
+  scheme = resolve_scheme(cage, scheme);
+  RefinedCage simple = leave_out_faces(cage);
+  if (scheme == Scheme::Loop || std::all_of(simple.cage.faces.begin(), simple.cage.faces.end(),
+                                            [](const auto& face) { return face.size() == 4; })) {
+    return simple;
+  }
+  leave_out_sides(simple);
+  RefinedCage refined = refine_once(simple.cage, scheme);
+  for (int& parent : refined.parent_faces) {
+    parent = simple.parent_faces[static_cast<std::size_t>(parent)];
+  }
+  refined.warnings.insert(refined.warnings.begin(), simple.warnings.begin(), simple.warnings.end());
   return refined;
 }
 
