@@ -187,6 +187,16 @@ TEST(CageModel, WarnsOfTagsThatMakeNoSense) {
   EXPECT_EQ(model_from_cage(cage).warnings.size(), 1u);
 }
 
+TEST(CageModel, WarnsOfGapsAtChaikinCreases) {
+  Cage cage = testing::cube();
+  cage.creases = {{{0, 1}, 5}, {{1, 3}, 1}, {{0, 2}, 1}, {{4, 5}, 5}, {{5, 7}, 2}};
+  EXPECT_TRUE(model_from_cage(cage).warnings.empty());
+  cage.is_chaikin = true;
+  EXPECT_EQ(model_from_cage(cage).warnings.size(), 1u);
+  cage.creases.clear();
+  EXPECT_TRUE(model_from_cage(cage).warnings.empty());
+}
+
 TEST(CageModel, RefusesLoopOfQuads) {
   EXPECT_THROW(model_from_cage(testing::cube(), {.scheme = Scheme::Loop}), Error);
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <opensubdiv/sdc/crease.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "surfmesh/core/error.hh"
@@ -14,6 +15,9 @@ namespace surfmesh {
 namespace {
 
 namespace Far = OpenSubdiv::Far;
+
+/// The uses of a contour are the same points up to rounding: this share of the diagonal.
+constexpr double kContourGap = 1e-9;
 
 /// Builds the model of a cage of regular face sizes, face by face.
 class ModelBuilder {
@@ -121,6 +125,39 @@ void add_groups(const Cage& cage, Model& model) {
   }
 }
 
+/// Greatest distance between the uses of a contour, or between one and a vertex at its ends.
+double gap_of(const Model& model, const Contour& contour) {
+  const auto point_of = [&](const ContourUse& use, double t) {
+    const Surface& surface = *model.patches[static_cast<std::size_t>(use.patch)].surface;
+    return surface.evaluate(use.curve->evaluate(t), Order::Position).point;
+  };
+  const auto vertex_at = [&](int v) {
+    return model.vertices[static_cast<std::size_t>(v)].position;
+  };
+  double gap = 0;
+  for (double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    const Vec3 wanted = t == 0   ? vertex_at(contour.start)
+                        : t == 1 ? vertex_at(contour.end)
+                                 : point_of(contour.uses[0], t);
+    for (const ContourUse& use : contour.uses) {
+      gap = std::max(gap, (point_of(use, t) - wanted).norm());
+    }
+  }
+  return gap;
+}
+
+/// Bfr 3.5.0 sees one ring of faces, too little to know Chaikin creases after a step of
+/// subdivision where their sharpness changes along them: its surfaces then differ at a contour.
+void warn_of_gaps(Model& model) {
+  double gap = 0;
+  for (const Contour& contour : model.contours) gap = std::max(gap, gap_of(model, contour));
+  if (gap <= kContourGap * model.diagonal) return;
+  model.warnings.push_back(
+      fmt::format("Chaikin creases of changing sharpness: surfaces of neighbouring faces differ by "
+                  "{:.2g} where they meet",
+                  gap));
+}
+
 Model model_of_faces(const RefinedCage& regular, Scheme scheme, int level) {
   const CageTopology topology = make_topology(regular.cage, scheme);
   const auto surfaces = make_limit_surfaces(*topology.refiner, regular.cage.points, {level, true});
@@ -152,6 +189,7 @@ Model model_from_cage(const Cage& cage, const CageOptions& options) {
                 "none, at the boundary");
   }
   model.diagonal = diagonal(cage);
+  if (cage.is_chaikin) warn_of_gaps(model);
   add_groups(cage, model);
   return model;
 }

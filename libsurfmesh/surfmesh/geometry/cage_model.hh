@@ -25,7 +25,8 @@ struct CageOptions {
 /// are of tags that make no sense and are ignored; those of the cage itself are not repeated.
 ///
 /// Error    see make_limit_surfaces; uses of a contour agree to 1e-9 of the cage's diagonal (test
-///          CageModel.UsesOfAContourAgree)
+///          CageModel.UsesOfAContourAgree), but for Chaikin creases of changing sharpness, where
+///          they may differ by 1e-3: a warning tells
 /// Throws   InvalidInput for a cage that cannot be subdivided, or of which no face has a limit
 ///          surface; InvalidOption
 Model model_from_cage(const Cage& cage, const CageOptions& options = {});
