@@ -48,4 +48,27 @@ struct Cage {
 /// Diagonal of the bounding box of the cage's points, in model units.
 double diagonal(const Cage& cage);
 
+/// Tell which scheme Auto stands for; any other scheme is returned as it is.
+Scheme resolve_scheme(const Cage& cage, Scheme scheme);
+
+/// The vertices of a face without those that are the same as the next one.
+std::vector<int> without_repeats(const std::vector<int>& face);
+
+/// True if a face has at least three different vertices and does not come back to any of them;
+/// a vertex may be there several times in a row (a side that is a point).
+bool is_simple(const std::vector<int>& face);
+
+/// Check that points are finite and that the vertices of faces, three at least, are points.
+///
+/// Throws   InvalidInput, naming the point or face
+/// Cost     O(face corners)
+void check_ranges(const Cage& cage);
+
+/// Check that the cage can be subdivided: its ranges, and that all faces are simple.
+///
+/// Tags are not looked at: a tag that makes no sense is a warning of the model.
+/// Throws   InvalidInput, naming the point, face or vertex
+/// Cost     O(face corners)
+void check(const Cage& cage);
+
 }  // namespace surfmesh

@@ -31,6 +31,7 @@ struct Contour {
   std::vector<ContourUse> uses;
   /// True for a side that is one point in space (a pole): start and end are the same vertex.
   bool is_degenerate = false;
+  bool is_smooth = true;  ///< false on true boundaries and sharp creases, where normals may jump
 };
 
 /// One contour use of a loop, as indices into Model::contours and Contour::uses.

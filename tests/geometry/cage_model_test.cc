@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/geometry/cage_model.hh"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "geometry/cages.hh"
+#include "surfmesh/core/error.hh"
+
+namespace surfmesh {
+namespace {
+
+int euler(const Model& model) {
+  return static_cast<int>(model.vertices.size()) - static_cast<int>(model.contours.size()) +
+         static_cast<int>(model.patches.size());
+}
+
+/// Laws of every model of a cage.
+void expect_valid(const Model& model) {
+  EXPECT_NO_THROW(check(model));
+  for (const Contour& contour : model.contours) {
+    ASSERT_FALSE(contour.uses.empty());
+    EXPECT_FALSE(contour.uses.size() == 1 && contour.is_smooth) << contour.name;
+    for (double t : {0.0, 0.25, 0.7, 1.0}) {
+      std::vector<Vec3> points;
+      for (const ContourUse& use : contour.uses) {
+        const Patch& patch = model.patches[static_cast<std::size_t>(use.patch)];
+        points.push_back(patch.surface->evaluate(use.curve->evaluate(t), Order::Position).point);
+        EXPECT_LT((points.back() - points.front()).norm(), 1e-9 * model.diagonal) << contour.name;
+      }
+      const auto near = [&](int vertex) {
+        const ModelVertex& v = model.vertices[static_cast<std::size_t>(vertex)];
+        return (v.position - points[0]).norm() < 1e-9 * model.diagonal;
+      };
+      EXPECT_TRUE(t != 0 || near(contour.start)) << contour.name;
+      EXPECT_TRUE(t != 1 || near(contour.end)) << contour.name;
+    }
+  }
+}
+
+std::vector<std::string> sharp_contours(const Model& model) {
+  std::vector<std::string> names;
+  for (const Contour& contour : model.contours) {
+    if (!contour.is_smooth) names.push_back(contour.name);
+  }
+  return names;
+}
+
+TEST(CageModel, UsesOfAContourAgree) {
+  Cage tagged = testing::cube();
+  tagged.creases = {{{0, 1}, 10}, {{1, 3}, 2.5}};
+  tagged.corners = {{7, 10}, {6, 1.5}};
+  for (const Cage& cage :
+       {testing::cube(), testing::torus(), testing::tetrahedron(), testing::octahedron(),
+        testing::icosahedron(), testing::sheet(), testing::triangle_sheet(), testing::pillow(),
+        testing::pentagon_prism(), testing::fan(), tagged}) {
+    expect_valid(model_from_cage(cage));
+  }
+}
+
+TEST(CageModel, HasTheEulerCharacteristicOfTheCage) {
+  EXPECT_EQ(euler(model_from_cage(testing::cube())), 2);
+  EXPECT_EQ(euler(model_from_cage(testing::torus())), 0);
+  EXPECT_EQ(euler(model_from_cage(testing::icosahedron())), 2);
+  EXPECT_EQ(euler(model_from_cage(testing::tetrahedron(), {.scheme = Scheme::CatmullClark})), 2);
+  EXPECT_EQ(euler(model_from_cage(testing::pentagon_prism())), 2);
+  EXPECT_EQ(euler(model_from_cage(testing::sheet())), 1);
+}
+
+TEST(CageModel, NamesPatchesAfterFaces) {
+  const Model model = model_from_cage(testing::cube());
+  ASSERT_EQ(model.patches.size(), 6u);
+  EXPECT_EQ(model.patches[3].name, "f3");
+  EXPECT_EQ(model.patches[3].cage_face, 3);
+  EXPECT_DOUBLE_EQ(model.diagonal, 2 * std::sqrt(3.0));
+  EXPECT_TRUE(sharp_contours(model).empty());
+}
+
+TEST(CageModel, RefinesOnceWhereAFaceIsNotAQuad) {
+  const Model model = model_from_cage(testing::pentagon_prism());
+  ASSERT_EQ(model.patches.size(), 30u);
+  EXPECT_EQ(model.patches[0].name, "f0.0");
+  EXPECT_EQ(model.patches[9].name, "f1.4");
+  EXPECT_EQ(model.patches[10].name, "f2.0");
+  EXPECT_EQ(model.patches[29].cage_face, 6);
+  EXPECT_EQ(model.contours.size(), 60u);
+}
+
+TEST(CageModel, OfARefinedBilinearCageIsTheCage) {
+  Cage cage = testing::pentagon_prism();
+  const Model model = model_from_cage(cage, {.scheme = Scheme::Bilinear});
+  expect_valid(model);
+  EXPECT_EQ(sharp_contours(model).size(), model.contours.size());
+  for (const Vec3& point : cage.points) {
+    EXPECT_TRUE(
+        std::any_of(model.vertices.begin(), model.vertices.end(),
+                    [&](const ModelVertex& v) { return (v.position - point).norm() < 1e-15; }));
+  }
+}
+
+TEST(CageModel, TellsSharpContours) {
+  Cage cage = testing::torus();
+  cage.creases = {{{0, 1}, 10}, {{1, 2}, 5}};
+  const Model model = model_from_cage(cage);
+  expect_valid(model);
+  EXPECT_EQ(sharp_contours(model), std::vector<std::string>{"e0-1"});
+}
+
+TEST(CageModel, KeepsSharpContoursWhenRefined) {
+  Cage cage = testing::pentagon_prism();
+  cage.creases = {{{0, 1}, 100}};
+  EXPECT_EQ(sharp_contours(model_from_cage(cage)).size(), 2u);
+}
+
+TEST(CageModel, LeavesOutHoles) {
+  Cage cage = testing::cube();
+  cage.holes = {1};
+  cage.groups = {{"side", {0, 2}}, {"hole", {1}}};
+  const Model model = model_from_cage(cage);
+  expect_valid(model);
+  EXPECT_EQ(model.patches.size(), 5u);
+  EXPECT_EQ(sharp_contours(model).size(), 4u);
+  EXPECT_EQ(model.patches[1].cage_face, 2);
+  EXPECT_EQ(model.groups[0].patches, (std::vector<int>{0, 1}));
+  EXPECT_TRUE(model.groups[1].patches.empty());
+}
+
+TEST(CageModel, FollowsTheBoundaryRule) {
+  Cage cage = testing::sheet();
+  const auto gap = [&cage] {
+    const Model model = model_from_cage(cage);
+    return (model.vertices[0].position - cage.points[0]).norm();
+  };
+  EXPECT_GT(gap(), 0.1);
+  cage.boundary = BoundaryRule::EdgeAndCorner;
+  EXPECT_LT(gap(), 1e-12);
+  cage.boundary = BoundaryRule::None;
+  EXPECT_EQ(model_from_cage(cage).patches.size(), 1u);
+  EXPECT_THROW((void)([&] {
+                 cage = testing::sheet(2, 2);
+                 cage.boundary = BoundaryRule::None;
+                 return model_from_cage(cage);
+               }()),
+               Error);
+}
+
+TEST(CageModel, HasADegenerateContourWhereASideIsAPoint) {
+  Cage cage = testing::sheet();
+  cage.faces[4] = {5, 6, 6, 9};
+  const Model model = model_from_cage(cage);
+  expect_valid(model);
+  EXPECT_EQ(model.patches.size(), 9u);
+  int degenerate = 0;
+  for (const Contour& contour : model.contours) degenerate += contour.is_degenerate;
+  EXPECT_EQ(degenerate, 1);
+}
+
+TEST(CageModel, HasThreeUsesOfANonManifoldEdge) {
+  const Model model = model_from_cage(testing::fan());
+  const auto contour = std::find_if(model.contours.begin(), model.contours.end(),
+                                    [](const Contour& c) { return c.uses.size() == 3; });
+  ASSERT_NE(contour, model.contours.end());
+  EXPECT_FALSE(contour->is_smooth);
+  EXPECT_EQ(contour->name, "e1-0");
+  EXPECT_EQ(model.contours.size(), 10u);
+  EXPECT_EQ(contour->uses[1].is_forward, true);
+  EXPECT_EQ(contour->uses[2].is_forward, false);
+}
+
+TEST(CageModel, WarnsOfTagsThatMakeNoSense) {
+  Cage cage = testing::cube();
+  cage.creases = {{{0, 7}, 3}, {{0, 99}, 3}, {{0, 1}, kUnset}};
+  cage.corners = {{8, 1}, {0, -1}};
+  cage.holes = {-1, 6};
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  const Model model = model_from_cage(cage);
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "") << "the library does not print";
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(model.patches.size(), 6u);
+  ASSERT_EQ(model.warnings.size(), 7u);
+  EXPECT_EQ(model.warnings[0],
+            "a crease names the edge of vertices 0 and 7, which no face has; the tag is ignored");
+  cage = testing::pentagon_prism();
+  cage.creases = {{{0, 7}, 3}};
+  EXPECT_EQ(model_from_cage(cage).warnings.size(), 1u);
+}
+
+TEST(CageModel, WarnsOfGapsAtChaikinCreases) {
+  Cage cage = testing::cube();
+  cage.creases = {{{0, 1}, 5}, {{1, 3}, 1}, {{0, 2}, 1}, {{4, 5}, 5}, {{5, 7}, 2}};
+  EXPECT_TRUE(model_from_cage(cage).warnings.empty());
+  cage.is_chaikin = true;
+  EXPECT_EQ(model_from_cage(cage).warnings.size(), 1u);
+  cage.creases.clear();
+  EXPECT_TRUE(model_from_cage(cage).warnings.empty());
+}
+
+TEST(CageModel, RefusesLoopOfQuads) {
+  EXPECT_THROW(model_from_cage(testing::cube(), {.scheme = Scheme::Loop}), Error);
+}
+
+}  // namespace
+}  // namespace surfmesh
