@@ -5,6 +5,7 @@
 #include <OpenMesh/Core/Mesh/Traits.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
+#include "surfmesh/core/om_properties.hh"
 #include "surfmesh/core/values.hh"
 
 namespace surfmesh {
