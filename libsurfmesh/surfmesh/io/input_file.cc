@@ -20,7 +20,7 @@ constexpr std::size_t kPiece = std::size_t{1} << 20;
 }
 
 void append_rest(std::ifstream& file, std::string& text) {
-  while (file) {
+  while (file && file.peek() != std::ifstream::traits_type::eof()) {
     const std::size_t size = text.size();
     text.resize(size + kPiece);
     file.read(text.data() + size, static_cast<std::streamsize>(kPiece));

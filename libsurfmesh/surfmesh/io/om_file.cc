@@ -70,8 +70,8 @@ OpenMesh::IO::Options with_properties() {
   return options;
 }
 
-[[noreturn]] void fail(const std::filesystem::path& path, std::string_view reason) {
-  throw Error(ErrorCode::InvalidInput, fmt::format("{}: {}", path.string(), reason));
+[[noreturn]] void fail(const std::string& name, std::string_view reason) {
+  throw Error(ErrorCode::InvalidInput, fmt::format("{}: {}", name, reason));
 }
 
 bool is_index(std::int64_t i, std::size_t count) {
@@ -240,11 +240,14 @@ void write_om(const PolyMesh& mesh, OutputFile& file) {
 }
 
 PolyMesh read_om(const std::filesystem::path& path) {
-  if (lower_case_ending(path) != ".om") fail(path, "the ending of this format is .om");
-  std::string bytes = read_file(path);
+  if (lower_case_ending(path) != ".om") fail(path.string(), "the ending of this format is .om");
+  return parse_om(read_file(path), path.string());
+}
+
+PolyMesh parse_om(std::string bytes, const std::string& name) {
   OmCheck check(bytes);
-  if (!check.has_header()) fail(path, "this is not an .om file of a version that is read");
-  if (!check.are_chunks_sound()) fail(path, "the file is cut short or damaged");
+  if (!check.has_header()) fail(name, "this is not an .om file of a version that is read");
+  if (!check.are_chunks_sound()) fail(name, "the file is cut short or damaged");
   std::istringstream stream(std::move(bytes));
   PolyMesh mesh;
   bool is_read = false;
@@ -253,11 +256,11 @@ PolyMesh read_om(const std::filesystem::path& path) {
     OpenMesh::IO::Options options = with_properties();
     is_read = OpenMesh::IO::read_mesh(mesh, stream, ".om", options);
   } catch (const std::exception& error) {
-    fail(path, error.what());
+    fail(name, error.what());
   }
   if (!is_read || mesh.n_vertices() != check.vertices || mesh.n_faces() != check.faces ||
       mesh.n_edges() != check.edges || !is_sound(mesh)) {
-    fail(path, "the file is cut short or damaged");
+    fail(name, "the file is cut short or damaged");
   }
   make_persistent(mesh.vprops_begin(), mesh.vprops_end());
   make_persistent(mesh.hprops_begin(), mesh.hprops_end());
