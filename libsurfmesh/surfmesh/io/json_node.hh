@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Not for public headers: nlohmann-json stays inside of the library.
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace surfmesh {
+
+using Json = nlohmann::ordered_json;
+
+/// Parse JSON text that a person wrote.
+///
+/// Throws   InvalidInput with "name:line:column: reason" for bad syntax, "name: /pointer: reason"
+///          for a key that an object has twice and for nesting that no file needs
+Json parse_json(std::string_view text, const std::string& name);
+
+/// A value of a JSON file and its place, so that every fault names the file and the JSON pointer.
+/// The JSON value must outlive it. All its functions throw InvalidInput for what does not fit.
+class JsonNode {
+ public:
+  JsonNode(const Json& json, std::string file, std::string pointer = "")
+      : json_(&json), file_(std::move(file)), pointer_(std::move(pointer)) {}
+
+  /// Throw InvalidInput with "file: /pointer: reason".
+  [[noreturn]] void fail(std::string_view reason) const;
+
+  const Json& json() const { return *json_; }
+
+  /// Fail unless this is an object with no other keys than these.
+  void expect_keys(std::initializer_list<std::string_view> known) const;
+  bool has(std::string_view key) const { return json_->contains(key); }
+  std::optional<JsonNode> find(std::string_view key) const;
+  JsonNode at(std::string_view key) const;
+  /// Keys and values of an object, in the order of the file.
+  std::vector<std::pair<std::string, JsonNode>> members() const;
+
+  std::vector<JsonNode> elements() const;
+  /// Fail unless this is an array of `count` elements.
+  std::vector<JsonNode> elements(std::size_t count) const;
+
+  std::string text() const;
+  double number() const;
+  bool boolean() const;
+
+  /// Fail for a key that is not built yet, unless its value is null, empty or one of these.
+  void expect_off(std::initializer_list<Json> off_values) const;
+
+ private:
+  JsonNode child(const Json& json, const std::string& token) const;
+  [[noreturn]] void fail_type(std::string_view wanted) const;
+
+  const Json* json_;
+  std::string file_;
+  std::string pointer_;
+};
+
+}  // namespace surfmesh

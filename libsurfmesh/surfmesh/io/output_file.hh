@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <vector>
+
+namespace surfmesh {
+
+/// A file that is written whole or not at all.
+///
+/// What is written goes to a temporary file in the same folder, which takes the place and the
+/// permissions of the old file on commit. Without a commit the temporary is removed and the old
+/// file stays as it was. Links are followed; devices and pipes are written directly.
+class OutputFile {
+ public:
+  /// Throws   Io if no file can be made there: the folder is missing, the path is a folder, the
+  ///          file is write-protected
+  explicit OutputFile(std::filesystem::path path);
+  ~OutputFile();
+
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Throws   Io, naming the file and the reason
+  void write(std::string_view text);
+
+  /// For writers that want a stream; its faults are found by commit().
+  std::ostream& stream() { return file_; }
+
+  /// Finish the file. Nothing may be written after it.
+  /// Throws   Io if anything could not be written; the old file stays then
+  void commit();
+
+ private:
+  void open_temporary();
+  [[noreturn]] void fail();
+
+  std::filesystem::path path_;       ///< as given, for messages
+  std::filesystem::path target_;     ///< with links followed
+  std::filesystem::path temporary_;  ///< empty if the target is written directly
+  std::vector<char> buffer_;
+  std::ofstream file_;
+};
+
+/// Write a file whole or not at all.
+/// Throws   Io, naming the file and the reason
+void write_file(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace surfmesh

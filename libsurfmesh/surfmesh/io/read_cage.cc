@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/io/read_cage.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "surfmesh/core/error.hh"
+#include "surfmesh/io/input_file.hh"
+#include "surfmesh/io/read_cage_detail.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Up to this many corners, comparing all pairs is faster than sorting.
+constexpr std::size_t kFewCorners = 12;
+
+std::size_t count_different(const std::vector<int>& corners) {
+  std::vector<int> sorted = corners;
+  std::sort(sorted.begin(), sorted.end());
+  return static_cast<std::size_t>(std::unique(sorted.begin(), sorted.end()) - sorted.begin());
+}
+
+bool are_all_different(const std::vector<int>& corners) {
+  if (corners.size() > kFewCorners) return count_different(corners) == corners.size();
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (corners[i] == corners[j]) return false;
+    }
+  }
+  return true;
+}
+
+/// Drop all but one of equal vertices in a row, also across the end.
+void drop_equal_neighbours(std::vector<int>& corners) {
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+}
+
+}  // namespace
+
+void add_face(Cage& cage, std::vector<int>& corners, const TextScanner& scanner,
+              WarningList& warnings) {
+  if (corners.size() < 3 || !are_all_different(corners)) {
+    if (count_different(corners) < 3)
+      scanner.fail("a face has fewer than three different vertices");
+    drop_equal_neighbours(corners);
+    if (!are_all_different(corners)) scanner.fail("a face has a vertex twice, not in a row");
+    warnings.add(scanner.line(), "a face has a vertex twice in a row, taken once");
+  }
+  cage.faces.push_back(corners);
+}
+
+void check_not_empty(const Cage& cage, const TextScanner& scanner) {
+  if (cage.points.empty()) scanner.fail_whole("the file has no vertices");
+  if (cage.faces.empty()) scanner.fail_whole("the file has no faces");
+}
+
+Cage read_cage(const std::filesystem::path& path) {
+  const std::string ending = lower_case_ending(path);
+  if (ending == ".obj") return parse_obj(read_file(path), path.string());
+  if (ending == ".off") return parse_off(read_file(path), path.string());
+  throw Error(ErrorCode::InvalidInput,
+              fmt::format("{}: the ending of a cage is .obj or .off", path.string()));
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "surfmesh/control/sizing.hh"
+#include "surfmesh/geometry/domain.hh"
+
+namespace surfmesh {
+
+/// A patch as a model file describes it: formulas as text.
+struct PatchDescription {
+  std::string name;
+  std::array<std::string, 3> formulas = {"u", "v", "0"};  ///< x, y, z of u and v
+  Domain domain;
+  std::map<std::string, double> constants;  ///< that the formulas may use
+};
+
+/// What a model file holds.
+struct ModelFile {
+  std::vector<PatchDescription> patches;
+  Sources sources;  ///< `patch` is an index into patches
+  Sizing sizing;
+  /// Names of options of the pipeline and their values as JSON text, in the order of the file.
+  std::vector<std::pair<std::string, std::string>> options;
+};
+
+/// Read a model file (JSON).
+///
+/// Angles are degrees in the file and radians in the result. Domains, constants and the places of
+/// `at` may be numbers or constant expressions of the constants before them. Keys whose stage is
+/// not built yet may have their off value or their default only.
+/// Throws   Io if the file cannot be read; InvalidInput as parse_model
+ModelFile read_model(const std::filesystem::path& path);
+
+/// Read a model from JSON text; `name` stands before the place in messages.
+///
+/// Throws   InvalidInput: with name:line:column where the text is not JSON; with the JSON pointer
+///          for an unknown, missing or doubled key, a value of the wrong type or outside of its
+///          range, a key that is not built yet
+ModelFile parse_model(std::string_view text, const std::string& name);
+
+}  // namespace surfmesh

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/io/read_model.hh"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "support/errors.hh"
+#include "support/folders.hh"
+
+namespace surfmesh {
+namespace {
+
+ModelFile read(const std::string& text) { return parse_model(text, "a.json"); }
+
+/// The error of a text, without the code and the name of the file.
+std::string fault(const std::string& text) {
+  const std::string error = error_of([&] { read(text); });
+  const std::string front = "invalid input: a.json:";
+  return error.starts_with(front) ? error.substr(front.size()) : error;
+}
+
+/// A model of one patch: other keys of the patch, other keys of the model.
+std::string model(const std::string& in_patch, const std::string& in_root = "") {
+  return R"({"patches": [{"name": "p", "surface": {"z": "u*v"}, "domain": {"u": [0, 2], "v": [-1, 1]})" +
+         (in_patch.empty() ? "" : ", " + in_patch) + "}]" +
+         (in_root.empty() ? "" : ", " + in_root) + "}";
+}
+std::string source(const std::string& keys) { return model("\"sources\": [{" + keys + "}]"); }
+std::string sizing(const std::string& keys) { return model("", "\"sizing\": {" + keys + "}"); }
+
+TEST(ReadModel, ReadsPatches) {
+  const ModelFile file = read(R"({"constants": {"a": 1.5}, "patches": [
+      {"name": "one", "surface": {"x": "a*u", "y": "v^2", "z": "0"},
+       "domain": {"u": [-6, 6.5], "v": [0, 1e-3]}},
+      {"name": "two", "surface": {"z": "u"}, "domain": {"u": [0, 1], "v": [0, 1]}}]})");
+  ASSERT_EQ(file.patches.size(), 2u);
+  EXPECT_EQ(file.patches[0].name, "one");
+  EXPECT_EQ(file.patches[0].formulas, (std::array<std::string, 3>{"a*u", "v^2", "0"}));
+  EXPECT_EQ(file.patches[0].domain.u0, -6);
+  EXPECT_EQ(file.patches[0].domain.u1, 6.5);
+  EXPECT_EQ(file.patches[0].domain.v0, 0);
+  EXPECT_EQ(file.patches[0].domain.v1, 0.001);
+  EXPECT_EQ(file.patches[1].constants, (std::map<std::string, double>{{"a", 1.5}}));
+  EXPECT_EQ(file.patches[1].formulas, (std::array<std::string, 3>{"u", "v", "u"}));
+}
+
+TEST(ReadModel, HasTheDefaultsOfSizing) {
+  const Sizing sizing = read(model("")).sizing;
+  EXPECT_EQ(sizing.curvature, 0.25);
+  EXPECT_EQ(sizing.hmin.value, 0.001);
+  EXPECT_TRUE(sizing.hmin.is_relative);
+  EXPECT_EQ(sizing.stretch, 2);
+  EXPECT_EQ(sizing.grade, 1.5);
+}
+
+TEST(ReadModel, ReadsSizing) {
+  const Sizing read_sizing =
+      read(sizing(R"("curvature": 0, "hmin": "0.1%", "hmax": 3, "stretch": 1, "grade": 0)")).sizing;
+  EXPECT_EQ(read_sizing.curvature, 0);
+  EXPECT_EQ(read_sizing.hmin.value, 0.001);
+  EXPECT_TRUE(read_sizing.hmin.is_relative);
+  EXPECT_EQ(read_sizing.hmax.value, 3);
+  EXPECT_FALSE(read_sizing.hmax.is_relative);
+  EXPECT_EQ(read_sizing.stretch, 1);
+  EXPECT_EQ(read_sizing.grade, 0);
+}
+
+TEST(ReadModel, ReadsPercentExactly) {
+  const std::vector<std::pair<std::string, double>> cases = {
+      {"20%", 0.2},    {"0.07%", 0.0007}, {"7 %", 0.07}, {" 1.1%", 0.011},
+      {"1e-1%", 1e-3}, {"5E+0%", 0.05},   {"250%", 2.5}};
+  for (const auto& [text, value] : cases) {
+    const Length hmax = read(sizing("\"hmin\": 1, \"hmax\": \"" + text + "\"")).sizing.hmax;
+    EXPECT_EQ(hmax.value, value) << text;
+    EXPECT_TRUE(hmax.is_relative);
+  }
+}
+
+TEST(ReadModel, ReadsSources) {
+  const Sources sources = read(model(R"("sources": [
+      {"everywhere": true, "size": 0.5}, {"at": [0, 1], "size": "1%"},
+      {"at": [2, -0.5], "size": [0.2, 0.05], "angle": 30}])"))
+                              .sources;
+  ASSERT_EQ(sources.everywhere.size(), 1u);
+  EXPECT_EQ(sources.everywhere[0].patch, 0);
+  EXPECT_EQ(sources.everywhere[0].size.along.value, 0.5);
+  EXPECT_EQ(sources.everywhere[0].size.across.value, 0.5);
+  ASSERT_EQ(sources.at.size(), 2u);
+  EXPECT_EQ(sources.at[0].at, (Uv{0, 1}));
+  EXPECT_EQ(sources.at[0].size.along.value, 0.01);
+  EXPECT_TRUE(sources.at[0].size.across.is_relative);
+  EXPECT_EQ(sources.at[1].size.along.value, 0.2);
+  EXPECT_EQ(sources.at[1].size.across.value, 0.05);
+  EXPECT_DOUBLE_EQ(sources.at[1].size.angle, std::numbers::pi / 6);
+}
+
+TEST(ReadModel, GivesSourcesTheIndexOfTheirPatch) {
+  const std::string rest =
+      R"("surface": {"z": "0"}, "domain": {"u": [0, 1], "v": [0, 1]},
+         "sources": [{"everywhere": true, "size": 1}]})";
+  const ModelFile file =
+      read(R"({"patches": [{"name": "a", )" + rest + R"(, {"name": "b", )" + rest + "]}");
+  EXPECT_EQ(file.sources.everywhere.at(1).patch, 1);
+}
+
+TEST(ReadModel, HandsOptionsOnAsText) {
+  const ModelFile file =
+      read(model("", R"("options": {"nodes": 40000, "interpolation": "auto", "a": [1, true]})"));
+  EXPECT_EQ(file.options,
+            (std::vector<std::pair<std::string, std::string>>{
+                {"nodes", "40000"}, {"interpolation", "\"auto\""}, {"a", "[1,true]"}}));
+}
+
+TEST(ReadModel, AcceptsWhatIsNotBuiltWhereItIsOff) {
+  EXPECT_EQ(fault(model(R"("loops": [], "sources": [])",
+                        R"("cages": [], "contours": [], "sources": [])")),
+            "no error");
+  EXPECT_EQ(fault(sizing(
+                R"("sag": null, "proximity": 0, "features": false, "contour_curvature": false)")),
+            "no error");
+  EXPECT_EQ(
+      fault(sizing(R"("sag": 0, "proximity": 1, "features": true, "contour_curvature": true)")),
+      "no error");
+  EXPECT_EQ(
+      fault(source(R"("everywhere": true, "size": 1, "radius": 0, "outer": {}, "precision": 0.1)")),
+      "no error");
+}
+
+TEST(ReadModelFaults, OfWhatIsNotBuiltYet) {
+  const std::string reason = ": this key is not built yet";
+  EXPECT_EQ(fault(model("", R"("cages": [{"name": "b"}])")), " /cages" + reason);
+  EXPECT_EQ(fault(model("", R"("contours": [{}])")), " /contours" + reason);
+  EXPECT_EQ(fault(model("", R"("sources": [{"near": [0, 0, 1]}])")), " /sources" + reason);
+  EXPECT_EQ(fault(model(R"("loops": [["p:u0"]])")), " /patches/0/loops" + reason);
+  EXPECT_EQ(fault(sizing(R"("sag": "0.1%")")), " /sizing/sag" + reason);
+  EXPECT_EQ(fault(sizing(R"("proximity": 2)")), " /sizing/proximity" + reason);
+  for (const std::string kind : {"along", "inside", "field", "table"}) {
+    EXPECT_EQ(fault(source('"' + kind + R"(": 1, "size": 1)")),
+              " /patches/0/sources/0/" + kind + reason);
+  }
+  EXPECT_EQ(fault(source(R"("at": [0, 0], "size": 1, "radius": 0.5)")),
+            " /patches/0/sources/0/radius" + reason);
+  EXPECT_EQ(fault(source(R"("at": [0, 0], "size": 1, "outer": {"size": 1})")),
+            " /patches/0/sources/0/outer" + reason);
+  EXPECT_EQ(fault(source(R"("at": [0, 0], "size": 1, "precision": 0.2)")),
+            " /patches/0/sources/0/precision" + reason);
+}
+
+TEST(ReadModelFaults, OfSyntaxWithLineAndColumn) {
+  EXPECT_TRUE(fault("").starts_with("1:1: syntax error")) << fault("");
+  EXPECT_TRUE(fault("{\n  \"a\": 1,\n}").starts_with("3:1: syntax error"))
+      << fault("{\n  \"a\": 1,\n}");
+  EXPECT_TRUE(fault("{\"a\": nan}").starts_with("1:8: syntax error")) << fault("{\"a\": nan}");
+  EXPECT_TRUE(fault("{\"a\": 1}\n x").starts_with("2:2: syntax error")) << fault("{\"a\": 1}\n x");
+  EXPECT_TRUE(fault("{\"a\": \"\xff\"}").find("UTF-8") != std::string::npos);
+}
+
+TEST(ReadModelFaults, OfNumbersOutOfRange) {
+  EXPECT_NE(fault(sizing("\"hmax\": 1e999")).find("1e999"), std::string::npos);
+}
+
+TEST(ReadModelFaults, OfKeysThatComeTwice) {
+  EXPECT_EQ(fault(R"({"patches": [], "patches": []})"), " /patches: this key comes twice");
+  EXPECT_EQ(fault(R"({"patches": [{"a": [1, {}]}, {"domain": {"u/v": 1, "u/v": 2}}]})"),
+            " /patches/1/domain/u~1v: this key comes twice");
+}
+
+TEST(ReadModelFaults, OfNestingWithoutEnd) {
+  EXPECT_NE(fault(std::string(100000, '[')).find("the nesting is too deep"), std::string::npos);
+}
+
+TEST(ReadModelFaults, OfUnknownKeysWithASuggestion) {
+  EXPECT_EQ(fault(model("", "\"sizign\": {}")), " /sizign: unknown key, did you mean sizing?");
+  EXPECT_EQ(fault(model("\"source\": []")),
+            " /patches/0/source: unknown key, did you mean sources?");
+  EXPECT_EQ(fault(sizing("\"Hmin\": 1")), " /sizing/Hmin: unknown key, did you mean hmin?");
+  EXPECT_EQ(fault(sizing("\"colour\": 1")), " /sizing/colour: unknown key");
+  EXPECT_EQ(fault(source("\"size\": 1, \"at\": [0, 0], \"raduis\": 1")),
+            " /patches/0/sources/0/raduis: unknown key, did you mean radius?");
+}
+
+TEST(ReadModelFaults, OfMissingKeys) {
+  EXPECT_EQ(fault("{}"), " /patches: this key is missing");
+  EXPECT_EQ(fault(R"({"patches": []})"), " /patches: the model has no patches");
+  EXPECT_EQ(fault(R"({"patches": [{}]})"), " /patches/0/name: this key is missing");
+  EXPECT_EQ(fault(R"({"patches": [{"name": "p"}]})"), " /patches/0/surface: this key is missing");
+  EXPECT_EQ(fault(R"({"patches": [{"name": "p", "surface": {}}]})"),
+            " /patches/0/surface/z: this key is missing");
+  EXPECT_EQ(fault(R"({"patches": [{"name": "p", "surface": {"z": "0"}}]})"),
+            " /patches/0/domain: this key is missing");
+  EXPECT_EQ(fault(source("\"at\": [0, 0]")), " /patches/0/sources/0/size: this key is missing");
+  EXPECT_EQ(
+      fault(source("\"size\": 1")),
+      " /patches/0/sources/0: a source needs one of everywhere, at, along, inside, field, table");
+  EXPECT_EQ(fault(source("\"everywhere\": true, \"at\": [0, 0], \"size\": 1")),
+            " /patches/0/sources/0: a source cannot have both everywhere and at");
+}
+
+TEST(ReadModelFaults, OfTypes) {
+  EXPECT_EQ(fault("[]"), " must be an object, not array");
+  EXPECT_EQ(fault(R"({"patches": {}})"), " /patches: must be an array, not object");
+  EXPECT_EQ(fault(R"({"patches": [{"name": 1}]})"),
+            " /patches/0/name: must be a string, not number");
+  EXPECT_EQ(fault(sizing("\"curvature\": \"1\"")),
+            " /sizing/curvature: must be a number, not string");
+  EXPECT_EQ(fault(sizing("\"features\": 1")),
+            " /sizing/features: must be true or false, not number");
+  EXPECT_EQ(fault(sizing("\"hmin\": true")), " /sizing/hmin: must be a number, not boolean");
+  EXPECT_EQ(fault(source("\"at\": [0], \"size\": 1")),
+            " /patches/0/sources/0/at: must be an array of 2 values, not 1");
+}
+
+TEST(ReadModelFaults, OfRanges) {
+  EXPECT_EQ(fault(sizing("\"hmin\": 0")), " /sizing/hmin: must be above 0");
+  EXPECT_EQ(fault(sizing("\"hmax\": \"-1%\"")), " /sizing/hmax: must be above 0");
+  EXPECT_EQ(fault(sizing("\"hmax\": \"1\"")),
+            " /sizing/hmax: must be a number, or a share of the diagonal such as \"0.1%\"");
+  EXPECT_EQ(fault(sizing("\"hmax\": \"x%\"")), " /sizing/hmax: the number before % cannot be read");
+  EXPECT_EQ(fault(sizing("\"hmax\": \"inf%\"")),
+            " /sizing/hmax: the number before % cannot be read");
+  EXPECT_EQ(fault(sizing("\"hmin\": 2, \"hmax\": 1")),
+            " /sizing/hmax: hmin must not be above hmax");
+  EXPECT_EQ(fault(sizing("\"hmin\": \"30%\"")), " /sizing/hmin: hmin must not be above hmax");
+  EXPECT_EQ(fault(sizing("\"curvature\": -1")), " /sizing/curvature: must be at least 0");
+  EXPECT_EQ(fault(sizing("\"stretch\": 0.5")), " /sizing/stretch: must be at least 1");
+  EXPECT_EQ(fault(sizing("\"grade\": 0.5")), " /sizing/grade: must be 0 (off), or at least 1");
+  EXPECT_EQ(fault(source("\"at\": [3, 0], \"size\": 1")),
+            " /patches/0/sources/0/at: this point is outside of the domain");
+  EXPECT_EQ(fault(source("\"at\": [0, 0], \"size\": [1, 0]")),
+            " /patches/0/sources/0/size/1: must be above 0");
+  EXPECT_EQ(fault(source("\"everywhere\": false, \"size\": 1")),
+            " /patches/0/sources/0/everywhere: must be true");
+}
+
+TEST(ReadModelFaults, OfDomains) {
+  const auto with = [](const std::string& domain) {
+    return R"({"patches": [{"name": "p", "surface": {"z": "0"}, "domain": )" + domain + "}]}";
+  };
+  EXPECT_EQ(fault(with(R"({"u": [1, 1], "v": [0, 1]})")),
+            " /patches/0/domain/u: the second value must be larger than the first");
+  EXPECT_EQ(fault(with(R"({"u": [0, 1]})")), " /patches/0/domain/v: this key is missing");
+  EXPECT_EQ(fault(with(R"({"u": [0, 1], "v": [0, true]})")),
+            " /patches/0/domain/v/1: must be a number, not boolean");
+}
+
+TEST(ReadModelFaults, OfNames) {
+  const std::string patch =
+      R"({"name": "p", "surface": {"z": "0"}, "domain": {"u": [0, 1], "v": [0, 1]}})";
+  EXPECT_EQ(fault("{\"patches\": [" + patch + ", " + patch + "]}"),
+            " /patches/1/name: there are two patches with the name p");
+  EXPECT_EQ(fault(R"({"patches": [{"name": ""}]})"), " /patches/0/name: must not be empty");
+  EXPECT_EQ(fault(model("", R"("constants": {"pi": 3})")),
+            " /constants/pi: this name is not to be redefined");
+  EXPECT_EQ(fault(model("", R"("constants": {"2a": 3})")),
+            " /constants/2a: the name of a constant has letters, digits and _ only");
+}
+
+TEST(ReadModelFaults, OfFiles) {
+  EXPECT_EQ(error_of([] { read_model("no such.json"); }),
+            "io: cannot read no such.json: it does not exist");
+  const TestFolder folder;
+  write_text(folder / "a.json", "{}");
+  const std::string path = (folder / "a.json").string();
+  EXPECT_EQ(error_of([&] { read_model(path); }),
+            "invalid input: " + path + ": /patches: this key is missing");
+}
+
+TEST(SharedModels, AreRead) {
+  const auto bench = std::filesystem::path(SURFMESH_SHARED_DIR) / "bench";
+  if (!std::filesystem::exists(bench / "c2.json")) GTEST_SKIP() << "no models in " << bench;
+  const ModelFile file = read_model(bench / "c2.json");
+  ASSERT_EQ(file.patches.size(), 1u);
+  EXPECT_EQ(file.patches[0].name, "wave");
+  EXPECT_EQ(file.patches[0].formulas[2], "1.5*sin(2*u)*cos(v/5)*exp(-(u^2+v^2)/1000)");
+  EXPECT_EQ(file.patches[0].domain.u0, -6);
+  EXPECT_EQ(file.patches[0].domain.v1, 6);
+  EXPECT_EQ(file.sizing.curvature, 0.06858261876789555);
+  EXPECT_EQ(file.sizing.hmin.value, 0.02);
+  EXPECT_FALSE(file.sizing.hmin.is_relative);
+  EXPECT_EQ(file.sizing.hmax.value, 1);
+  EXPECT_EQ(file.sizing.stretch, 5);
+  EXPECT_EQ(file.sizing.grade, 0);
+  EXPECT_TRUE(file.options.empty());
+}
+
+TEST(SharedModels, SayWhatIsNotBuiltYet) {
+  const auto path = std::filesystem::path(SURFMESH_SHARED_DIR) / "bench" / "c1.json";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no model " << path;
+  EXPECT_EQ(error_of([&] { read_model(path); }),
+            "invalid input: " + path.string() +
+                ": /patches/0/sources/0/field: this key is not built yet");
+}
+
+}  // namespace
+}  // namespace surfmesh
