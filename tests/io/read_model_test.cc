@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "support/errors.hh"
@@ -29,6 +30,25 @@ std::string model(const std::string& in_patch, const std::string& in_root = "") 
 std::string source(const std::string& keys) { return model("\"sources\": [{" + keys + "}]"); }
 std::string sizing(const std::string& keys) { return model("", "\"sizing\": {" + keys + "}"); }
 
+Vec3 point(const ModelFile& file, std::size_t patch, Uv uv) {
+  return file.patches[patch].surface->evaluate(uv, Order::Position).point;
+}
+
+TEST(ReadModel, ReadsConstantExpressions) {
+  const ModelFile file = read(R"({"constants": {"a": 2, "b": "a^2"}, "patches": [
+      {"name": "p", "surface": {"z": "b*u"}, "domain": {"u": [0, "2*pi"], "v": ["-b", "b"]},
+       "sources": [{"at": ["pi", "a"], "size": 0.1}]}]})");
+  EXPECT_EQ(file.patches[0].surface->domain().u1, 2 * std::numbers::pi);
+  EXPECT_EQ(file.patches[0].surface->domain().v0, -4);
+  EXPECT_EQ(file.sources.at[0].at, (Uv{std::numbers::pi, 2}));
+}
+
+TEST(ReadModel, NamesTheKeyOfAFormulaThatCannotBeRead) {
+  const std::string text = R"({"patches": [{"name": "p", "surface": {"z": "u+"},
+      "domain": {"u": [0, 1], "v": [0, 1]}}]})";
+  EXPECT_NE(fault(text).find("/patches/0/surface"), std::string::npos) << fault(text);
+}
+
 TEST(ReadModel, ReadsPatches) {
   const ModelFile file = read(R"({"constants": {"a": 1.5}, "patches": [
       {"name": "one", "surface": {"x": "a*u", "y": "v^2", "z": "0"},
@@ -36,13 +56,12 @@ TEST(ReadModel, ReadsPatches) {
       {"name": "two", "surface": {"z": "u"}, "domain": {"u": [0, 1], "v": [0, 1]}}]})");
   ASSERT_EQ(file.patches.size(), 2u);
   EXPECT_EQ(file.patches[0].name, "one");
-  EXPECT_EQ(file.patches[0].formulas, (std::array<std::string, 3>{"a*u", "v^2", "0"}));
-  EXPECT_EQ(file.patches[0].domain.u0, -6);
-  EXPECT_EQ(file.patches[0].domain.u1, 6.5);
-  EXPECT_EQ(file.patches[0].domain.v0, 0);
-  EXPECT_EQ(file.patches[0].domain.v1, 0.001);
-  EXPECT_EQ(file.patches[1].constants, (std::map<std::string, double>{{"a", 1.5}}));
-  EXPECT_EQ(file.patches[1].formulas, (std::array<std::string, 3>{"u", "v", "u"}));
+  EXPECT_EQ(point(file, 0, {2, 3}), Vec3(3, 9, 0));
+  EXPECT_EQ(file.patches[0].surface->domain().u0, -6);
+  EXPECT_EQ(file.patches[0].surface->domain().u1, 6.5);
+  EXPECT_EQ(file.patches[0].surface->domain().v0, 0);
+  EXPECT_EQ(file.patches[0].surface->domain().v1, 0.001);
+  EXPECT_EQ(point(file, 1, {2, 3}), Vec3(2, 3, 2));
 }
 
 TEST(ReadModel, HasTheDefaultsOfSizing) {
@@ -272,9 +291,9 @@ TEST(SharedModels, AreRead) {
   const ModelFile file = read_model(bench / "c2.json");
   ASSERT_EQ(file.patches.size(), 1u);
   EXPECT_EQ(file.patches[0].name, "wave");
-  EXPECT_EQ(file.patches[0].formulas[2], "1.5*sin(2*u)*cos(v/5)*exp(-(u^2+v^2)/1000)");
-  EXPECT_EQ(file.patches[0].domain.u0, -6);
-  EXPECT_EQ(file.patches[0].domain.v1, 6);
+  EXPECT_DOUBLE_EQ(point(file, 0, {1, 0})[2], 1.5 * std::sin(2.0) * std::exp(-0.001));
+  EXPECT_EQ(file.patches[0].surface->domain().u0, -6);
+  EXPECT_EQ(file.patches[0].surface->domain().v1, 6);
   EXPECT_EQ(file.sizing.curvature, 0.06858261876789555);
   EXPECT_EQ(file.sizing.hmin.value, 0.02);
   EXPECT_FALSE(file.sizing.hmin.is_relative);
