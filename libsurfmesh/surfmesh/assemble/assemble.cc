@@ -185,10 +185,6 @@ void write_properties(const TriangleSoup& soup, PolyMesh& mesh) {
       }
     }
   }
-  mesh.property(patch).set_persistent(true);
-  mesh.property(contour).set_persistent(true);
-  mesh.property(uv).set_persistent(true);
-  mesh.property(metric).set_persistent(true);
 }
 
 }  // namespace

@@ -36,19 +36,21 @@ inline std::array<Uv, 3> corners(const TriMesh& mesh, FaceHandle fh,
   return corners(mesh, vertices(mesh, fh), uv);
 }
 
+/// Bound of the relative rounding error of a term of in_metric_circle: about 14 operations of 2⁻⁵³
+/// each.
+inline constexpr double kInCircleErrorBound = 1.6e-15;
+
 /// True if p lies inside the circumcircle of a counter-clockwise triangle in a constant metric.
 ///
 /// With d_i = corner − p and M = L Lᵀ the sign of in-circle is that of Σ (dᵢᵀ M dᵢ) (d_j × d_k).
 /// A sum within its own rounding error counts as outside, so cocircular points do not extend the
 /// cavity: which of the equal triangulations results does not matter, an exact sign is not needed.
 inline bool in_metric_circle(const std::array<Uv, 3>& triangle, Uv p, const Metric& m) {
-  /// Bound of the relative rounding error of each term: about 14 operations of 2⁻⁵³ each.
-  constexpr double rounding = 1.6e-15;
   const Uv a = triangle[0] - p, b = triangle[1] - p, c = triangle[2] - p;
   const double la = squared_length(m, a), lb = squared_length(m, b), lc = squared_length(m, c);
   const double bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
   const double sum = la * bc + lb * ca + lc * ab;
-  return sum > rounding * (la * std::abs(bc) + lb * std::abs(ca) + lc * std::abs(ab));
+  return sum > kInCircleErrorBound * (la * std::abs(bc) + lb * std::abs(ca) + lc * std::abs(ab));
 }
 
 /// Constant metric: Euclidean with diag(1,1), or in a parameter plane scaled by its entries. As in

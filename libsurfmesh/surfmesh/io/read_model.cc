@@ -124,18 +124,13 @@ Domain read_domain(const JsonNode& node, const Constants& constants) {
   return domain;
 }
 
-std::shared_ptr<const Surface> read_surface(const JsonNode& node, const Domain& domain,
-                                            const Constants& constants) {
+SurfaceFormulas read_formulas(const JsonNode& node) {
   node.expect_keys({"x", "y", "z"});
   SurfaceFormulas formulas;
   if (const auto x = node.find("x")) formulas.x = x->text();
   if (const auto y = node.find("y")) formulas.y = y->text();
   formulas.z = node.at("z").text();
-  try {
-    return std::make_shared<FormulaSurface>(formulas, domain, constants);
-  } catch (const Error& error) {
-    node.fail(error.what());
-  }
+  return formulas;
 }
 
 Size read_size(const JsonNode& source) {
@@ -212,8 +207,13 @@ void read_patch(const JsonNode& node, const Constants& constants, ModelFile& mod
       node.at("name").fail(fmt::format("there are two patches with the name {}", patch.name));
     }
   }
+  const SurfaceFormulas formulas = read_formulas(node.at("surface"));
   const Domain domain = read_domain(node.at("domain"), constants);
-  patch.surface = read_surface(node.at("surface"), domain, constants);
+  try {
+    patch.surface = std::make_shared<FormulaSurface>(formulas, domain, constants);
+  } catch (const Error& error) {
+    node.at("surface").fail(error.what());
+  }
   if (const auto loops = node.find("loops")) loops->expect_off({});
   if (const auto sources = node.find("sources")) {
     const PatchScope scope = {static_cast<int>(model.patches.size()), domain, constants};
