@@ -31,9 +31,10 @@ void append_rest(std::ifstream& file, std::string& text) {
 }  // namespace
 
 std::string read_file(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  if (!std::filesystem::exists(status)) fail(path, "it does not exist");
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found) fail(path, "it does not exist");
+  if (!std::filesystem::exists(status)) fail(path, error.message());
   if (std::filesystem::is_directory(status)) fail(path, "it is a folder");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
@@ -41,8 +42,8 @@ std::string read_file(const std::filesystem::path& path) {
 
   std::string text;
   if (std::filesystem::is_regular_file(status)) {
-    const auto size = std::filesystem::file_size(path, ignored);
-    if (!ignored) text.resize(size);
+    const auto size = std::filesystem::file_size(path, error);
+    if (!error) text.resize(size);
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(file.gcount()));
   }

@@ -95,9 +95,10 @@ class OmCheck {
   std::size_t edges = 0;
 
  private:
-  enum Entity { kVertex = 0, kFace = 2, kHalfedge = 6 };
-  enum Type { kPosition = 0, kCustom = 6, kTopology = 7 };
-  static constexpr std::uint64_t kEndMark = 7 << 2;
+  // Entities and types, as in OMFormat.hh.
+  static constexpr unsigned kVertex = 0, kFace = 2, kHalfedge = 6;
+  static constexpr unsigned kPosition = 0, kCustom = 6, kTopology = 7;
+  static constexpr unsigned kEndMark = 7u << 2;
 
   std::uint64_t take_unsigned(std::size_t size);
   std::int64_t take_signed(std::size_t size);

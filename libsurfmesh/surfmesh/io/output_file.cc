@@ -39,6 +39,7 @@ OutputFile::OutputFile(fs::path path)
   const fs::file_status status = fs::status(path_, ignored);
   if (fs::is_directory(status) || !path_.has_filename()) fail_for(path_, "it is a folder");
   if (fs::exists(status)) target_ = fs::canonical(path_, ignored);
+  if (target_.empty()) target_ = path_;
   file_.rdbuf()->pubsetbuf(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
   errno = 0;
   if (fs::exists(status) && !fs::is_regular_file(status)) {

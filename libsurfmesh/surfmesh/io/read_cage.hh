@@ -12,7 +12,7 @@ namespace surfmesh {
 /// Read a control cage from an OBJ or OFF file, chosen by the ending in upper or lower case.
 ///
 /// Throws   Io if the file cannot be read; InvalidInput for an unknown ending and as below
-/// Cost     0.3 µs a face with its share of the points
+/// Cost     0.2 to 0.3 µs a face with its share of the points
 Cage read_cage(const std::filesystem::path& path);
 
 /// Read a cage from the text of an OBJ file; `name` stands before the line in messages.

@@ -22,9 +22,6 @@ namespace {
 class TextWriter {
  public:
   explicit TextWriter(OutputFile& file) : file_(file) {}
-  ~TextWriter() = default;
-  TextWriter(const TextWriter&) = delete;
-  TextWriter& operator=(const TextWriter&) = delete;
 
   void text(std::string_view text) {
     if (text.size() > buffer_.size() - size_) flush();
