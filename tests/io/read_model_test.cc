@@ -77,6 +77,16 @@ TEST(ReadModel, ReadsPercentExactly) {
   }
 }
 
+TEST(ReadModel, ReadsConstantExpressions) {
+  const ModelFile file = read(R"({"constants": {"a": 2, "b": "a^2"}, "patches": [
+      {"name": "p", "surface": {"z": "0"}, "domain": {"u": ["-pi", "2*pi"], "v": [0, "b"]},
+       "sources": [{"at": ["pi/2", "a"], "size": 1}]}]})");
+  EXPECT_EQ(file.patches[0].constants.at("b"), 4);
+  EXPECT_EQ(file.patches[0].domain.u1, 2 * std::numbers::pi);
+  EXPECT_EQ(file.patches[0].domain.v1, 4);
+  EXPECT_EQ(file.sources.at.at(0).at, (Uv{std::numbers::pi / 2, 2}));
+}
+
 TEST(ReadModel, ReadsSources) {
   const Sources sources = read(model(R"("sources": [
       {"everywhere": true, "size": 0.5}, {"at": [0, 1], "size": "1%"},
@@ -215,10 +225,10 @@ TEST(ReadModelFaults, OfRanges) {
   EXPECT_EQ(fault(sizing("\"hmin\": 0")), " /sizing/hmin: must be above 0");
   EXPECT_EQ(fault(sizing("\"hmax\": \"-1%\"")), " /sizing/hmax: must be above 0");
   EXPECT_EQ(fault(sizing("\"hmax\": \"1\"")),
-            " /sizing/hmax: must be a number, or a share of the diagonal such as \"0.1%\"");
-  EXPECT_EQ(fault(sizing("\"hmax\": \"x%\"")), " /sizing/hmax: the number before % cannot be read");
-  EXPECT_EQ(fault(sizing("\"hmax\": \"inf%\"")),
-            " /sizing/hmax: the number before % cannot be read");
+            " /sizing/hmax: a length in model units is a number, without quotes");
+  const std::string reason = " is no length: a number, or a share of the diagonal such as 0.1%";
+  EXPECT_EQ(fault(sizing("\"hmax\": \"x%\"")), " /sizing/hmax: 'x%'" + reason);
+  EXPECT_EQ(fault(sizing("\"hmax\": \"inf%\"")), " /sizing/hmax: 'inf%'" + reason);
   EXPECT_EQ(fault(sizing("\"hmin\": 2, \"hmax\": 1")),
             " /sizing/hmax: hmin must not be above hmax");
   EXPECT_EQ(fault(sizing("\"hmin\": \"30%\"")), " /sizing/hmin: hmin must not be above hmax");
