@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <numbers>
 
 #include "surfmesh/control/parse_length.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/geometry/formula.hh"
+#include "surfmesh/geometry/formula_surface.hh"
 #include "surfmesh/io/input_file.hh"
 #include "surfmesh/io/json_node.hh"
 
@@ -91,14 +94,18 @@ Domain read_domain(const JsonNode& node, const Constants& constants) {
   return domain;
 }
 
-std::array<std::string, 3> read_formulas(const JsonNode& node) {
+std::shared_ptr<const Surface> read_surface(const JsonNode& node, const Domain& domain,
+                                            const Constants& constants) {
   node.expect_keys({"x", "y", "z"});
-  PatchDescription defaults;
-  std::array<std::string, 3> formulas = defaults.formulas;
-  if (const auto x = node.find("x")) formulas[0] = x->text();
-  if (const auto y = node.find("y")) formulas[1] = y->text();
-  formulas[2] = node.at("z").text();
-  return formulas;
+  SurfaceFormulas formulas;
+  if (const auto x = node.find("x")) formulas.x = x->text();
+  if (const auto y = node.find("y")) formulas.y = y->text();
+  formulas.z = node.at("z").text();
+  try {
+    return std::make_shared<FormulaSurface>(formulas, domain, constants);
+  } catch (const Error& error) {
+    node.fail(error.what());
+  }
 }
 
 Size read_size(const JsonNode& source) {
@@ -117,7 +124,14 @@ Size read_size(const JsonNode& source) {
   return size;
 }
 
-Uv read_place(const JsonNode& node, const PatchDescription& patch) {
+/// The patch that a source belongs to.
+struct PatchScope {
+  int index;
+  const Domain& domain;
+  const Constants& constants;
+};
+
+Uv read_place(const JsonNode& node, const PatchScope& patch) {
   const std::vector<JsonNode> values = node.elements(2);
   const Uv uv = {number_or_expression(values[0], patch.constants),
                  number_or_expression(values[1], patch.constants)};
@@ -142,8 +156,7 @@ std::string kind_of(const JsonNode& source) {
   return kind;
 }
 
-void read_source(const JsonNode& node, int patch_index, const PatchDescription& patch,
-                 Sources& sources) {
+void read_source(const JsonNode& node, const PatchScope& patch, Sources& sources) {
   node.expect_keys({"everywhere", "at", "along", "inside", "field", "table", "size", "angle",
                     "radius", "outer", "precision"});
   const std::string kind = kind_of(node);
@@ -152,31 +165,30 @@ void read_source(const JsonNode& node, int patch_index, const PatchDescription& 
   if (const auto outer = node.find("outer")) outer->expect_off({});
   if (const auto precision = node.find("precision")) precision->expect_off({0.1});
   if (kind == "at") {
-    sources.at.push_back({patch_index, read_place(node.at("at"), patch), read_size(node)});
+    sources.at.push_back({patch.index, read_place(node.at("at"), patch), read_size(node)});
   } else {
     if (!node.at("everywhere").boolean()) node.at("everywhere").fail("must be true");
-    sources.everywhere.push_back({patch_index, read_size(node)});
+    sources.everywhere.push_back({patch.index, read_size(node)});
   }
 }
 
 void read_patch(const JsonNode& node, const Constants& constants, ModelFile& model) {
   node.expect_keys({"name", "surface", "domain", "sources", "loops"});
-  PatchDescription patch;
+  PatchInput patch;
   patch.name = node.at("name").text();
   if (patch.name.empty()) node.at("name").fail("must not be empty");
-  for (const PatchDescription& other : model.patches) {
+  for (const PatchInput& other : model.patches) {
     if (other.name == patch.name) {
       node.at("name").fail(fmt::format("there are two patches with the name {}", patch.name));
     }
   }
-  patch.formulas = read_formulas(node.at("surface"));
-  patch.constants = constants;
-  patch.domain = read_domain(node.at("domain"), constants);
+  const Domain domain = read_domain(node.at("domain"), constants);
+  patch.surface = read_surface(node.at("surface"), domain, constants);
   if (const auto loops = node.find("loops")) loops->expect_off({});
   if (const auto sources = node.find("sources")) {
-    const int index = static_cast<int>(model.patches.size());
+    const PatchScope scope = {static_cast<int>(model.patches.size()), domain, constants};
     for (const JsonNode& source : sources->elements()) {
-      read_source(source, index, patch, model.sources);
+      read_source(source, scope, model.sources);
     }
   }
   model.patches.push_back(std::move(patch));

@@ -1,31 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "surfmesh/control/sizing.hh"
-#include "surfmesh/geometry/domain.hh"
+#include "surfmesh/geometry/join_sides.hh"
 
 namespace surfmesh {
 
-/// A patch as a model file describes it: formulas as text.
-struct PatchDescription {
-  std::string name;
-  std::array<std::string, 3> formulas = {"u", "v", "0"};  ///< x, y, z of u and v
-  Domain domain;
-  std::map<std::string, double> constants;  ///< that the formulas may use
-};
-
 /// What a model file holds.
 struct ModelFile {
-  std::vector<PatchDescription> patches;
-  Sources sources;  ///< `patch` is an index into patches
+  std::vector<PatchInput> patches;  ///< formula surfaces on rectangles
+  Sources sources;                  ///< `patch` is an index into patches
   Sizing sizing;
   /// Names of options of the pipeline and their values as JSON text, in the order of the file.
   std::vector<std::pair<std::string, std::string>> options;

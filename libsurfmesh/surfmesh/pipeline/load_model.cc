@@ -3,14 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "surfmesh/core/error.hh"
-#include "surfmesh/geometry/formula_surface.hh"
 #include "surfmesh/geometry/join_sides.hh"
 #include "surfmesh/io/input_file.hh"
 #include "surfmesh/io/read_cage.hh"
@@ -20,12 +18,15 @@
 namespace surfmesh {
 namespace {
 
-/// Call `body`, and put the place in front of its errors.
+/// Call `body`, and put the place in front of its errors. What is wrong with an option is so in
+/// the file.
 template <class Body>
-void at_place(const std::string& place, ErrorCode code, Body body) {
+void at_place(const std::string& place, Body body) {
   try {
     body();
   } catch (const Error& error) {
+    const ErrorCode code =
+        error.code() == ErrorCode::InvalidOption ? ErrorCode::InvalidInput : error.code();
     throw Error(code, fmt::format("{}: {}", place, error.what()));
   }
 }
@@ -33,28 +34,10 @@ void at_place(const std::string& place, ErrorCode code, Body body) {
 ModelInput load_cage(const std::filesystem::path& path, const CageOptions& cage_options) {
   const Cage cage = read_cage(path);
   ModelInput input;
-  at_place(path.string(), ErrorCode::InvalidInput,
-           [&] { input.model = model_from_cage(cage, cage_options); });
+  at_place(path.string(), [&] { input.model = model_from_cage(cage, cage_options); });
   std::vector<std::string>& warnings = input.model.warnings;
   warnings.insert(warnings.begin(), cage.warnings.begin(), cage.warnings.end());
   return input;
-}
-
-PatchInput make_patch(const PatchDescription& patch) {
-  const auto& [x, y, z] = patch.formulas;
-  return {patch.name, std::make_shared<FormulaSurface>(SurfaceFormulas{x, y, z}, patch.domain,
-                                                       patch.constants)};
-}
-
-Model make_model(const ModelFile& file, const std::string& name) {
-  std::vector<PatchInput> patches;
-  for (std::size_t i = 0; i < file.patches.size(); ++i) {
-    at_place(fmt::format("{}: /patches/{}/surface", name, i), ErrorCode::InvalidInput,
-             [&] { patches.push_back(make_patch(file.patches[i])); });
-  }
-  Model model;
-  at_place(name, ErrorCode::Geometry, [&] { model = model_from_patches(patches); });
-  return model;
 }
 
 /// Set one entry of a file's `options`; its value is JSON text, null leaves the default.
@@ -72,10 +55,10 @@ ModelInput load_model_file(const std::filesystem::path& path) {
   ModelInput input;
   input.options.sizing = file.sizing;
   for (const auto& [key, value] : file.options) {
-    at_place(fmt::format("{}: /options/{}", name, key), ErrorCode::InvalidInput,
+    at_place(fmt::format("{}: /options/{}", name, key),
              [&, k = key, v = value] { set_file_option(input.options, k, v); });
   }
-  input.model = make_model(file, name);
+  at_place(name, [&] { input.model = model_from_patches(file.patches); });
   input.sources = file.sources;
   return input;
 }

@@ -45,9 +45,12 @@ class Refinement {
     }
     FrontQueue::Entry entry;
     while (queue_.pop(entry)) {
-      const State& state = states_[index(entry.face)];
+      State& state = states_[index(entry.face)];
       if (state.stamp != entry.stamp || state.is_accepted) continue;
-      if (!split(entry.face)) {
+      const HalfedgeHandle base = base_of(entry.face);
+      if (!base.is_valid()) {
+        state.is_active = false;  // its accepted neighbour has been replaced since
+      } else if (!split(entry.face, base)) {
         ++report_.refused;
         accept(entry.face);
       }
@@ -123,7 +126,8 @@ class Refinement {
     }
   }
 
-  /// The shortest side at the front (frontal), or the longest (circumcentre).
+  /// The shortest side at the front (frontal; invalid if there is none), or the longest
+  /// (circumcentre).
   HalfedgeHandle base_of(FaceHandle fh) const {
     const TriMesh& mesh = delaunay_.mesh();
     const bool is_frontal = options_.placement == Placement::Frontal;
@@ -144,8 +148,8 @@ class Refinement {
     return best;
   }
 
-  bool split(FaceHandle fh) {
-    const BaseTriangle triangle = triangle_at(base_of(fh));
+  bool split(FaceHandle fh, HalfedgeHandle base) {
+    const BaseTriangle triangle = triangle_at(base);
     if (options_.placement == Placement::Frontal) {
       ++report_.queries;
       if (try_insert(frontal_point(triangle, field_, hint_), fh, triangle, false)) return true;
