@@ -59,13 +59,13 @@ class NodeChooser {
  private:
   Uv at(double i, double j) const { return domain_.at(i / kGridSize, j / kGridSize); }
 
-  const ControlNode& node(std::uint32_t i, std::uint32_t j) {
+  ControlNode& node(std::uint32_t i, std::uint32_t j) {
     const std::uint64_t key = std::uint64_t{i} << 32 | j;
     const auto [entry, is_new] = index_.try_emplace(key, nodes_.size());
     if (is_new) {
       const Uv uv = at(i, j);
       const SizeField::Sample sample = field_.at(uv);
-      nodes_.push_back({uv, sample.point, sample.form, sample.size});
+      nodes_.push_back({uv, sample.point, sample.form, sample.size, {0, 0, 0}});
     }
     return nodes_[entry->second];
   }
@@ -91,10 +91,12 @@ class NodeChooser {
     const std::array<ControlNode, 4> corners = {node(cell.i0, cell.j0), node(cell.i1, cell.j0),
                                                 node(cell.i1, cell.j1), node(cell.i0, cell.j1)};
     const CellSamples samples = sample(cell);
-    if (conforms(cell, corners, samples)) return;
     const bool can_split_u = is_long(cell, samples, true);
     const bool can_split_v = is_long(cell, samples, false);
-    if (!can_split_u && !can_split_v) return;
+    if ((!can_split_u && !can_split_v) || conforms(cell, corners, samples)) {
+      keep(cell);
+      return;
+    }
     const bool along_u =
         can_split_u && (!can_split_v || variation(samples, true) >= variation(samples, false));
     Cell first = cell, second = cell;
@@ -105,6 +107,19 @@ class NodeChooser {
     }
     cells.push_back(second);
     cells.push_back(first);
+  }
+
+  /// Tell the corners of a cell how far their neighbours are: those of the finest cell count.
+  void keep(const Cell& cell) {
+    const double width = (domain_.u1 - domain_.u0) * (cell.i1 - cell.i0) / kGridSize;
+    const double height = (domain_.v1 - domain_.v0) * (cell.j1 - cell.j0) / kGridSize;
+    for (const std::uint32_t i : {cell.i0, cell.i1}) {
+      for (const std::uint32_t j : {cell.j0, cell.j1}) {
+        Metric& spacing = node(i, j).spacing;
+        spacing.m11 = std::max(spacing.m11, 1 / (width * width));
+        spacing.m22 = std::max(spacing.m22, 1 / (height * height));
+      }
+    }
   }
 
   bool conforms(const Cell& cell, const std::array<ControlNode, 4>& corners,
@@ -174,13 +189,16 @@ class NodeChooser {
 std::vector<ControlNode> regular_nodes(const SizeField& field, int count) {
   const Domain domain = field.surface().domain();
   const int side = std::max(2, static_cast<int>(std::lround(std::sqrt(count))));
+  const double width = (domain.u1 - domain.u0) / (side - 1);
+  const double height = (domain.v1 - domain.v0) / (side - 1);
+  const Metric spacing{1 / (width * width), 0, 1 / (height * height)};
   std::vector<ControlNode> nodes;
   nodes.reserve(static_cast<std::size_t>(side * side));
   for (int j = 0; j < side; ++j) {
     for (int i = 0; i < side; ++i) {
       const Uv uv = domain.at(double(i) / (side - 1), double(j) / (side - 1));
       const SizeField::Sample sample = field.at(uv);
-      nodes.push_back({uv, sample.point, sample.form, sample.size});
+      nodes.push_back({uv, sample.point, sample.form, sample.size, spacing});
     }
   }
   return nodes;

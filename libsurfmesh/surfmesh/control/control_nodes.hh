@@ -13,6 +13,8 @@ struct ControlNode {
   Vec3 point;
   FirstFormFactor form;
   SizeTensor size;
+  /// Metric in which the nodes around are about a unit away; unset for a node that comes alone.
+  Metric spacing = {};
 };
 
 /// How control nodes are placed.

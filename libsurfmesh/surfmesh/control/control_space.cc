@@ -39,10 +39,13 @@ Metric plane_metric(const std::vector<ControlNode>& nodes) {
 /// Inserts nodes one by one and keeps what belongs to each vertex.
 class NodeInsertion {
  public:
+  /// `plane` shapes the triangles where nodes tell no spacing.
   NodeInsertion(const Domain& domain, const Metric& plane)
       : delaunay_({domain.u0, domain.v0}, {domain.u1, domain.v1}),
-        rule_{delaunay_.uv_handle(), plane},
-        nodes_(4) {}
+        rule_{delaunay_.uv_handle(), delaunay_.metric_handle()},
+        nodes_(4) {
+    for (int i = 0; i < 4; ++i) delaunay_.metric(VertexHandle(i)) = plane;
+  }
 
   void reserve(std::size_t count) { delaunay_.reserve(count); }
 
@@ -55,10 +58,12 @@ class NodeInsertion {
     }
     hint_ = location.face;
     if (merge_with_corner(node, location.face)) return;
+    const Metric spacing = std::isfinite(node.spacing.m11) ? node.spacing : around(location.face);
     const VertexHandle vh = delaunay_.insert(node.uv, location.face, rule_);
     const auto index = static_cast<std::size_t>(vh.idx());
     if (index >= nodes_.size()) nodes_.resize(index + 1);
     nodes_[index] = node;
+    delaunay_.metric(vh) = spacing;
     hint_ = delaunay_.mesh().face_handle(delaunay_.mesh().halfedge_handle(vh));
   }
 
@@ -66,6 +71,17 @@ class NodeInsertion {
   const std::vector<ControlNode>& nodes() const { return nodes_; }
 
  private:
+  /// Mean spacing of the vertices of a triangle.
+  Metric around(FaceHandle fh) const {
+    const TriMesh& mesh = delaunay_.mesh();
+    const HalfedgeHandle a = mesh.halfedge_handle(fh);
+    const HalfedgeHandle b = mesh.next_halfedge_handle(a);
+    const HalfedgeHandle c = mesh.next_halfedge_handle(b);
+    return mean(delaunay_.metric(mesh.to_vertex_handle(a)),
+                delaunay_.metric(mesh.to_vertex_handle(b)),
+                delaunay_.metric(mesh.to_vertex_handle(c)));
+  }
+
   bool merge_with_corner(const ControlNode& node, FaceHandle fh) {
     const Metric metric = metric_from_size(node.form, node.size);
     for (const VertexHandle vh : delaunay_.mesh().fv_range(fh)) {
@@ -79,7 +95,7 @@ class NodeInsertion {
   }
 
   DelaunayMesh delaunay_;
-  ConstantMetricRule rule_;
+  TriangleMetricRule rule_;
   std::vector<ControlNode> nodes_;
   FaceHandle hint_ = FaceHandle(0);
 };

@@ -42,7 +42,7 @@ ControlNode node_of(const AtSource& source, const SizeField& field) {
   const SizeField::Sample sample = field.at(uv);
   SizeTensor size = field.clamp(field.tensor(source.size));
   if (field.has_source()) size = minimum(size, sample.size);
-  return {uv, sample.point, sample.form, size};
+  return {uv, sample.point, sample.form, size, {}};
 }
 
 /// Give the nodes of a field without sources the size of the nearest source.
