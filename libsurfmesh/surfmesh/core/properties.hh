@@ -44,7 +44,7 @@ inline constexpr PropertyKey<HalfedgeHandle, Metric> corner_metric{"surf:metric"
 
 }  // namespace keys
 
-/// Make the property and set it to `initial` on every element.
+/// Make the property, persistent (.om files hold it), and set it to `initial` on every element.
 /// Throws   InvalidInput if the mesh has it already
 template <class Mesh, class Element, class Value>
 auto attach(Mesh& mesh, const PropertyKey<Element, Value>& key, const Value& initial = Value()) {
@@ -54,6 +54,7 @@ auto attach(Mesh& mesh, const PropertyKey<Element, Value>& key, const Value& ini
                 std::string("the mesh has a property ") + key.name + " already");
   }
   mesh.add_property(handle, key.name);
+  mesh.property(handle).set_persistent(true);
   auto& values = mesh.property(handle).data_vector();
   values.assign(values.size(), initial);
   return handle;

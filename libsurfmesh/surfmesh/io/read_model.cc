@@ -94,13 +94,17 @@ Domain read_domain(const JsonNode& node, const Constants& constants) {
   return domain;
 }
 
-std::shared_ptr<const Surface> read_surface(const JsonNode& node, const Domain& domain,
-                                            const Constants& constants) {
+SurfaceFormulas read_formulas(const JsonNode& node) {
   node.expect_keys({"x", "y", "z"});
   SurfaceFormulas formulas;
   if (const auto x = node.find("x")) formulas.x = x->text();
   if (const auto y = node.find("y")) formulas.y = y->text();
   formulas.z = node.at("z").text();
+  return formulas;
+}
+
+std::shared_ptr<const Surface> make_surface(const JsonNode& node, const SurfaceFormulas& formulas,
+                                            const Domain& domain, const Constants& constants) {
   try {
     return std::make_shared<FormulaSurface>(formulas, domain, constants);
   } catch (const Error& error) {
@@ -182,8 +186,10 @@ void read_patch(const JsonNode& node, const Constants& constants, ModelFile& mod
       node.at("name").fail(fmt::format("there are two patches with the name {}", patch.name));
     }
   }
+  const JsonNode surface = node.at("surface");
+  const SurfaceFormulas formulas = read_formulas(surface);
   const Domain domain = read_domain(node.at("domain"), constants);
-  patch.surface = read_surface(node.at("surface"), domain, constants);
+  patch.surface = make_surface(surface, formulas, domain, constants);
   if (const auto loops = node.find("loops")) loops->expect_off({});
   if (const auto sources = node.find("sources")) {
     const PatchScope scope = {static_cast<int>(model.patches.size()), domain, constants};
