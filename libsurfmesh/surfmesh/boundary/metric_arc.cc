@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/boundary/metric_arc.hh"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "surfmesh/core/error.hh"
 
 namespace surfmesh {
 namespace {
@@ -47,7 +51,12 @@ class Bisection {
 
   Station station(double t) {
     const Uv uv = curve_.evaluate(t);
-    return {t, uv, field_.at(uv, hint_)};
+    const Metric metric = field_.at(uv, hint_);
+    if (!std::isfinite(metric.m11 + metric.m22)) {
+      throw Error(ErrorCode::Geometry,
+                  fmt::format("the metric at (u,v) = ({}, {}) is not finite", uv.u, uv.v));
+    }
+    return {t, uv, metric};
   }
 
   void add(const Station& a, const Station& b, int depth) {

@@ -57,12 +57,16 @@ class NodeInsertion {
                               node.uv.u, node.uv.v));
     }
     hint_ = location.face;
-    if (merge_with_corner(node, location.face)) return;
+    const bool is_corner = location.kind == Location::Kind::OnVertex && location.vertex.idx() < 4;
+    if (!is_corner && merge_with_neighbour(node, location.face)) return;
     const Metric spacing = std::isfinite(node.spacing.m11) ? node.spacing : around(location.face);
     const VertexHandle vh = delaunay_.insert(node.uv, location.face, rule_);
     const auto index = static_cast<std::size_t>(vh.idx());
     if (index >= nodes_.size()) nodes_.resize(index + 1);
+    const bool is_first = !std::isfinite(nodes_[index].size.h11);
+    const SizeTensor size = is_first ? node.size : minimum(nodes_[index].size, node.size);
     nodes_[index] = node;
+    nodes_[index].size = size;
     delaunay_.metric(vh) = spacing;
     hint_ = delaunay_.mesh().face_handle(delaunay_.mesh().halfedge_handle(vh));
   }
@@ -82,7 +86,7 @@ class NodeInsertion {
                 delaunay_.metric(mesh.to_vertex_handle(c)));
   }
 
-  bool merge_with_corner(const ControlNode& node, FaceHandle fh) {
+  bool merge_with_neighbour(const ControlNode& node, FaceHandle fh) {
     const Metric metric = metric_from_size(node.form, node.size);
     for (const VertexHandle vh : delaunay_.mesh().fv_range(fh)) {
       ControlNode& old = nodes_[static_cast<std::size_t>(vh.idx())];
