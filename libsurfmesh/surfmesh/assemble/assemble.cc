@@ -9,6 +9,7 @@
 #include "surfmesh/assemble/orientation.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/topology.hh"
+#include "surfmesh/metric/tensor.hh"
 
 namespace surfmesh {
 namespace {
@@ -92,12 +93,15 @@ class PatchCollector {
   }
 
   void add_fan(const PoleFan& fan) {
-    for (std::size_t i = 0; i + 1 < fan.ring.size(); ++i) {
+    const std::size_t count = fan.ring.size() - 1;
+    for (std::size_t i = 0; i < count; ++i) {
       const auto near = static_cast<std::size_t>(fan.ring[i]);
       const auto far = static_cast<std::size_t>(fan.ring[i + 1]);
-      // The pole has no metric; its corner takes that of the ring.
-      const CornerValue pole = value(near);
-      add({fan.pole, vertices_[far], vertices_[near]}, {pole, value(far), pole}, {-1, -1, -1},
+      const CornerValue first = value(near), second = value(far);
+      // The metric is singular at the pole; its corner takes that of the ring.
+      const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+      const CornerValue pole{lerp(fan.start, fan.end, share), mean(first.metric, second.metric)};
+      add({fan.pole, vertices_[far], vertices_[near]}, {pole, second, first}, {-1, -1, -1},
           normals_[near] + normals_[far]);
     }
   }

@@ -27,29 +27,57 @@ std::uint64_t ends_of(int a, int b) {
 
 bool is_loop(std::uint64_t ends) { return (ends >> 32) == (ends & 0xffffffffu); }
 
-/// How often each pair of result vertices is joined by segments of contours: once, however many
-/// patches see the segment.
+/// Numbers for all vertices that edges at boundary nodes can have: result vertices for nodes of
+/// contours, further numbers for the vertices of each patch's own.
+class VertexNumbers {
+ public:
+  explicit VertexNumbers(const std::vector<PatchMesh>& patches) {
+    int next = 0;
+    for (const PatchMesh& patch : patches) {
+      boundary_.push_back(boundary_vertices(patch.boundary));
+      for (const int v : boundary_.back()) next = std::max(next, v + 1);
+    }
+    for (const PatchMesh& patch : patches) {
+      first_own_.push_back(next);
+      next += static_cast<int>(patch.delaunay->n_vertices());
+    }
+  }
+
+  std::size_t boundary_count(std::size_t patch) const { return boundary_[patch].size(); }
+
+  int operator()(std::size_t patch, VertexHandle vh) const {
+    const auto v = static_cast<std::size_t>(vh.idx());
+    const bool is_shared = v < boundary_[patch].size() && boundary_[patch][v] >= 0;
+    return is_shared ? boundary_[patch][v] : first_own_[patch] + vh.idx();
+  }
+
+ private:
+  std::vector<std::vector<int>> boundary_;
+  std::vector<int> first_own_;
+};
+
+/// How often each pair of vertices is joined: once by a segment of a contour, however many patches
+/// see it, and once by each chord.
 class EdgeCounts {
  public:
-  /// List the chords of all patches and mark the pairs that contour segments join.
-  std::vector<Chord> collect(const std::vector<PatchMesh>& patches,
-                             const std::vector<std::vector<int>>& vertices) {
+  /// List the edges at boundary nodes of all patches and count the segments of contours.
+  std::vector<Chord> collect(const std::vector<PatchMesh>& patches) {
+    const VertexNumbers number(patches);
     std::vector<Chord> chords;
     for (std::size_t p = 0; p < patches.size(); ++p) {
       const DelaunayMesh& delaunay = *patches[p].delaunay;
       const TriMesh& mesh = delaunay.mesh();
-      for (std::size_t v = 0; v < vertices[p].size(); ++v) {
-        // Each edge between two boundary nodes once, from its lower end.
-        for (const HalfedgeHandle heh : mesh.voh_range(VertexHandle(static_cast<int>(v)))) {
-          const auto other = static_cast<std::size_t>(mesh.to_vertex_handle(heh).idx());
-          if (other >= vertices[p].size() || other < v) continue;
-          const int a = vertices[p][v], b = vertices[p][other];
-          if (a < 0 || b < 0) continue;
+      const auto boundary_count = static_cast<int>(number.boundary_count(p));
+      for (int v = 0; v < boundary_count; ++v) {
+        for (const HalfedgeHandle heh : mesh.voh_range(VertexHandle(v))) {
+          const VertexHandle other = mesh.to_vertex_handle(heh);
+          if (other.idx() < v) continue;  // seen from its other end
+          const std::uint64_t ends = ends_of(number(p, VertexHandle(v)), number(p, other));
           const EdgeHandle eh = mesh.edge_handle(heh);
           if (delaunay.is_constrained(eh)) {
-            count_[ends_of(a, b)] = kSegment;
+            count_[ends] = 1;
           } else {
-            chords.push_back({p, eh, ends_of(a, b)});
+            chords.push_back({p, eh, ends});
           }
         }
       }
@@ -64,7 +92,6 @@ class EdgeCounts {
   }
 
  private:
-  static constexpr int kSegment = 1;
   std::unordered_map<std::uint64_t, int> count_;
 };
 
@@ -90,22 +117,18 @@ std::vector<int> boundary_vertices(const PatchBoundary& boundary) {
 }
 
 std::size_t split_improper_chords(std::vector<PatchMesh>& patches) {
-  std::vector<std::vector<int>> vertices;
-  for (const PatchMesh& patch : patches) vertices.push_back(boundary_vertices(patch.boundary));
   std::size_t count = 0;
   for (int round = 0; round < kMaxRounds; ++round) {
     EdgeCounts edges;
-    const std::vector<Chord> chords = edges.collect(patches, vertices);
+    const std::vector<Chord> chords = edges.collect(patches);
     const std::size_t before = count;
     for (const Chord& chord : chords) {
       if (!edges.is_offending(chord)) continue;
       split(patches[chord.patch], chord.edge);
       ++count;
     }
-    if (count == before) {
-      for (PatchMesh& patch : patches) patch.delaunay->shrink();
-      return count;
-    }
+    for (PatchMesh& patch : patches) patch.delaunay->shrink();
+    if (count == before) return count;
   }
   throw Error(ErrorCode::Geometry,
               "the boundary is too coarse: chords between its nodes keep joining the same vertices");

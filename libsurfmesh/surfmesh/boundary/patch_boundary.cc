@@ -68,6 +68,8 @@ BoundaryLoop cut_off_poles(const Model& model, const BoundaryLoop& chain, int of
     // `loop` ends with the node before the pole; the pole's own second node is skipped, too.
     PoleFan fan;
     fan.pole = node.vertex;
+    fan.start = node.uv;
+    fan.end = chain[(start + i + 1) % n].uv;
     BoundaryNode& before = loop.back();
     const BoundaryNode after = chain[(start + i + 2) % n];
     before.contour = -1;

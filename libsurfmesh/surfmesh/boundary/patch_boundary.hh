@@ -43,8 +43,9 @@ using BoundaryLoop = std::vector<BoundaryNode>;
 
 /// The triangles between a pole and the ring of nodes around it, which the domain mesh leaves out.
 struct PoleFan {
-  int pole = -1;               ///< result vertex
-  std::vector<int> ring;       ///< positions in the patch's list of boundary nodes
+  int pole = -1;          ///< result vertex
+  Uv start, end;          ///< ends of the side that is the pole, in the direction of the loop
+  std::vector<int> ring;  ///< positions in the patch's list of boundary nodes
 };
 
 /// All that the mesh of one patch must keep.
