@@ -17,13 +17,17 @@ namespace {
 /// good to some tenths of a percent.
 constexpr double kAreaError = 0.015;
 
+/// Error of the integral that is no matter even in a patch smaller than one element: a tenth of a
+/// triangle.
+constexpr double kNegligibleArea = 0.05;
+
 /// Finer precisions that are tried, each by this factor.
 constexpr int kMaxRounds = 6;
 constexpr double kFinerPrecision = 0.6;
 
 /// Points of the independent sample: a share of the nodes, within bounds.
 int sample_count(std::size_t nodes) {
-  return static_cast<int>(std::clamp<std::size_t>(4 * nodes, 200, 100'000));
+  return static_cast<int>(std::clamp<std::size_t>(4 * nodes, 100, 100'000));
 }
 
 double root_of_determinant(const FirstFormFactor& form, const SizeTensor& size) {
@@ -57,14 +61,17 @@ void take_nearest(std::vector<ControlNode>& nodes, const std::vector<ControlNode
 }
 
 std::vector<ControlNode> choose_accurate_nodes(const SizeField& field, ControlNodeOptions options) {
-  for (int round = 0;; ++round) {
-    std::vector<ControlNode> nodes = choose_control_nodes(field, options);
-    if (options.regular > 0 || round == kMaxRounds || !field.has_source()) return nodes;
+  std::vector<ControlNode> nodes = choose_control_nodes(field, options);
+  if (options.regular > 0 || !field.has_source()) return nodes;
+  for (int round = 0; round < kMaxRounds; ++round) {
     const ControlSpace control(field.surface().domain(), nodes, 0);
     const MetricArea area = metric_area(field, control, sample_count(nodes.size()));
-    if (std::abs(area.control - area.exact) <= kAreaError * area.exact) return nodes;
+    const double error = std::abs(area.control - area.exact);
+    if (error <= std::max(kNegligibleArea, kAreaError * area.exact)) break;
     options.precision *= kFinerPrecision;
+    nodes = choose_control_nodes(field, options);
   }
+  return nodes;
 }
 
 }  // namespace

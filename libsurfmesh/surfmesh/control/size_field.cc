@@ -40,7 +40,8 @@ SizeField::SizeField(const Surface& surface, const Sizing& sizing,
       factor_(sizing.curvature),
       hmin_(sizing.hmin.in_units(diagonal)),
       hmax_(sizing.hmax.in_units(diagonal)),
-      stretch_(sizing.stretch) {
+      stretch_(sizing.stretch),
+      rounded_sides_(surface.rounded_sides()) {
   check(factor_ >= 0 && std::isfinite(factor_), "curvature", factor_, "0 (off) or above");
   check(hmin_ > 0 && std::isfinite(hmin_), "hmin", hmin_, "above 0");
   check(hmax_ >= hmin_ && std::isfinite(hmax_), "hmax", hmax_, "at least hmin");
@@ -68,6 +69,20 @@ SizeTensor SizeField::tensor(const Size& size) const {
   return size_tensor(along, across, size.angle);
 }
 
+/// The point itself, or the nearest one that lies outside of all roundings.
+Uv SizeField::beside_roundings(Uv uv) const {
+  for (const RoundedSide& rounded : rounded_sides_) {
+    const Uv a = domain_.corner(rounded.side);
+    const Uv b = domain_.corner((rounded.side + 1) % domain_.corner_count());
+    // The step that leads from the side to the far end of the domain.
+    const Uv opposite = domain_.corner((rounded.side + 2) % domain_.corner_count());
+    const double distance = cross(b - a, uv - a) / cross(b - a, opposite - a);
+    if (distance >= rounded.reach) continue;
+    uv = lerp(uv, opposite, (rounded.reach - distance) / (1 - distance));
+  }
+  return uv;
+}
+
 SizeTensor SizeField::size_from_curvature(const Jet& jet) const {
   const PrincipalCurvatures k = principal_curvatures(jet);
   double h1 = std::clamp(factor_ / std::abs(k.k1), hmin_, hmax_);
@@ -90,7 +105,7 @@ double SizeField::least_size_on_ring(Uv corner, double distance, double& radius)
     const double angle = 0.5 * std::numbers::pi * i / (kRingSamples - 1);
     const Uv at{corner.u + towards_u * distance * width * std::cos(angle),
                 corner.v + towards_v * distance * height * std::sin(angle)};
-    const Jet jet = surface_.evaluate(domain_.fold(at), Order::Second);
+    const Jet jet = surface_.evaluate(beside_roundings(domain_.fold(at)), Order::Second);
     const PrincipalCurvatures k = principal_curvatures(jet);
     const double greatest = std::max(std::abs(k.k1), std::abs(k.k2));
     size = std::min(size, std::max(hmin_, factor_ / greatest));
@@ -131,9 +146,9 @@ SizeField::Sample SizeField::at(Uv uv) const {
   sample.form = first_form_factor(jet.du, jet.dv);
   sample.size = isotropic(hmax_);
   if (factor_ > 0) {
-    if (!is_regular(sample.form)) {
-      jet = surface_.evaluate(lerp(uv, domain_.at(0.5, 0.5), kStepFromPole), Order::Second);
-    }
+    const Uv place = is_regular(sample.form) ? beside_roundings(uv)
+                                             : lerp(uv, domain_.at(0.5, 0.5), kStepFromPole);
+    if (!(place == uv)) jet = surface_.evaluate(place, Order::Second);
     sample.size = size_from_curvature(jet);
     blend_with_discs(sample);
   }

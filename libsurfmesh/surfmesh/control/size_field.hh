@@ -33,7 +33,8 @@ class SizeField {
   /// larger limited to stretch times the smaller; then the minimum with the other sources is
   /// taken. Around an extraordinary vertex, where curvature grows without bound, the size is
   /// isotropic: h with h = factor / (greatest curvature on the ring at the distance h/2), so that it
-  /// does not depend on how near to the vertex one looks.
+  /// does not depend on how near to the vertex one looks. Beside a narrowly rounded side the
+  /// curvature is taken where the rounding ends.
   ///
   /// Cost     one surface evaluation with second derivatives
   Sample at(Uv uv) const;
@@ -61,6 +62,7 @@ class SizeField {
     double size;
   };
 
+  Uv beside_roundings(Uv uv) const;
   SizeTensor size_from_curvature(const Jet& jet) const;
   Disc make_disc(const SingularPoint& singular) const;
   double least_size_on_ring(Uv corner, double distance, double& radius) const;
@@ -74,6 +76,7 @@ class SizeField {
   double hmax_;
   double stretch_;
   std::optional<SizeTensor> everywhere_;
+  std::vector<RoundedSide> rounded_sides_;
   std::vector<Disc> discs_;
 };
 

@@ -31,6 +31,10 @@ const BfrSurface::PointDescriptor kXyz(3);
 /// singular corner (2^-9 and more), large beside the rounding of first derivatives.
 constexpr double kSignStep = 1.0 / 16384;
 
+/// A semi-sharp crease of this sharpness and more counts as an edge for sizes: its rounding, about
+/// 2^(1 - sharpness) of a face wide, would ask for elements far smaller than the faces beside it.
+constexpr double kCreaseSharpness = 4;
+
 /// A Vec3 array is handed to OpenSubdiv as doubles.
 static_assert(sizeof(Vec3) == 3 * sizeof(double));
 
@@ -39,12 +43,13 @@ static_assert(sizeof(Vec3) == 3 * sizeof(double));
 class LimitSurface : public Surface {
  public:
   LimitSurface(const BfrSurface& surface, const std::vector<Vec3>& cage_points, Domain domain,
-               std::vector<SingularPoint> singular_points)
+               std::vector<SingularPoint> singular_points, std::vector<RoundedSide> rounded_sides)
       : surface_(surface),
         points_(static_cast<std::size_t>(surface.GetNumPatchPoints())),
         domain_(domain),
         is_sign_in_doubt_(domain.shape == Domain::Shape::Triangle && !surface.IsRegular()),
-        singular_points_(std::move(singular_points)) {
+        singular_points_(std::move(singular_points)),
+        rounded_sides_(std::move(rounded_sides)) {
     surface_.PreparePatchPoints(cage_points[0].data(), kXyz, points_[0].data(), kXyz);
   }
 
@@ -63,6 +68,8 @@ class LimitSurface : public Surface {
   Domain domain() const override { return domain_; }
 
   std::vector<SingularPoint> singular_points() const override { return singular_points_; }
+
+  std::vector<RoundedSide> rounded_sides() const override { return rounded_sides_; }
 
  private:
   /// Bfr looks for the sub-patch of a point and does not say what it does outside of the face.
@@ -148,6 +155,7 @@ class LimitSurface : public Surface {
   Domain domain_;
   bool is_sign_in_doubt_;
   std::vector<SingularPoint> singular_points_;
+  std::vector<RoundedSide> rounded_sides_;
 };
 
 /// Tells the corners of faces at which a limit surface is not one polynomial.
@@ -252,11 +260,12 @@ class SurfaceMaker {
     }
     const bool is_bicubic = surface.IsRegular() && scheme_ == Sdc::SCHEME_CATMARK;
     if (is_bicubic && options_.is_regular_by_hand) {
-      return as_bicubic(LimitSurface(surface, points_, domain, {}));
+      return as_bicubic(LimitSurface(surface, points_, domain, {}, {}));
     }
     std::vector<SingularPoint> singular;
     if (!surface.IsRegular()) singular = singular_points(face, domain);
-    return std::make_shared<LimitSurface>(surface, points_, domain, std::move(singular));
+    return std::make_shared<LimitSurface>(surface, points_, domain, std::move(singular),
+                                          rounded_sides(face));
   }
 
  private:
@@ -293,6 +302,20 @@ class SurfaceMaker {
     std::vector<SingularPoint> result;
     for (int i = 0; i < domain.corner_count(); ++i) {
       if (classifier.is_singular(face, i)) result.push_back({domain.corner(i), reach});
+    }
+    return result;
+  }
+
+  std::vector<RoundedSide> rounded_sides(int face) const {
+    std::vector<RoundedSide> result;
+    const Far::ConstIndexArray edges = level_.GetFaceEdges(face);
+    for (int i = 0; i < edges.size(); ++i) {
+      const double sharpness = level_.GetEdgeSharpness(edges[i]);
+      if (sharpness < kCreaseSharpness || level_.GetEdgeFaces(edges[i]).size() != 2 ||
+          Sdc::Crease::IsInfinite(static_cast<float>(sharpness))) {
+        continue;
+      }
+      result.push_back({i, std::exp2(1 - sharpness)});
     }
     return result;
   }

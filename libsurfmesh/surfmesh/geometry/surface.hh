@@ -29,6 +29,13 @@ struct SingularPoint {
   double reach = 0;
 };
 
+/// A side of the domain along which the surface is a narrowly rounded edge: a semi-sharp crease.
+struct RoundedSide {
+  int side = 0;  ///< from corner `side` of the domain to the next
+  /// Share of the domain's width or height within which the curvature is that of the rounding.
+  double reach = 0;
+};
+
 /// A parametric surface p(u,v).
 ///
 /// Implementations are immutable after construction; evaluation is const and may be called from
@@ -48,6 +55,10 @@ class Surface {
 
   /// Corners of the domain that are extraordinary; none for analytic surfaces.
   virtual std::vector<SingularPoint> singular_points() const { return {}; }
+
+  /// Sides along which the surface is rounded too narrowly for elements to follow; none for
+  /// analytic surfaces.
+  virtual std::vector<RoundedSide> rounded_sides() const { return {}; }
 };
 
 }  // namespace surfmesh
