@@ -10,6 +10,7 @@
 #include "support/tensors.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/metric/triangle.hh"
 
 namespace surfmesh {
 namespace {

@@ -143,6 +143,21 @@ TEST_F(MeshProgram, GivesTheSameBytesTwice) {
   EXPECT_TRUE(first == read_text(folder_ / "out.obj"));
 }
 
+TEST_F(MeshProgram, TellsWhatItDidNotReach) {
+  write_text(folder_ / "bellows.json", R"json({"patches": [{"name": "bellows", "surface": {
+      "x": "cos(u)*(2+cos(9*v))", "y": "sin(u)*(2+cos(9*v))", "z": "v"},
+      "domain": {
+  "u" : [ 0, 6 ], "v" : [ 0, 6 ]
+}
+}],
+      "sizing": {"curvature": 0, "hmin": 3, "hmax": 3}
+})json");
+  EXPECT_EQ(run("mesh bellows.json -o out.obj --report report.json --quiet"), 3) << err_;
+EXPECT_NE(err_.find("not reached: "), std::string::npos) << err_;
+EXPECT_FALSE(report()["warnings"].empty());
+EXPECT_TRUE(std::filesystem::exists(folder_ / "out.obj"));
+}
+
 TEST_F(MeshProgram, TellsWrongUsage) {
   expect_wrong_usage(run(""), "subcommand");
   expect_wrong_usage(run("mess"), "subcommand");
