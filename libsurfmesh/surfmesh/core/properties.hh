@@ -2,12 +2,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/core/values.hh"
 
 namespace surfmesh {
+
+/// How the names of all our properties begin.
+inline constexpr std::string_view kPropertyPrefix = "surf:";
 
 /// The one way to name a mesh property: element, value type and name belong together.
 ///

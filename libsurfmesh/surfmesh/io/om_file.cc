@@ -226,7 +226,7 @@ bool is_sound(const PolyMesh& mesh) {
 template <class Iterator>
 void make_persistent(Iterator begin, Iterator end) {
   for (Iterator property = begin; property != end; ++property) {
-    if (*property != nullptr && (*property)->name().starts_with("surf:")) {
+    if (*property != nullptr && (*property)->name().starts_with(kPropertyPrefix)) {
       (*property)->set_persistent(true);
     }
   }

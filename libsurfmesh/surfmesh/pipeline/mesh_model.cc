@@ -20,10 +20,10 @@ namespace surfmesh {
 namespace {
 
 double processor_seconds() {
-  constexpr double nanosecond = 1e-9;
+  constexpr double kNanosecond = 1e-9;
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + nanosecond * static_cast<double>(now.tv_nsec);
+  return static_cast<double>(now.tv_sec) + kNanosecond * static_cast<double>(now.tv_nsec);
 }
 
 /// Adds the processor time of a scope to a member of the report.
