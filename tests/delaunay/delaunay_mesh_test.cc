@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(Kernels, Insertion,
 
 TEST(DelaunayMesh, KeepsEveryTriangleValidWhateverTheRuleSays) {
   DelaunayMesh delaunay({0, 0}, {1, 1});
-  const auto greedy = [](const TriMesh&, FaceHandle, Uv) { return true; };
+  const auto greedy = [](const TriMesh&, const TriangleVertices&, Uv) { return true; };
   for (const Uv p : random_points(300, 3)) delaunay.insert(p, FaceHandle(0), greedy);
   EXPECT_NEAR(area(delaunay), 1, 1e-12);
 }

@@ -119,7 +119,10 @@ class DelaunayMesh {
   void insert_constraint(VertexHandle a, VertexHandle b);
 
  private:
-  bool sees_apex(Uv p, HalfedgeHandle from_outside) const;
+  TriangleVertices triangle_behind(HalfedgeHandle from_outside) const;
+  bool sees_apex(Uv p, const TriangleVertices& triangle) const;
+  template <class Rule>
+  bool is_replaced(Uv p, HalfedgeHandle from_outside, const Rule& rule) const;
   void seed_cavity(const Location& location, Cavity& cavity);
   bool is_insertable(const Location& location) const;
   template <class Rule>
@@ -139,14 +142,26 @@ class DelaunayMesh {
   std::vector<HalfedgeHandle> stack_;
 };
 
-/// True if p lies strictly left of the two far sides of the triangle behind `from_outside`, the
-/// halfedge of that triangle at the cavity.
-inline bool DelaunayMesh::sees_apex(Uv p, HalfedgeHandle from_outside) const {
-  const HalfedgeHandle second = mesh_.next_halfedge_handle(from_outside);
-  const Uv a = uv(mesh_.to_vertex_handle(from_outside));
-  const Uv apex = uv(mesh_.to_vertex_handle(second));
-  const Uv b = uv(mesh_.from_vertex_handle(from_outside));
-  return orient2d(p, a, apex) > 0 && orient2d(p, apex, b) > 0;
+/// The triangle behind `from_outside`, its halfedge at the cavity; the apex comes last.
+inline TriangleVertices DelaunayMesh::triangle_behind(HalfedgeHandle from_outside) const {
+  return {mesh_.from_vertex_handle(from_outside), mesh_.to_vertex_handle(from_outside),
+          mesh_.to_vertex_handle(mesh_.next_halfedge_handle(from_outside))};
+}
+
+/// True if p lies strictly left of the two sides of a triangle at its apex.
+inline bool DelaunayMesh::sees_apex(Uv p, const TriangleVertices& triangle) const {
+  const Uv apex = uv(triangle[2]);
+  return orient2d(p, uv(triangle[1]), apex) > 0 && orient2d(p, apex, uv(triangle[0])) > 0;
+}
+
+/// True if the triangle behind an edge is to be replaced, too. The rule comes first: it says no
+/// most often.
+template <class Rule>
+bool DelaunayMesh::is_replaced(Uv p, HalfedgeHandle from_outside, const Rule& rule) const {
+  if (mesh_.is_boundary(from_outside)) return false;
+  const TriangleVertices triangle = triangle_behind(from_outside);
+  return rule(mesh_, triangle, p) && !is_constrained(mesh_.edge_handle(from_outside)) &&
+         sees_apex(p, triangle);
 }
 
 template <class Rule>
@@ -160,14 +175,12 @@ void DelaunayMesh::find_cavity(Uv p, const Location& location, const Rule& rule,
     const HalfedgeHandle heh = stack_.back();
     stack_.pop_back();
     const HalfedgeHandle opposite = mesh_.opposite_halfedge_handle(heh);
-    const FaceHandle fh = mesh_.face_handle(opposite);
-    const EdgeHandle eh = mesh_.edge_handle(heh);
-    if (!fh.is_valid() || is_constrained(eh) || !rule(mesh_, fh, p) || !sees_apex(p, opposite)) {
+    if (!is_replaced(p, opposite, rule)) {
       cavity.rim.push_back(heh);
       continue;
     }
-    cavity.faces.push_back(fh);
-    cavity.inner_edges.push_back(eh);
+    cavity.faces.push_back(mesh_.face_handle(opposite));
+    cavity.inner_edges.push_back(mesh_.edge_handle(heh));
     const HalfedgeHandle next = mesh_.next_halfedge_handle(opposite);
     stack_.push_back(mesh_.next_halfedge_handle(next));
     stack_.push_back(next);
@@ -203,11 +216,7 @@ void DelaunayMesh::legalise(VertexHandle vh, const Rule& rule) {
     const HalfedgeHandle heh = stack_.back();
     stack_.pop_back();
     const HalfedgeHandle opposite = mesh_.opposite_halfedge_handle(heh);
-    const FaceHandle fh = mesh_.face_handle(opposite);
-    if (!fh.is_valid() || is_constrained(mesh_.edge_handle(heh)) || !rule(mesh_, fh, p) ||
-        !sees_apex(p, opposite)) {
-      continue;
-    }
+    if (!is_replaced(p, opposite, rule)) continue;
     const HalfedgeHandle next = mesh_.next_halfedge_handle(opposite);
     stack_.push_back(mesh_.next_halfedge_handle(next));
     stack_.push_back(next);

@@ -9,18 +9,31 @@
 
 namespace surfmesh {
 
-// In-circle rules: function objects that tell whether a point lies inside the circumcircle of a
-// triangle. The kernel takes them as argument; a rule decides which triangles a new point
-// replaces, never whether the result is valid, for the kernel asks exact orientation on its own.
+// In-circle rules: function objects (mesh, triangle, point) that tell whether the point lies inside
+// the circumcircle of the triangle. The kernel takes them as argument; a rule decides which
+// triangles a new point replaces, never whether the result is valid, for the kernel asks exact
+// orientation on its own.
 
-/// Parameters of the three vertices of a triangle, counter-clockwise.
-inline std::array<Uv, 3> corners(const TriMesh& mesh, FaceHandle fh,
-                                 decltype(keys::vertex_uv)::Handle uv) {
+/// The vertices of a triangle, counter-clockwise.
+using TriangleVertices = std::array<VertexHandle, 3>;
+
+inline TriangleVertices vertices(const TriMesh& mesh, FaceHandle fh) {
   const HalfedgeHandle a = mesh.halfedge_handle(fh);
   const HalfedgeHandle b = mesh.next_halfedge_handle(a);
   const HalfedgeHandle c = mesh.next_halfedge_handle(b);
-  return {mesh.property(uv, mesh.to_vertex_handle(a)), mesh.property(uv, mesh.to_vertex_handle(b)),
-          mesh.property(uv, mesh.to_vertex_handle(c))};
+  return {mesh.to_vertex_handle(a), mesh.to_vertex_handle(b), mesh.to_vertex_handle(c)};
+}
+
+/// Parameters of the three vertices of a triangle.
+inline std::array<Uv, 3> corners(const TriMesh& mesh, const TriangleVertices& triangle,
+                                 decltype(keys::vertex_uv)::Handle uv) {
+  return {mesh.property(uv, triangle[0]), mesh.property(uv, triangle[1]),
+          mesh.property(uv, triangle[2])};
+}
+
+inline std::array<Uv, 3> corners(const TriMesh& mesh, FaceHandle fh,
+                                 decltype(keys::vertex_uv)::Handle uv) {
+  return corners(mesh, vertices(mesh, fh), uv);
 }
 
 /// True if p lies inside the circumcircle of a counter-clockwise triangle in a constant metric.
@@ -44,8 +57,8 @@ struct ConstantMetricRule {
   decltype(keys::vertex_uv)::Handle uv;
   Metric metric{1, 0, 1};
 
-  bool operator()(const TriMesh& mesh, FaceHandle fh, Uv p) const {
-    return in_metric_circle(corners(mesh, fh, uv), p, metric);
+  bool operator()(const TriMesh& mesh, const TriangleVertices& triangle, Uv p) const {
+    return in_metric_circle(corners(mesh, triangle, uv), p, metric);
   }
 };
 
@@ -55,14 +68,10 @@ struct TriangleMetricRule {
   decltype(keys::vertex_uv)::Handle uv;
   decltype(keys::vertex_metric)::Handle metric;
 
-  bool operator()(const TriMesh& mesh, FaceHandle fh, Uv p) const {
-    const HalfedgeHandle a = mesh.halfedge_handle(fh);
-    const HalfedgeHandle b = mesh.next_halfedge_handle(a);
-    const HalfedgeHandle c = mesh.next_halfedge_handle(b);
-    const Metric m = mean(mesh.property(metric, mesh.to_vertex_handle(a)),
-                          mesh.property(metric, mesh.to_vertex_handle(b)),
-                          mesh.property(metric, mesh.to_vertex_handle(c)));
-    return in_metric_circle(corners(mesh, fh, uv), p, m);
+  bool operator()(const TriMesh& mesh, const TriangleVertices& triangle, Uv p) const {
+    const Metric m = mean(mesh.property(metric, triangle[0]), mesh.property(metric, triangle[1]),
+                          mesh.property(metric, triangle[2]));
+    return in_metric_circle(corners(mesh, triangle, uv), p, m);
   }
 };
 
