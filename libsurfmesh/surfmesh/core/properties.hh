@@ -2,12 +2,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/core/values.hh"
 
 namespace surfmesh {
+
+/// How the names of all our properties begin.
+inline constexpr std::string_view kPropertyPrefix = "surf:";
 
 /// The one way to name a mesh property: element, value type and name belong together.
 ///
@@ -21,9 +25,6 @@ struct PropertyKey {
   const char* name;    ///< the name in OpenMesh and in .om files
   const char* writer;  ///< the stage that makes it
 };
-
-/// Begins the name of every property of ours.
-inline constexpr const char* kPropertyPrefix = "surf:";
 
 namespace keys {
 
@@ -47,7 +48,7 @@ inline constexpr PropertyKey<HalfedgeHandle, Metric> corner_metric{"surf:metric"
 
 }  // namespace keys
 
-/// Make the property, for .om files to keep, and set it to `initial` on every element.
+/// Make the property, persistent (.om files hold it), and set it to `initial` on every element.
 /// Throws   InvalidInput if the mesh has it already
 template <class Mesh, class Element, class Value>
 auto attach(Mesh& mesh, const PropertyKey<Element, Value>& key, const Value& initial = Value()) {

@@ -4,13 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <memory>
 #include <numbers>
 
+#include "surfmesh/control/parse_length.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/geometry/formula.hh"
 #include "surfmesh/geometry/formula_surface.hh"
 #include "surfmesh/io/input_file.hh"
 #include "surfmesh/io/json_node.hh"
@@ -19,10 +20,6 @@ namespace surfmesh {
 namespace {
 
 using Constants = std::map<std::string, double>;
-
-/// Exponents beyond this are out of the range of doubles whatever stands before them; it only
-/// keeps the sum with -2 from overflowing.
-constexpr int kLargestExponent = 100000;
 
 /// Read a number, or a string with a constant expression.
 double number_or_expression(const JsonNode& node, const Constants& constants) {
@@ -34,42 +31,15 @@ double number_or_expression(const JsonNode& node, const Constants& constants) {
   }
 }
 
-/// Read "0.1" as 0.001 exactly, which 0.1 / 100 need not be: the exponent is changed in the text.
-double percent(std::string_view text, const JsonNode& node) {
-  const std::size_t mark = text.find_first_of("eE");
-  int exponent = 0;
-  if (mark != text.npos) {
-    std::string_view digits = text.substr(mark + 1);
-    if (digits.starts_with('+')) digits.remove_prefix(1);
-    const auto [stop, error] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
-    if (error != std::errc() || stop != digits.data() + digits.size() ||
-        std::abs(exponent) > kLargestExponent) {
-      node.fail("the number before % cannot be read");
-    }
-  }
-  const std::string scaled = fmt::format("{}e{}", text.substr(0, mark), exponent - 2);
-  double value = 0;
-  const auto [stop, error] = std::from_chars(scaled.data(), scaled.data() + scaled.size(), value);
-  if (error != std::errc() || stop != scaled.data() + scaled.size()) {
-    node.fail("the number before % cannot be read");
-  }
-  return value;
-}
-
 Length read_length(const JsonNode& node) {
   Length length;
   if (node.json().is_string()) {
-    const std::string text = node.text();
-    std::string_view digits = text;
-    while (digits.ends_with(' ')) digits.remove_suffix(1);
-    if (!digits.ends_with('%')) {
-      node.fail("must be a number, or a share of the diagonal such as \"0.1%\"");
+    try {
+      length = parse_length(node.text());
+    } catch (const Error& error) {
+      node.fail(error.what());
     }
-    digits.remove_suffix(1);
-    while (digits.ends_with(' ')) digits.remove_suffix(1);
-    while (digits.starts_with(' ')) digits.remove_prefix(1);
-    length = {percent(digits, node), true};
+    if (!length.is_relative) node.fail("a length in model units is a number, without quotes");
   } else {
     length = {node.number(), false};
   }
@@ -131,6 +101,15 @@ SurfaceFormulas read_formulas(const JsonNode& node) {
   if (const auto y = node.find("y")) formulas.y = y->text();
   formulas.z = node.at("z").text();
   return formulas;
+}
+
+std::shared_ptr<const Surface> make_surface(const JsonNode& node, const SurfaceFormulas& formulas,
+                                            const Domain& domain, const Constants& constants) {
+  try {
+    return std::make_shared<FormulaSurface>(formulas, domain, constants);
+  } catch (const Error& error) {
+    node.fail(error.what());
+  }
 }
 
 Size read_size(const JsonNode& source) {
@@ -207,13 +186,10 @@ void read_patch(const JsonNode& node, const Constants& constants, ModelFile& mod
       node.at("name").fail(fmt::format("there are two patches with the name {}", patch.name));
     }
   }
-  const SurfaceFormulas formulas = read_formulas(node.at("surface"));
+  const JsonNode surface = node.at("surface");
+  const SurfaceFormulas formulas = read_formulas(surface);
   const Domain domain = read_domain(node.at("domain"), constants);
-  try {
-    patch.surface = std::make_shared<FormulaSurface>(formulas, domain, constants);
-  } catch (const Error& error) {
-    node.at("surface").fail(error.what());
-  }
+  patch.surface = make_surface(surface, formulas, domain, constants);
   if (const auto loops = node.find("loops")) loops->expect_off({});
   if (const auto sources = node.find("sources")) {
     const PatchScope scope = {static_cast<int>(model.patches.size()), domain, constants};

@@ -15,7 +15,7 @@ namespace surfmesh {
 /// What a model file holds.
 struct ModelFile {
   std::vector<PatchInput> patches;  ///< formula surfaces on rectangles
-  Sources sources;  ///< `patch` is an index into patches
+  Sources sources;                  ///< `patch` is an index into patches
   Sizing sizing;
   /// Names of options of the pipeline and their values as JSON text, in the order of the file.
   std::vector<std::pair<std::string, std::string>> options;

@@ -145,14 +145,18 @@ void write_off(const PolyMesh& mesh, OutputFile& file) {
 
 }  // namespace
 
-void write_mesh(const PolyMesh& mesh, const std::filesystem::path& path,
-                const std::vector<std::string>& patch_names) {
+void check_mesh_ending(const std::filesystem::path& path) {
   constexpr std::array<std::string_view, 3> endings = {".obj", ".off", ".om"};
-  const std::string ending = lower_case_ending(path);
-  if (std::find(endings.begin(), endings.end(), ending) == endings.end()) {
+  if (std::find(endings.begin(), endings.end(), lower_case_ending(path)) == endings.end()) {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("{}: the ending of a mesh is .obj, .off or .om", path.string()));
   }
+}
+
+void write_mesh(const PolyMesh& mesh, const std::filesystem::path& path,
+                const std::vector<std::string>& patch_names) {
+  check_mesh_ending(path);
+  const std::string ending = lower_case_ending(path);
   OutputFile file(path);
   if (ending == ".obj") {
     write_obj(mesh, patch_names, file);

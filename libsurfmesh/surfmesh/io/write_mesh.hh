@@ -9,6 +9,9 @@
 
 namespace surfmesh {
 
+/// Throws   InvalidInput unless the ending is one that write_mesh knows
+void check_mesh_ending(const std::filesystem::path& path);
+
 /// Write a mesh, whole or not at all, in the format of the ending in upper or lower case.
 ///
 /// .obj   positions that read back exactly; the faces in the order of their patches, each with a

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/pipeline/report.hh"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <variant>
+
+#include "surfmesh/pipeline/set_option.hh"
+
+namespace surfmesh {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json options_json(const PipelineOptions& options) {
+  Json json = Json::object();
+  for (const std::string_view name : option_names()) {
+    std::visit([&](const auto& value) { json[std::string(name)] = value; },
+               get_option(options, name));
+  }
+  return json;
+}
+
+/// The report has one list of messages; what was not reached comes after the warnings.
+Json warnings_json(const Report& report) {
+  Json json = report.warnings;
+  for (const std::string& shortfall : report.shortfalls) json.push_back(shortfall);
+  return json;
+}
+
+Json mesh_json(const Report::Mesh& mesh) {
+  return {{"vertices", mesh.vertices}, {"triangles", mesh.triangles}, {"quads", mesh.quads},
+          {"patches", mesh.patches},   {"closed", mesh.is_closed},    {"euler", mesh.euler}};
+}
+
+Json edges_json(const EdgeStatistics& edges) {
+  Json histogram = Json::array();
+  for (const HistogramBin& bin : edges.histogram) {
+    histogram.push_back({{"from", bin.from}, {"to", bin.to}, {"count", bin.count}});
+  }
+  return {{"count", edges.count},  {"mean", edges.mean}, {"stddev", edges.stddev},
+          {"min", edges.min},      {"max", edges.max},   {"unit_fraction", edges.unit_fraction},
+          {"histogram", histogram}};
+}
+
+Json control_json(const Report::Control& control) {
+  const Report::Queries& q = control.queries;
+  const std::size_t answers = q.boundary + q.triangulate + q.refine + q.improve + q.quad;
+  return {{"nodes", control.nodes},
+          {"triangles", control.triangles},
+          {"classes", {{"s", 0}, {"t", control.triangles}, {"o", 0}}},
+          {"queries",
+           {{"boundary", q.boundary},
+            {"triangulate", q.triangulate},
+            {"refine", q.refine},
+            {"improve", q.improve},
+            {"quad", q.quad}}},
+          {"answers", {{"s", 0}, {"t", answers}, {"o", 0}, {"reused", 0}}}};
+}
+
+Json seconds_json(const StageSeconds& s) {
+  return {{"read", s.read},         {"control", s.control},
+          {"boundary", s.boundary}, {"triangulate", s.triangulate},
+          {"refine", s.refine},     {"improve", s.improve},
+          {"quad", s.quad},         {"assemble", s.assemble},
+          {"write", s.write},       {"total", s.total},
+          {"wall", s.wall}};
+}
+
+std::string histogram_share(const EdgeStatistics& edges) {
+  return fmt::format("{:.1f} % in [1/√2, √2]", 100 * edges.unit_fraction);
+}
+
+}  // namespace
+
+std::string to_json(const Report& report) {
+  const Json json = {
+      {"input", report.input},
+      {"options", options_json(report.options)},
+      {"warnings", warnings_json(report)},
+      {"mesh", mesh_json(report.mesh)},
+      {"edges", edges_json(report.edges)},
+      {"quality",
+       {{"min", report.quality.min},
+        {"mean", report.quality.mean},
+        {"below_0.3", report.quality.below_0_3}}},
+      {"quads", {{"fraction", 0}, {"min_scaled_jacobian", 0}, {"mean_scaled_jacobian", 0}}},
+      {"sag", {{"asked", nullptr}, {"reached", 0}}},
+      {"control", control_json(report.control)},
+      {"seconds", seconds_json(report.seconds)},
+      {"triangles_per_second", report.triangles_per_second}};
+  // Names in models need not be UTF-8: what is not becomes a replacement character.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string to_text(const Report& report) {
+  const Report::Mesh& mesh = report.mesh;
+  const StageSeconds& s = report.seconds;
+  std::string text;
+  const auto line = [&text](std::string_view key, const std::string& value) {
+    text += fmt::format("{:<9}{}\n", key, value);
+  };
+  line("input", report.input);
+  line("mesh", fmt::format("{} vertices, {} triangles, {} patches", mesh.vertices, mesh.triangles,
+                           mesh.patches));
+  line("",
+       fmt::format("{}, Euler characteristic {}", mesh.is_closed ? "closed" : "open", mesh.euler));
+  line("edges",
+       fmt::format("mean {:.3f}, deviation {:.3f}, from {:.3f} to {:.3f}", report.edges.mean,
+                   report.edges.stddev, report.edges.min, report.edges.max));
+  line("", histogram_share(report.edges));
+  line("quality", fmt::format("mean {:.3f}, least {:.3f}, {:.2f} % below 0.3", report.quality.mean,
+                              report.quality.min, 100 * report.quality.below_0_3));
+  line("control",
+       fmt::format("{} nodes, {} triangles", report.control.nodes, report.control.triangles));
+  line("time", fmt::format("{:.2f} s of processor, {:.2f} s by the clock", s.total, s.wall));
+  line("", fmt::format("{:.0f} triangles a second", report.triangles_per_second));
+  line("warnings", fmt::format("{}", report.warnings.size() + report.shortfalls.size()));
+  return text;
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/pipeline/set_option.hh"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "surfmesh/control/parse_length.hh"
+#include "surfmesh/core/error.hh"
+
+namespace surfmesh {
+namespace {
+
+constexpr std::size_t kLongestQuote = 40;
+
+/// The text of an option with its name for messages.
+class OptionText {
+ public:
+  OptionText(std::string_view name, std::string_view text) : name_(name), text_(text) {}
+
+  [[noreturn]] void fail_range(std::string_view range) const {
+    fail(fmt::format("is outside its range: {}", range));
+  }
+
+  bool is(std::string_view word) const { return text_ == word; }
+
+  /// A number for which `is_legal` holds.
+  template <class IsLegal>
+  double number(std::string_view range, IsLegal is_legal) const {
+    double value = 0;
+    const auto [stop, error] = std::from_chars(text_.data(), text_.data() + text_.size(), value);
+    const bool is_read = error == std::errc() && stop == text_.data() + text_.size();
+    if (!is_read || !std::isfinite(value) || !is_legal(value)) fail_range(range);
+    return value;
+  }
+
+  double number_from(double least, std::string_view range) const {
+    return number(range, [least](double x) { return x >= least; });
+  }
+
+  /// An integer from `least` to `most`.
+  double integer(double least, double most, std::string_view range) const {
+    return number(range, [=](double x) { return x >= least && x <= most && x == std::floor(x); });
+  }
+
+  Length length() const {
+    constexpr const char* range = "a length above 0, or a share of the diagonal such as 0.1%";
+    try {
+      const Length length = parse_length(text_);
+      if (length.value > 0) return length;
+    } catch (const Error&) {
+    }
+    fail_range(range);
+  }
+
+  bool boolean() const {
+    if (!is("true") && !is("false")) fail_range("true or false");
+    return is("true");
+  }
+
+  /// The index of the value in the list of those that exist.
+  std::size_t choice(std::initializer_list<std::string_view> built) const {
+    const auto found = std::find(built.begin(), built.end(), text_);
+    if (found == built.end()) fail_range(fmt::format("{}", fmt::join(built, " or ")));
+    return static_cast<std::size_t>(found - built.begin());
+  }
+
+  /// Accept the values that are built; tell those that are planned from those that make no sense.
+  void expect(std::initializer_list<std::string_view> built,
+              std::initializer_list<std::string_view> planned) const {
+    if (std::find(planned.begin(), planned.end(), text_) != planned.end()) fail_not_built(built);
+    choice(built);
+  }
+
+  /// Accept a number if it is one of `built`.
+  void expect_number(std::initializer_list<double> built, std::string_view range) const {
+    const double value = number_from(0, range);
+    if (std::find(built.begin(), built.end(), value) == built.end()) fail_not_built(built);
+  }
+
+  template <class Values>
+  [[noreturn]] void fail_not_built(const Values& built) const {
+    fail(fmt::format("is not built yet; now there is {}", fmt::join(built, ", ")));
+  }
+
+ private:
+  [[noreturn]] void fail(std::string_view reason) const {
+    throw Error(ErrorCode::InvalidOption,
+                fmt::format("{} = {} {}", name_, text_.substr(0, kLongestQuote), reason));
+  }
+
+  std::string_view name_;
+  std::string_view text_;
+};
+
+constexpr double kMostInt = std::numeric_limits<int>::max();
+/// Integers up to 2^53 are exact in a double.
+constexpr double kMostExactInteger = 9007199254740992;
+
+constexpr std::string_view kPositive = "above 0";
+constexpr std::string_view kFromZero = "0 or above";
+
+bool is_positive(double x) { return x > 0; }
+
+struct OptionEntry {
+  std::string_view name;
+  bool is_sizing;
+  void (*set)(PipelineOptions&, const OptionText&);
+  OptionValue (*get)(const PipelineOptions&);
+};
+
+using Options = PipelineOptions;
+using Text = OptionText;
+
+void set_sag(Options&, const Text& text) {
+  if (text.is("off") || text.is("0")) return;
+  text.length();
+  text.fail_not_built(std::initializer_list<std::string_view>{"off"});
+}
+
+void set_grade(Options& options, const Text& text) {
+  options.sizing.grade =
+      text.number("0 (off), or 1 and above", [](double x) { return x == 0 || x >= 1; });
+}
+
+void set_nodes(Options& options, const Text& text) {
+  if (text.is("auto")) {
+    options.control.regular = 0;
+  } else {
+    options.control.regular = static_cast<int>(text.integer(4, kMostInt, "auto, or 4 and above"));
+  }
+}
+
+OptionValue get_nodes(const Options& options) {
+  if (options.control.regular == 0) return std::string("auto");
+  return std::int64_t{options.control.regular};
+}
+
+void set_smoothing(Options& options, const Text& text) {
+  if (text.is("best")) {
+    options.improve.sweeps = ImproveOptions{}.sweeps;
+  } else {
+    options.improve.sweeps =
+        static_cast<int>(text.integer(0, kMostInt, "best, or a number of sweeps, 0 or above"));
+  }
+}
+
+void set_threads(Options&, const Text& text) {
+  // Any number gives the same mesh; for now one thread does the work.
+  if (!text.is("all")) text.integer(1, kMostInt, "all, or 1 and above");
+}
+
+/// All options, those of the sizing first.
+constexpr auto kOptions = std::to_array<OptionEntry>({
+    {"curvature", true,
+     [](Options& o, const Text& t) { o.sizing.curvature = t.number_from(0, kFromZero); },
+     [](const Options& o) -> OptionValue { return o.sizing.curvature; }},
+    {"sag", true, set_sag, [](const Options&) -> OptionValue { return std::string("off"); }},
+    {"hmin", true, [](Options& o, const Text& t) { o.sizing.hmin = t.length(); },
+     [](const Options& o) -> OptionValue { return to_text(o.sizing.hmin); }},
+    {"hmax", true, [](Options& o, const Text& t) { o.sizing.hmax = t.length(); },
+     [](const Options& o) -> OptionValue { return to_text(o.sizing.hmax); }},
+    {"stretch", true,
+     [](Options& o, const Text& t) { o.sizing.stretch = t.number_from(1, "1 or above"); },
+     [](const Options& o) -> OptionValue { return o.sizing.stretch; }},
+    {"grade", true, set_grade, [](const Options& o) -> OptionValue { return o.sizing.grade; }},
+    // Sizes from contours are not built yet. Their default is on, so both values may be given.
+    {"contour_curvature", true, [](Options&, const Text& t) { t.boolean(); },
+     [](const Options&) -> OptionValue { return false; }},
+    {"proximity", true,
+     [](Options&, const Text& t) {
+       t.expect_number({0, 1}, kFromZero);
+     },
+     [](const Options&) -> OptionValue { return std::int64_t{0}; }},
+    {"features", true, [](Options&, const Text& t) { t.boolean(); },
+     [](const Options&) -> OptionValue { return false; }},
+    {"nodes", false, set_nodes, get_nodes},
+    {"precision", false,
+     [](Options& o, const Text& t) { o.control.precision = t.number(kPositive, is_positive); },
+     [](const Options& o) -> OptionValue { return o.control.precision; }},
+    {"control", false, [](Options&, const Text& t) { t.expect({"mesh"}, {"grid"}); },
+     [](const Options&) -> OptionValue { return std::string("mesh"); }},
+    {"interpolation", false,
+     [](Options&, const Text& t) {
+       t.expect({"auto", "t"}, {"s", "o"});
+     },
+     [](const Options&) -> OptionValue { return std::string("t"); }},
+    {"epsilon", false, [](Options&, const Text& t) { t.expect_number({0.1}, kPositive); },
+     [](const Options&) -> OptionValue { return 0.1; }},
+    {"blend", false, [](Options&, const Text& t) { t.expect({"linear"}, {"log"}); },
+     [](const Options&) -> OptionValue { return std::string("linear"); }},
+    {"inner_nodes", false, [](Options&, const Text& t) { t.expect({"false"}, {"true"}); },
+     [](const Options&) -> OptionValue { return false; }},
+    {"reuse", false, [](Options&, const Text& t) { t.expect_number({0}, kFromZero); },
+     [](const Options&) -> OptionValue { return std::int64_t{0}; }},
+    {"placement", false,
+     [](Options& o, const Text& t) {
+       o.refine.placement = t.choice({"frontal", "circumcentre"}) == 0 ? Placement::Frontal
+                                                                       : Placement::Circumcentre;
+     },
+     [](const Options& o) -> OptionValue {
+       return std::string(o.refine.placement == Placement::Frontal ? "frontal" : "circumcentre");
+     }},
+    {"kernel", false,
+     [](Options& o, const Text& t) {
+       o.refine.kernel = t.choice({"cavity", "swap"}) == 0 ? Kernel::Cavity : Kernel::Swap;
+     },
+     [](const Options& o) -> OptionValue {
+       return std::string(o.refine.kernel == Kernel::Cavity ? "cavity" : "swap");
+     }},
+    {"smoothing", false, set_smoothing,
+     [](const Options& o) -> OptionValue { return std::int64_t{o.improve.sweeps}; }},
+    {"repairs", false,
+     [](Options& o, const Text& t) {
+       o.improve.repairs = static_cast<int>(t.integer(0, kMostInt, kFromZero));
+     },
+     [](const Options& o) -> OptionValue { return std::int64_t{o.improve.repairs}; }},
+    {"patches", false,
+     [](Options&, const Text& t) {
+       t.expect({"auto", "faces"}, {"blocks"});
+     },
+     [](const Options&) -> OptionValue { return std::string("faces"); }},
+    {"quads", false, [](Options&, const Text& t) { t.expect({"false"}, {"true"}); },
+     [](const Options&) -> OptionValue { return false; }},
+    {"threads", false, set_threads, [](const Options&) -> OptionValue { return std::int64_t{1}; }},
+    {"max_elements", false,
+     [](Options& o, const Text& t) {
+       o.refine.max_elements =
+           static_cast<std::size_t>(t.integer(1, kMostExactInteger, "a whole number above 0"));
+     },
+     [](const Options& o) -> OptionValue {
+       return static_cast<std::int64_t>(o.refine.max_elements);
+     }},
+});
+
+/// Least number of characters to insert, remove or replace to make one word of the other.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+/// The nearest name, if it is near: a third of its characters may differ.
+std::optional<std::string_view> suggestion(std::string_view name) {
+  const auto distance = [name](std::string_view other) { return edit_distance(name, other); };
+  const auto& names = option_names();
+  const auto nearest = std::min_element(
+      names.begin(), names.end(),
+      [&](std::string_view a, std::string_view b) { return distance(a) < distance(b); });
+  if (distance(*nearest) > std::max<std::size_t>(1, nearest->size() / 3)) return std::nullopt;
+  return *nearest;
+}
+
+const OptionEntry& entry(std::string_view name) {
+  const auto found = std::find_if(kOptions.begin(), kOptions.end(),
+                                  [name](const OptionEntry& e) { return e.name == name; });
+  if (found != kOptions.end()) return *found;
+  const std::string front = fmt::format("there is no option '{}'", name.substr(0, kLongestQuote));
+  if (name.size() <= kLongestQuote) {
+    if (const auto near = suggestion(name)) {
+      throw Error(ErrorCode::InvalidOption, fmt::format("{}; did you mean {}?", front, *near));
+    }
+  }
+  throw Error(ErrorCode::InvalidOption,
+              fmt::format("{}; there are {}", front, fmt::join(option_names(), ", ")));
+}
+
+}  // namespace
+
+const std::vector<std::string_view>& option_names() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> list;
+    for (const OptionEntry& e : kOptions) list.push_back(e.name);
+    return list;
+  }();
+  return names;
+}
+
+bool is_sizing_option(std::string_view name) { return entry(name).is_sizing; }
+
+void set_option(PipelineOptions& options, std::string_view name, std::string_view value) {
+  entry(name).set(options, OptionText(name, value));
+}
+
+OptionValue get_option(const PipelineOptions& options, std::string_view name) {
+  return entry(name).get(options);
+}
+
+std::string to_text(const OptionValue& value) {
+  return std::visit([](const auto& x) { return fmt::format("{}", x); }, value);
+}
+
+}  // namespace surfmesh

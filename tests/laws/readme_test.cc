@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "laws/sources.hh"
+
+namespace surfmesh {
+namespace {
+
+std::string read(const std::string& path) {
+  std::ifstream stream(std::filesystem::path(SURFMESH_SOURCE_DIR) / path);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+TEST(Readme, ShowsTheExampleThatIsCompiled) {
+  const std::string example = read("tests/package/walk_result.cc");
+  ASSERT_FALSE(example.empty());
+  EXPECT_NE(read("README.md").find("```cpp\n" + example + "```\n"), std::string::npos)
+      << "README.md must contain tests/package/walk_result.cc as it is";
+}
+
+TEST(Readme, NamesModelsAndScriptsThatExist) {
+  static const std::regex pattern(R"((models|tools)/\w+\.\w+)");
+  const std::string text = read("README.md");
+  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(SURFMESH_SOURCE_DIR) / match->str()))
+        << match->str();
+  }
+}
+
+/// A row of the table of properties begins with the name of the key in the code.
+TEST(LibraryReadme, ListsEveryProperty) {
+  static const std::regex pattern(R"re(PropertyKey<.*> (\w+)\{"surf:)re");
+  const std::string text = read("libsurfmesh/README.md");
+  std::size_t count = 0;
+  for (const std::string& line :
+       testing::lines_of(read("libsurfmesh/surfmesh/core/properties.hh"))) {
+    std::smatch match;
+    if (!std::regex_search(line, match, pattern)) continue;
+    ++count;
+    EXPECT_NE(text.find("| " + match[1].str() + " |"), std::string::npos) << match[1].str();
+  }
+  EXPECT_GT(count, 5u);
+}
+
+TEST(LibraryReadme, ListsEveryFolder) {
+  const std::string text = read("libsurfmesh/README.md");
+  std::set<std::string> folders;
+  for (const auto& file : testing::library_sources()) folders.insert(file.folder);
+  for (const std::string& folder : folders) {
+    EXPECT_NE(text.find("| " + folder + " |"), std::string::npos) << folder;
+  }
+}
+
+/// Each source of the list as "Surname", with its year.
+std::vector<std::pair<std::string, std::string>> listed_sources() {
+  static const std::regex pattern(R"(\n- (\w+),[^:]*\((\d{4})\):)");
+  const std::string text = read("libsurfmesh/README.md");
+  std::vector<std::pair<std::string, std::string>> sources;
+  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
+    sources.emplace_back((*match)[1], (*match)[2]);
+  }
+  return sources;
+}
+
+/// The comments of the library that cite something: "Shewchuk, ... (1997)", "Marsaglia 2003".
+std::vector<std::string> citing_lines() {
+  static const std::regex pattern(R"(//.*\b(19|20)\d\d\))");
+  std::vector<std::string> lines;
+  for (const auto& file : testing::library_sources()) {
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      if (!std::regex_search(file.lines[i], pattern)) continue;
+      lines.push_back((i > 0 ? file.lines[i - 1] : "") + file.lines[i]);
+    }
+  }
+  return lines;
+}
+
+bool cites(const std::string& line, const std::pair<std::string, std::string>& source) {
+  return line.find(source.first) != std::string::npos &&
+         line.find(source.second) != std::string::npos;
+}
+
+TEST(LibraryReadme, ListsEverySourceThatIsCited) {
+  const auto sources = listed_sources();
+  for (const std::string& line : citing_lines()) {
+    EXPECT_TRUE(std::any_of(sources.begin(), sources.end(), [&](const auto& source) {
+      return cites(line, source);
+    })) << line;
+  }
+}
+
+TEST(LibraryReadme, ListsNoSourceThatIsNotCited) {
+  const auto lines = citing_lines();
+  EXPECT_GT(listed_sources().size(), 4u);
+  for (const auto& source : listed_sources()) {
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(),
+                            [&](const std::string& line) { return cites(line, source); }))
+        << source.first << ' ' << source.second;
+  }
+}
+
+}  // namespace
+}  // namespace surfmesh

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mesh a control cage and walk the result: area of each patch, and how far the corners of the
+// triangles are from the surface at their parameters.
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <vector>
+
+#include "surfmesh/core/properties.hh"
+#include "surfmesh/geometry/cage_model.hh"
+#include "surfmesh/io/read_cage.hh"
+#include "surfmesh/pipeline/mesh_model.hh"
+
+int main(int argc, char** argv) try {
+  if (argc != 2) return std::fprintf(stderr, "usage: walk_result CAGE\n"), 2;
+  const surfmesh::Model model = surfmesh::model_from_cage(surfmesh::read_cage(argv[1]));
+  surfmesh::PipelineOptions options;
+  options.sizing.curvature = 0.2;      // elements of 0.2 × radius of curvature,
+  options.sizing.hmax = {0.05, true};  // but of at most 5 % of the model's diagonal
+  const auto [mesh, report] = surfmesh::mesh_model(model, {}, options);
+
+  const auto patch_of = require(mesh, surfmesh::keys::face_patch);
+  const auto uv_of = require(mesh, surfmesh::keys::corner_uv);
+  std::vector<double> areas(model.patches.size());
+  double distance = 0;
+  for (const auto face : mesh.faces()) {
+    const auto patch = static_cast<std::size_t>(mesh.property(patch_of, face));
+    areas[patch] += mesh.calc_sector_area(face.halfedge());
+    for (const auto corner : face.halfedges()) {  // a corner is the tip of its halfedge
+      const surfmesh::Uv uv = mesh.property(uv_of, corner);
+      const surfmesh::Vec3 point = surfmesh::to_eigen(mesh.point(corner.to()));
+      const auto jet = model.patches[patch].surface->evaluate(uv, surfmesh::Order::Position);
+      distance = std::max(distance, (jet.point - point).norm());
+    }
+  }
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    std::printf("%-8s area %.4f\n", model.patches[i].name.c_str(), areas[i]);
+  }
+  std::printf("%zu triangles, greatest distance %.1e\n", report.mesh.triangles, distance);
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "error: %s\n", error.what());
+  return 1;
+}

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/pipeline/report.hh"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "surfmesh/pipeline/set_option.hh"
+
+namespace surfmesh {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Report example() {
+  Report report;
+  report.input = "wave.json";
+  report.warnings = {"a warning"};
+  report.shortfalls = {"a shortfall"};
+  report.mesh = {3, 1, 0, 1, false, 1};
+  report.edges.histogram = {{0, 0.25, 7}};
+  report.quality.below_0_3 = 0.5;
+  report.control = {10, 20, {1, 2, 3, 4, 5}};
+  report.seconds.wall = 1.5;
+  report.triangles_per_second = 1000;
+  return report;
+}
+
+std::vector<std::string> keys_of(const Json& json) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : json.items()) keys.push_back(key);
+  return keys;
+}
+
+using Keys = std::vector<std::string>;
+
+TEST(ReportJson, HasTheKeysOfTheDocumentation) {
+  const Json json = Json::parse(to_json(example()));
+  EXPECT_EQ(keys_of(json), (Keys{"input", "options", "warnings", "mesh", "edges", "quality",
+                                 "quads", "sag", "control", "seconds", "triangles_per_second"}));
+  EXPECT_EQ(keys_of(json["mesh"]),
+            (Keys{"vertices", "triangles", "quads", "patches", "closed", "euler"}));
+  EXPECT_EQ(keys_of(json["edges"]),
+            (Keys{"count", "mean", "stddev", "min", "max", "unit_fraction", "histogram"}));
+  EXPECT_EQ(keys_of(json["quality"]), (Keys{"min", "mean", "below_0.3"}));
+  EXPECT_EQ(keys_of(json["quads"]),
+            (Keys{"fraction", "min_scaled_jacobian", "mean_scaled_jacobian"}));
+  EXPECT_EQ(keys_of(json["sag"]), (Keys{"asked", "reached"}));
+  EXPECT_EQ(keys_of(json["control"]),
+            (Keys{"nodes", "triangles", "classes", "queries", "answers"}));
+  EXPECT_EQ(keys_of(json["seconds"]),
+            (Keys{"read", "control", "boundary", "triangulate", "refine", "improve", "quad",
+                  "assemble", "write", "total", "wall"}));
+}
+
+TEST(ReportJson, CountsAllAnswersAsInterpolatedInTriangles) {
+  const Json control = Json::parse(to_json(example()))["control"];
+  EXPECT_EQ(control["classes"], Json::parse(R"({"s": 0, "t": 20, "o": 0})"));
+  EXPECT_EQ(control["answers"], Json::parse(R"({"s": 0, "t": 15, "o": 0, "reused": 0})"));
+  EXPECT_EQ(keys_of(control["queries"]),
+            (Keys{"boundary", "triangulate", "refine", "improve", "quad"}));
+}
+
+TEST(ReportJson, HasTheFigures) {
+  const Json json = Json::parse(to_json(example()));
+  EXPECT_EQ(json["mesh"]["closed"], false);
+  EXPECT_EQ(json["quality"]["below_0.3"], 0.5);
+  EXPECT_EQ(json["edges"]["histogram"], Json::parse(R"([{"from": 0.0, "to": 0.25, "count": 7}])"));
+  EXPECT_TRUE(json["sag"]["asked"].is_null());
+  EXPECT_EQ(json["warnings"], (Json{"a warning", "a shortfall"}));
+}
+
+TEST(ReportJson, ListsEveryOptionWithItsEffectiveValue) {
+  Report report = example();
+  set_option(report.options, "hmin", "0.07%");
+  set_option(report.options, "nodes", "400");
+  const Json options = Json::parse(to_json(report))["options"];
+  EXPECT_EQ(options.size(), option_names().size());
+  EXPECT_EQ(options["hmin"], "0.07%");
+  EXPECT_EQ(options["nodes"], 400);
+  EXPECT_EQ(options["quads"], false);
+  EXPECT_EQ(options["curvature"], 0.25);
+}
+
+TEST(ReportJson, HoldsNamesThatAreNotUtf8) {
+  Report report = example();
+  report.input = "caf\xe9.obj";
+  EXPECT_TRUE(Json::accept(to_json(report)));
+}
+
+TEST(ReportText, IsShort) {
+  const std::string text = to_text(example());
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 12);
+  for (const char* key : {"mesh", "edges", "quality", "control", "time", "warnings"}) {
+    EXPECT_NE(text.find(key), std::string::npos) << key;
+  }
+}
+
+}  // namespace
+}  // namespace surfmesh

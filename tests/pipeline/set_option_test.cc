@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/pipeline/set_option.hh"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/errors.hh"
+
+namespace surfmesh {
+namespace {
+
+std::string fault(const std::string& name, const std::string& value) {
+  PipelineOptions options;
+  return error_of([&] { set_option(options, name, value); });
+}
+
+/// The value that an option has after it was set.
+std::string after(const std::string& name, const std::string& value) {
+  PipelineOptions options;
+  set_option(options, name, value);
+  return to_text(get_option(options, name));
+}
+
+TEST(SetOption, TakesBackTheDefaultOfEveryOption) {
+  const PipelineOptions defaults;
+  for (const std::string_view name : option_names()) {
+    const std::string text = to_text(get_option(defaults, name));
+    EXPECT_EQ(after(std::string(name), text), text) << name;
+  }
+}
+
+TEST(SetOption, SetsEveryOptionThatIsBuilt) {
+  const std::vector<std::pair<std::string, std::string>> cases = {{"curvature", "0.5"},
+                                                                  {"curvature", "0"},
+                                                                  {"hmin", "0.07%"},
+                                                                  {"hmax", "3.25"},
+                                                                  {"stretch", "1"},
+                                                                  {"grade", "1.25"},
+                                                                  {"grade", "0"},
+                                                                  {"nodes", "40000"},
+                                                                  {"nodes", "auto"},
+                                                                  {"precision", "0.01"},
+                                                                  {"placement", "circumcentre"},
+                                                                  {"kernel", "swap"},
+                                                                  {"smoothing", "0"},
+                                                                  {"repairs", "7"},
+                                                                  {"max_elements", "1000"}};
+  for (const auto& [name, value] : cases) EXPECT_EQ(after(name, value), value) << name;
+}
+
+TEST(SetOption, ReachesTheStages) {
+  PipelineOptions options;
+  set_option(options, "hmin", "0.1%");
+  set_option(options, "nodes", "100");
+  set_option(options, "placement", "circumcentre");
+  set_option(options, "kernel", "swap");
+  set_option(options, "smoothing", "5");
+  EXPECT_EQ(options.sizing.hmin.value, 0.001);
+  EXPECT_TRUE(options.sizing.hmin.is_relative);
+  EXPECT_EQ(options.control.regular, 100);
+  EXPECT_EQ(options.refine.placement, Placement::Circumcentre);
+  EXPECT_EQ(options.refine.kernel, Kernel::Swap);
+  EXPECT_EQ(options.improve.sweeps, 5);
+}
+
+TEST(SetOption, AcceptsTheOffValuesOfWhatIsNotBuilt) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"sag", "off"},       {"sag", "0"},           {"contour_curvature", "true"},
+      {"proximity", "1"},   {"proximity", "0"},     {"features", "false"},
+      {"control", "mesh"},  {"interpolation", "t"}, {"interpolation", "auto"},
+      {"epsilon", "0.1"},   {"blend", "linear"},    {"inner_nodes", "false"},
+      {"reuse", "0"},       {"patches", "faces"},   {"patches", "auto"},
+      {"quads", "false"},   {"threads", "8"},       {"threads", "all"},
+      {"smoothing", "best"}};
+  for (const auto& [name, value] : cases) EXPECT_EQ(fault(name, value), "no error") << name;
+}
+
+TEST(SetOption, SaysWhatIsNotBuiltYet) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"sag", "0.1%"},        {"proximity", "3"},    {"control", "grid"}, {"interpolation", "s"},
+      {"interpolation", "o"}, {"epsilon", "0.2"},    {"blend", "log"},    {"inner_nodes", "true"},
+      {"reuse", "0.5"},       {"patches", "blocks"}, {"quads", "true"}};
+  for (const auto& [name, value] : cases) {
+    const std::string front = "invalid option: " + name + " = " + value + " is not built yet; ";
+    EXPECT_TRUE(fault(name, value).starts_with(front)) << fault(name, value);
+  }
+}
+
+TEST(SetOption, RefusesValuesOutOfTheirRange) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"curvature", "-1"},   {"curvature", "nan"}, {"curvature", "1x"}, {"curvature", ""},
+      {"hmin", "0"},         {"hmin", "-1%"},      {"hmax", "inf"},     {"stretch", "0.9"},
+      {"grade", "0.5"},      {"nodes", "3"},       {"nodes", "4.5"},    {"precision", "0"},
+      {"placement", "best"}, {"kernel", "Cavity"}, {"smoothing", "-1"}, {"threads", "0"},
+      {"max_elements", "0"}, {"quads", "yes"},     {"control", "none"}, {"nodes", "1e300"}};
+  for (const auto& [name, value] : cases) {
+    const std::string front = "invalid option: " + name + " = " + value + " is outside its range: ";
+    EXPECT_TRUE(fault(name, value).starts_with(front)) << fault(name, value);
+  }
+}
+
+TEST(SetOption, LeavesTheOptionsAsTheyWereOnAFault) {
+  PipelineOptions options;
+  EXPECT_NE(error_of([&] { set_option(options, "grade", "0.5"); }), "no error");
+  EXPECT_EQ(options.sizing.grade, Sizing{}.grade);
+}
+
+TEST(SetOption, SuggestsTheNearestName) {
+  const std::string front = "invalid option: there is no option ";
+  EXPECT_EQ(fault("hmn", "1"), front + "'hmn'; did you mean hmin?");
+  EXPECT_EQ(fault("max-elements", "1"), front + "'max-elements'; did you mean max_elements?");
+  EXPECT_EQ(fault("placment", "1"), front + "'placment'; did you mean placement?");
+}
+
+TEST(SetOption, ListsTheNamesWhereNoneIsNear) {
+  const std::string error = fault("colour", "red");
+  EXPECT_NE(error.find("'colour'; there are curvature, "), std::string::npos) << error;
+  EXPECT_NE(error.find("max_elements"), std::string::npos) << error;
+}
+
+TEST(SetOption, KnowsWhatBelongsToTheSizing) {
+  EXPECT_TRUE(is_sizing_option("hmin"));
+  EXPECT_TRUE(is_sizing_option("features"));
+  EXPECT_FALSE(is_sizing_option("nodes"));
+}
+
+}  // namespace
+}  // namespace surfmesh

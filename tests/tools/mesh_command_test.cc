@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/folders.hh"
+
+namespace surfmesh {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string own_model(const std::string& name) {
+  return (std::filesystem::path(SURFMESH_SOURCE_DIR) / "models" / name).string();
+}
+
+/// Runs the program in an empty folder of its own.
+class MeshProgram : public ::testing::Test {
+ protected:
+  /// Run `surfmesh <arguments>`; `before` stands before the program on the command line.
+  int run(const std::string& arguments, const std::string& before = "") {
+    const std::string command = "cd '" + folder_.path().string() + "' && " + before +
+                                " '" SURFMESH_PROGRAM "' " + arguments + " >stdout 2>stderr";
+    const int status = std::system(command.c_str());
+    out_ = read_text(folder_ / "stdout");
+    err_ = read_text(folder_ / "stderr");
+    std::filesystem::remove(folder_ / "stdout");
+    std::filesystem::remove(folder_ / "stderr");
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+
+  /// Run `surfmesh mesh <input> -o out.obj <options>` with a model of ours.
+  int mesh(const std::string& model, const std::string& options = "") {
+    return run("mesh '" + own_model(model) + "' -o out.obj " + options);
+  }
+
+  /// Expect the status of an error, its text, and that no file was left.
+  void expect_error(int status, const std::string& text, long files_before = 0) {
+    EXPECT_EQ(status, 1);
+    EXPECT_TRUE(err_.starts_with("surfmesh: error: ")) << err_;
+    EXPECT_NE(err_.find(text), std::string::npos) << err_;
+    EXPECT_EQ(folder_.count(), files_before);
+  }
+
+  void expect_wrong_usage(int status, const std::string& text) {
+    EXPECT_EQ(status, 2);
+    EXPECT_NE(err_.find(text), std::string::npos) << err_;
+    EXPECT_EQ(folder_.count(), 0);
+  }
+
+  Json report() const { return Json::parse(read_text(folder_ / "report.json")); }
+
+  TestFolder folder_;
+  std::string out_;
+  std::string err_;
+};
+
+TEST_F(MeshProgram, HelpsWithDefaultsAndAnExample) {
+  EXPECT_EQ(run("mesh --help"), 0);
+  for (const char* text : {"--curvature", "0.25",      "--hmin",    "0.1%",      "--hmax",
+                           "20%",         "--stretch", "--grade",   "--nodes",   "--precision",
+                           "--placement", "--scheme",  "--patches", "--threads", "--max-elements",
+                           "--report",    "--quiet",   "--set",     "Example:",  "smoothing"}) {
+    EXPECT_NE(out_.find(text), std::string::npos) << text;
+  }
+  EXPECT_EQ(run("--help"), 0);
+  EXPECT_NE(out_.find("mesh"), std::string::npos);
+}
+
+TEST_F(MeshProgram, TellsItsVersion) {
+  EXPECT_EQ(run("--version"), 0);
+  EXPECT_TRUE(out_.starts_with("surfmesh ")) << out_;
+}
+
+TEST_F(MeshProgram, MeshesACage) {
+  EXPECT_EQ(mesh("torus.obj", "--report report.json"), 0);
+  EXPECT_TRUE(read_text(folder_ / "out.obj").starts_with("# surfmesh\nv "));
+  EXPECT_TRUE(report()["mesh"]["closed"]);
+  EXPECT_EQ(report()["mesh"]["euler"], 0);
+}
+
+TEST_F(MeshProgram, MeshesAModelFile) {
+  EXPECT_EQ(mesh("plate.json", "--report report.json"), 0);
+  EXPECT_FALSE(report()["mesh"]["closed"]);
+  EXPECT_EQ(report()["options"]["hmin"], "0.005");
+}
+
+TEST_F(MeshProgram, WritesEveryFormat) {
+  for (const std::string ending : {".obj", ".OFF", ".om"}) {
+    EXPECT_EQ(run("mesh '" + own_model("cube.obj") + "' -o a" + ending), 0) << err_;
+    EXPECT_GT(std::filesystem::file_size(folder_ / ("a" + ending)), 1000u);
+  }
+}
+
+TEST_F(MeshProgram, PrintsNoProgressWhereThereIsNoTerminal) {
+  EXPECT_EQ(mesh("torus.obj"), 0);
+  EXPECT_EQ(err_, "");
+  EXPECT_NE(out_.find("triangles"), std::string::npos);
+}
+
+TEST_F(MeshProgram, IsQuiet) {
+  EXPECT_EQ(mesh("torus.obj", "--quiet"), 0);
+  EXPECT_EQ(out_ + err_, "");
+}
+
+TEST_F(MeshProgram, ReportsWhatItDid) {
+  EXPECT_EQ(mesh("wave.json", "--hmax 2 --report report.json"), 0) << err_;
+  const Json json = report();
+  for (const char* key : {"input", "options", "warnings", "mesh", "edges", "quality", "quads",
+                          "sag", "control", "seconds", "triangles_per_second"}) {
+    EXPECT_TRUE(json.contains(key)) << key;
+  }
+  EXPECT_EQ(json["input"], own_model("wave.json"));
+  const Json seconds = json["seconds"];
+  double sum = 0;
+  for (const auto& [key, value] : seconds.items()) {
+    if (key != "total" && key != "wall") sum += value.get<double>();
+  }
+  EXPECT_NEAR(seconds["total"].get<double>(), sum, 1e-9);
+  EXPECT_GT(seconds["write"].get<double>(), 0);
+  const double outside = seconds["read"].get<double>() + seconds["control"].get<double>() +
+                         seconds["write"].get<double>();
+  EXPECT_NEAR(json["triangles_per_second"].get<double>() * (sum - outside),
+              json["mesh"]["triangles"].get<double>(), 1e-3);
+}
+
+TEST_F(MeshProgram, BeatsTheModelFileByTheCommandLine) {
+  EXPECT_EQ(mesh("plate.json", "--hmax 0.3 --set grade=1.2 --report report.json"), 0) << err_;
+  const Json options = report()["options"];
+  EXPECT_EQ(options["hmax"], "0.3");
+  EXPECT_EQ(options["grade"], 1.2);
+  EXPECT_EQ(options["curvature"], 0);
+}
+
+TEST_F(MeshProgram, GivesTheSameBytesTwice) {
+  EXPECT_EQ(mesh("knob.obj", "--quiet"), 0);
+  const std::string first = read_text(folder_ / "out.obj");
+  EXPECT_EQ(mesh("knob.obj", "--quiet"), 0);
+  EXPECT_TRUE(first == read_text(folder_ / "out.obj"));
+}
+
+TEST_F(MeshProgram, TellsWhatItDidNotReach) {
+  write_text(folder_ / "bellows.json", R"json({"patches": [{"name": "bellows", "surface": {
+      "x": "cos(u)*(2+cos(9*v))", "y": "sin(u)*(2+cos(9*v))", "z": "v"},
+      "domain": {
+  "u" : [ 0, 6 ], "v" : [ 0, 6 ]
+}
+}],
+      "sizing": {"curvature": 0, "hmin": 3, "hmax": 3}
+})json");
+  EXPECT_EQ(run("mesh bellows.json -o out.obj --report report.json --quiet"), 3) << err_;
+EXPECT_NE(err_.find("not reached: "), std::string::npos) << err_;
+EXPECT_FALSE(report()["warnings"].empty());
+EXPECT_TRUE(std::filesystem::exists(folder_ / "out.obj"));
+}
+
+TEST_F(MeshProgram, TellsWrongUsage) {
+  expect_wrong_usage(run(""), "subcommand");
+  expect_wrong_usage(run("mess"), "subcommand");
+  expect_wrong_usage(run("mesh"), "INPUT");
+  expect_wrong_usage(run("mesh '" + own_model("cube.obj") + "'"), "--output");
+  expect_wrong_usage(mesh("cube.obj", "--colour red"), "--colour");
+  expect_wrong_usage(mesh("cube.obj", "--hmin -1%"), "hmin = -1% is outside its range");
+  expect_wrong_usage(mesh("cube.obj", "--scheme doosabin"), "--scheme");
+  expect_wrong_usage(mesh("cube.obj", "--set hmin"), "key=value");
+}
+
+TEST_F(MeshProgram, TellsWrongSettings) {
+  expect_wrong_usage(mesh("cube.obj", "--set hmn=1"), "did you mean hmin?");
+  expect_wrong_usage(mesh("cube.obj", "--set quads=true"), "quads = true is not built yet");
+  expect_wrong_usage(mesh("cube.obj", "--patches blocks"), "patches = blocks is not built yet");
+  expect_wrong_usage(mesh("cube.obj", "--set smoothing=much"), "outside its range");
+}
+
+TEST_F(MeshProgram, TellsInputThatCannotBeRead) {
+  expect_error(run("mesh none.obj -o out.obj"), "cannot read none.obj: it does not exist");
+  expect_error(run("mesh . -o out.obj"), "ending");
+  std::filesystem::create_directory(folder_ / "a.obj");
+  expect_error(run("mesh a.obj -o out.obj"), "it is a folder", 1);
+}
+
+TEST_F(MeshProgram, TellsInputThatMakesNoSense) {
+  write_text(folder_ / "empty.obj", "");
+  expect_error(run("mesh empty.obj -o out.obj"), "empty.obj", 1);
+  write_text(folder_ / "empty.json", "");
+  expect_error(run("mesh empty.json -o out.obj"), "empty.json", 2);
+  write_text(folder_ / "broken.obj", "v 0 0 0\nf 1 2 3\n");
+  expect_error(run("mesh broken.obj -o out.obj"), "broken.obj:2", 3);
+  write_text(folder_ / "broken.json", "{\"patches\": [}");
+  expect_error(run("mesh broken.json -o out.obj"), "broken.json:1", 4);
+}
+
+TEST_F(MeshProgram, TellsOutputThatCannotBeWrittenBeforeItReads) {
+  expect_error(run("mesh none.obj -o out.step"), "the ending of a mesh");
+  expect_error(run("mesh none.obj -o no/out.obj"), "there is no folder no");
+  expect_error(run("mesh none.obj -o a.obj --report no/r.json"), "there is no folder no");
+  expect_error(run("mesh none.obj -o none.obj"), "is the input");
+  expect_error(run("mesh none.obj -o a.obj --report a.obj"), "or the output");
+}
+
+TEST_F(MeshProgram, KeepsTheOldFileAfterAnError) {
+  write_text(folder_ / "out.obj", "old");
+  EXPECT_EQ(mesh("knob.obj", "--max-elements 100"), 1);
+  EXPECT_NE(err_.find("max_elements"), std::string::npos) << err_;
+  EXPECT_EQ(read_text(folder_ / "out.obj"), "old");
+  EXPECT_EQ(folder_.count(), 1);
+}
+
+TEST_F(MeshProgram, EndsOnSignals) {
+  const std::string long_run =
+      "mesh '" + own_model("knob.obj") + "' -o out.obj --hmin 0.05% --hmax 0.05% --nodes 400";
+  EXPECT_EQ(run(long_run, "timeout --preserve-status -s INT 0.5"), 130) << err_;
+  EXPECT_EQ(folder_.count(), 0);
+  EXPECT_EQ(run(long_run, "timeout --preserve-status -s TERM 0.5"), 143) << err_;
+  EXPECT_EQ(folder_.count(), 0);
+}
+
+}  // namespace
+}  // namespace surfmesh

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh_command.hh"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+#include <map>
+
+#include "progress.hh"
+#include "surfmesh/core/error.hh"
+#include "surfmesh/io/output_file.hh"
+#include "surfmesh/io/write_mesh.hh"
+#include "surfmesh/pipeline/load_model.hh"
+#include "surfmesh/pipeline/mesh_model.hh"
+#include "surfmesh/pipeline/set_option.hh"
+
+namespace surfmesh {
+namespace {
+
+namespace fs = std::filesystem;
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+/// Options of the pipeline that have a flag of their own, in the order of the help text.
+struct NamedOption {
+  const char* name;
+  const char* unit;
+  const char* text;
+};
+
+constexpr NamedOption kNamedOptions[] = {
+    {"curvature", "C", "size = C × radius of curvature; 0 is off"},
+    {"hmin", "H", "lower bound of all sizes: a length, or a share of the diagonal (0.1%)"},
+    {"hmax", "H", "upper bound of all sizes"},
+    {"stretch", "R", "greatest ratio of the two sizes from curvature"},
+    {"grade", "G", "sizes grow by at most ln G per unit of length; 0 is off"},
+    {"nodes", "auto|N", "control nodes: chosen to the precision, or N regular ones a patch"},
+    {"precision", "P", "conformity of the control space with the sizes asked for"},
+    {"placement", "frontal|circumcentre", "where new nodes go"},
+    {"patches", "auto|faces", "what is a patch of a cage"},
+    {"threads", "N", "any number is accepted; for now the work is done by one"},
+    {"max_elements", "N", "refuse to make more triangles"},
+};
+
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  const std::chrono::duration<double> seconds =
+      std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
+  return seconds.count();
+}
+
+/// Try a setting on options of its own: the fault of a command line is told before any work.
+/// Returns the reason, empty if there is none.
+std::string fault_of(const std::string& name, const std::string& value) {
+  try {
+    PipelineOptions scratch;
+    set_option(scratch, name, value);
+    return {};
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+std::pair<std::string, std::string> split_setting(const std::string& text) {
+  const std::size_t mark = text.find('=');
+  if (mark == std::string::npos || mark == 0) {
+    throw CLI::ValidationError("--set", fmt::format("'{}' is not key=value", text));
+  }
+  return {text.substr(0, mark), text.substr(mark + 1)};
+}
+
+/// "max-elements" for "max_elements".
+std::string flag_of(std::string name) {
+  for (char& c : name) c = c == '_' ? '-' : c;
+  return "--" + name;
+}
+
+std::string examples() {
+  std::string names;
+  for (const std::string_view name : option_names()) {
+    if (!names.empty()) names += names.size() - names.rfind('\n') > 70 ? ",\n  " : ", ";
+    names += name;
+  }
+  return fmt::format(
+      "Example:\n  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report knob.json\n"
+      "Names for --set:\n  {}\n",
+      names);
+}
+
+/// Throws   Io where no file of this path can be written
+void check_writable(const fs::path& path) {
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) {
+    throw Error(ErrorCode::Io, fmt::format("cannot write {}: it is a folder", path.string()));
+  }
+  if (!fs::is_directory(folder, ignored)) {
+    throw Error(ErrorCode::Io, fmt::format("cannot write {}: there is no folder {}", path.string(),
+                                           folder.string()));
+  }
+}
+
+bool is_same_file(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  return fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored);
+}
+
+void check_paths(const std::string& input, const std::string& output, const std::string& report) {
+  check_mesh_ending(output);
+  check_writable(output);
+  if (is_same_file(input, output)) {
+    throw Error(ErrorCode::Io, fmt::format("{} is the input, it is not overwritten", output));
+  }
+  if (report.empty()) return;
+  check_writable(report);
+  if (is_same_file(input, report) || is_same_file(output, report)) {
+    throw Error(ErrorCode::Io, fmt::format("{} is the input or the output, too", report));
+  }
+}
+
+void stop_on_signal() {
+  if (caught_signal() != 0) throw Error(ErrorCode::Limit, "stopped by a signal");
+}
+
+std::vector<std::string> patch_names(const Model& model) {
+  std::vector<std::string> names;
+  for (const Patch& patch : model.patches) names.push_back(patch.name);
+  return names;
+}
+
+/// One run of the command, with the clocks of reading and writing.
+class MeshRun {
+ public:
+  MeshRun(const CageOptions& cage_options, const Settings& settings)
+      : cage_options_(cage_options), settings_(settings) {}
+
+  void read(const std::string& path) {
+    const double start = processor_seconds();
+    input_ = load_model(path, cage_options_);
+    for (const auto& [name, value] : settings_) set_option(input_.options, name, value);
+    read_seconds_ = processor_seconds() - start;
+    stop_on_signal();
+  }
+
+  void mesh(const std::string& path, Progress& progress) {
+    input_.options.observer = &progress;
+    result_ = mesh_model(input_.model, input_.sources, input_.options);
+    result_.report.input = path;
+    result_.report.seconds.read = read_seconds_;
+    stop_on_signal();
+  }
+
+  /// Write the mesh, and the report if it has a path. The report's file is made first: where it
+  /// cannot be, there is no mesh either.
+  void write(const std::string& mesh_path, const std::string& report_path) {
+    std::optional<OutputFile> report_file;
+    if (!report_path.empty()) report_file.emplace(report_path);
+    const double start = processor_seconds();
+    write_mesh(result_.mesh, mesh_path, patch_names(input_.model));
+    finish_clocks(processor_seconds() - start);
+    if (!report_file) return;
+    report_file->write(to_json(result_.report));
+    report_file->commit();
+  }
+
+  const Report& report() const { return result_.report; }
+
+ private:
+  void finish_clocks(double write_seconds) {
+    StageSeconds& seconds = result_.report.seconds;
+    seconds.write = write_seconds;
+    seconds.total += seconds.read + seconds.write;
+    seconds.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  CageOptions cage_options_;
+  const Settings& settings_;
+  ModelInput input_;
+  MeshResult result_;
+  double read_seconds_ = 0;
+};
+
+void print_messages(const Report& report) {
+  for (const std::string& text : report.warnings) {
+    fmt::print(stderr, "surfmesh: warning: {}\n", text);
+  }
+  for (const std::string& text : report.shortfalls) {
+    fmt::print(stderr, "surfmesh: not reached: {}\n", text);
+  }
+}
+
+}  // namespace
+
+void MeshCommand::add_to(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "mesh", "Mesh a control cage (.obj, .off) or a model file (.json) with triangles.");
+  command->footer(examples());
+  add_files(*command);
+  add_named_options(*command);
+  add_scheme(*command);
+  add_set(*command);
+}
+
+void MeshCommand::add_files(CLI::App& command) {
+  command.add_option("INPUT", input_, "control cage (.obj, .off) or model file (.json)")
+      ->required()
+      ->type_name("");
+  command.add_option("-o,--output", output_, "mesh to write: .obj, .off or .om (lossless)")
+      ->required()
+      ->type_name("FILE");
+  command.add_option("--report", report_, "write the report as JSON")->type_name("FILE.json");
+  command.add_flag("--quiet", is_quiet_, "print warnings and errors only");
+}
+
+void MeshCommand::add_named_options(CLI::App& command) {
+  const PipelineOptions defaults;
+  for (const NamedOption& option : kNamedOptions) {
+    const std::string name = option.name;
+    command
+        .add_option_function<std::string>(
+            flag_of(name),
+            [this, name](const std::string& value) { named_.emplace_back(name, value); },
+            option.text)
+        ->type_name(option.unit)
+        ->default_str(to_text(get_option(defaults, name)))
+        ->check([name](const std::string& value) { return fault_of(name, value); });
+  }
+}
+
+void MeshCommand::add_scheme(CLI::App& command) {
+  const std::map<std::string, Scheme> schemes = {{"auto", Scheme::Auto},
+                                                 {"catmark", Scheme::CatmullClark},
+                                                 {"loop", Scheme::Loop},
+                                                 {"bilinear", Scheme::Bilinear}};
+  command.add_option("--scheme", scheme_, "subdivision scheme of a cage")
+      ->transform(CLI::Transformer(schemes).description(""))
+      ->type_name("catmark|loop|bilinear|auto")
+      ->default_str("auto");
+}
+
+void MeshCommand::add_set(CLI::App& command) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--set",
+          [this](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) set_.push_back(split_setting(text));
+          },
+          "set any option by its name; beats the other flags and the model file")
+      ->type_name("key=value")
+      ->expected(1)
+      ->take_all()
+      ->check([](const std::string& text) {
+        const auto [name, value] = split_setting(text);
+        return fault_of(name, value);
+      });
+}
+
+int MeshCommand::run() const {
+  catch_signals();
+  Settings settings = named_;
+  settings.insert(settings.end(), set_.begin(), set_.end());
+  Progress progress(!is_quiet_ && is_terminal());
+  try {
+    check_paths(input_, output_, report_);
+    MeshRun run({.scheme = scheme_}, settings);
+    run.read(input_);
+    run.mesh(input_, progress);
+    run.write(output_, report_);
+    progress.clear();
+    if (!is_quiet_) fmt::print("{}", to_text(run.report()));
+    print_messages(run.report());
+    return run.report().shortfalls.empty() ? kDone : kFellShort;
+  } catch (const std::exception& error) {
+    progress.clear();
+    if (caught_signal() != 0) {
+      fmt::print(stderr, "surfmesh: stopped by a signal\n");
+      return kKilledBySignal + caught_signal();
+    }
+    fmt::print(stderr, "surfmesh: error: {}\n", error.what());
+    return kFailed;
+  }
+}
+
+}  // namespace surfmesh

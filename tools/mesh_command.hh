@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "surfmesh/geometry/cage.hh"
+
+namespace surfmesh {
+
+/// How the program ends.
+enum ExitStatus : int {
+  kDone = 0,
+  kFailed = 1,
+  kWrongUsage = 2,
+  kFellShort = 3,        ///< done, but something asked for was not reached
+  kKilledBySignal = 128  ///< plus the number of the signal
+};
+
+/// `surfmesh mesh`: read a cage or a model file, mesh it, write the mesh and the report.
+class MeshCommand {
+ public:
+  /// Add the subcommand and its options to the program. The object must outlive the parsing.
+  void add_to(CLI::App& app);
+
+  /// Do what the parsed arguments say. Returns an exit status; prints its errors itself.
+  int run() const;
+
+ private:
+  void add_files(CLI::App& command);
+  void add_named_options(CLI::App& command);
+  void add_scheme(CLI::App& command);
+  void add_set(CLI::App& command);
+
+  std::string input_;
+  std::string output_;
+  std::string report_;  ///< empty for none
+  /// Options of the pipeline in the order of their effect: named flags, then --set.
+  std::vector<std::pair<std::string, std::string>> named_;
+  std::vector<std::pair<std::string, std::string>> set_;
+  Scheme scheme_ = Scheme::Auto;
+  bool is_quiet_ = false;
+};
+
+}  // namespace surfmesh

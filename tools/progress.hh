@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+#include "surfmesh/core/observer.hh"
+
+namespace surfmesh {
+
+/// Remember SIGINT and SIGTERM instead of ending at once; a second one ends the program.
+void catch_signals();
+
+/// The signal that came, 0 for none.
+int caught_signal();
+
+/// Shows the progress of a run in one line of the terminal, and stops the run on a signal.
+class Progress : public Observer {
+ public:
+  explicit Progress(bool is_shown) : is_shown_(is_shown) {}
+  ~Progress() override { clear(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void progress(std::string_view stage, std::size_t done, std::size_t total) override;
+  bool is_cancelled() override { return caught_signal() != 0; }
+
+  /// Take the line away, before anything else is printed.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool is_shown_;
+  bool has_line_ = false;
+  std::string stage_;
+  Clock::time_point last_;
+};
+
+/// True if warnings and errors go to a terminal.
+bool is_terminal();
+
+}  // namespace surfmesh
