@@ -16,6 +16,8 @@ constexpr int kFirstPieces = 8;
 /// length.
 constexpr int kMaxDepth = 30;
 constexpr double kLongestPiece = 0.5;
+/// Pieces in all: more than a contour of a million segments needs.
+constexpr std::size_t kMaxPieces = 8'000'000;
 /// Relative disagreement at which a piece is not halved any more; that of the whole is smaller.
 constexpr double kAgreement = 1e-3;
 /// Pieces shorter than this do not matter, whatever their agreement.
@@ -77,6 +79,13 @@ class Bisection {
 
  private:
   void append(double t, double length) {
+    if (parameters_.size() > kMaxPieces) {
+      const Uv uv = curve_.evaluate(t);
+      throw Error(ErrorCode::Limit,
+                  fmt::format("sizes near (u,v) = ({}, {}) ask for more than {} segments of one "
+                              "contour",
+                              uv.u, uv.v, kMaxPieces / 8));
+    }
     parameters_.push_back(t);
     arcs_.push_back(arcs_.back() + length);
   }
