@@ -118,6 +118,14 @@ TEST(SizeField, ClampsASizeEverywhereButKeepsItsStretch) {
   expect_near(field.at({0.5, 0.5}).size, {0.7, 0, 0.01}, 1e-12);
 }
 
+TEST(SizeField, IsNeverBelowTheSmallestWhereSizesCross) {
+  // The minimum of two stretched sizes is shorter than both.
+  const auto surface = plane();
+  const SizeField field = field_of(surface, sizing_of(0, 0.02, 1, 2),
+                                   {{0, size_of(1, 0.02)}, {0, size_of(1, 0.02, 0.05)}});
+  EXPECT_GE(principal_sizes(field.at({0.5, 0.5}).size).l_t, 0.02 * (1 - 1e-12));
+}
+
 TEST(SizeField, KnowsWhetherItHasASource) {
   const auto surface = plane();
   EXPECT_FALSE(field_of(surface, sizing_of(0, 0.01, 1, 2)).has_source());

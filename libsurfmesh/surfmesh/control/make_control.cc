@@ -41,7 +41,7 @@ ControlNode node_of(const AtSource& source, const SizeField& field) {
   }
   const SizeField::Sample sample = field.at(uv);
   SizeTensor size = field.clamp(field.tensor(source.size));
-  if (field.has_source()) size = minimum(size, sample.size);
+  if (field.has_source()) size = field.clamp(minimum(size, sample.size));
   return {uv, sample.point, sample.form, size, {}};
 }
 

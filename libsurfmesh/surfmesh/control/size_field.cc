@@ -47,7 +47,7 @@ SizeField::SizeField(const Surface& surface, const Sizing& sizing,
   check(stretch_ >= 1, "stretch", stretch_, "1 or above");
   for (const EverywhereSource& source : everywhere) {
     const SizeTensor size = clamp(tensor(source.size));
-    everywhere_ = everywhere_ ? minimum(*everywhere_, size) : size;
+    everywhere_ = everywhere_ ? clamp(minimum(*everywhere_, size)) : size;
   }
   if (factor_ == 0) return;
   for (const SingularPoint& singular : surface.singular_points()) {
@@ -137,7 +137,8 @@ SizeField::Sample SizeField::at(Uv uv) const {
     sample.size = size_from_curvature(jet);
     blend_with_discs(sample);
   }
-  if (everywhere_) sample.size = minimum(sample.size, *everywhere_);
+  // Where stretched sizes cross, their minimum is shorter than both.
+  if (everywhere_) sample.size = clamp(minimum(sample.size, *everywhere_));
   return sample;
 }
 
