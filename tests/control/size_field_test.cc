@@ -164,6 +164,7 @@ TEST(SizeField, RefusesSizesThatAreNoLengths) {
     EXPECT_THROW(field.tensor(size_of(bad, 1)), Error);
     EXPECT_THROW(field.tensor(size_of(1, bad)), Error);
   }
+  EXPECT_THROW(field.tensor(size_of(1, 1, kUnset)), Error);
 }
 
 TEST(SizeField, TakesSharesOfTheDiagonal) {

@@ -65,6 +65,10 @@ SizeTensor SizeField::tensor(const Size& size) const {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("a size of [{}, {}] is not positive and finite", along, across));
   }
+  if (!std::isfinite(size.angle)) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("the angle {} of a size is not finite", size.angle));
+  }
   return size_tensor(along, across, size.angle);
 }
 
