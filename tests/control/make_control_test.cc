@@ -168,6 +168,16 @@ TEST(MakeControl, RefusesAPointWithoutSize) {
   EXPECT_THROW(control_of(surface, sizing_of(0, 0.01, 1, 2), sources), Error);
 }
 
+TEST(MakeControl, RefusesAGradeOutOfRange) {
+  const auto surface = plane();
+  for (const double bad : {0.5, -1.0, kUnset, std::numeric_limits<double>::infinity()}) {
+    Sizing sizing = sizing_of(0, 0.01, 1, 2);
+    sizing.grade = bad;
+    const std::string error = error_of([&] { control_of(surface, sizing); });
+    EXPECT_NE(error.find("sizing.grade"), std::string::npos) << bad << " " << error;
+  }
+}
+
 TEST(MakeControl, GradesLast) {
   const auto surface = plane();
   Sizing sizing = sizing_of(0, 0.01, 1, 2);

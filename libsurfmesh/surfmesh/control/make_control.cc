@@ -91,7 +91,7 @@ MetricArea metric_area(const SizeField& field, const ControlSpace& control, int 
 ControlSpace make_control(const Surface& surface, const Sizing& sizing,
                           const PatchSources& sources, double diagonal,
                           const ControlNodeOptions& options) {
-  if (!(sizing.grade == 0 || sizing.grade >= 1)) {
+  if (!(sizing.grade == 0 || (sizing.grade >= 1 && std::isfinite(sizing.grade)))) {
     throw Error(ErrorCode::InvalidOption,
                 fmt::format("sizing.grade = {} is outside its range: 0 (off), or 1 and above",
                             sizing.grade));
