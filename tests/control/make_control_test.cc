@@ -149,6 +149,20 @@ TEST(MakeControl, GivesCornersTheNearestSizeWithoutAreaSources) {
   expect_near(query(control, {1, 1}), isotropic(0.4), 1e-12);
 }
 
+TEST(MakeControl, HasOnlyCornersAndPointsWithoutAreaSources) {
+  const auto surface = plane();
+  const PatchSources sources{{}, {{0, {0.1, 0.1}, size_of(0.1)}, {0, {0.8, 0.9}, size_of(0.4)}}};
+  const Sizing sizing = sizing_of(0, 0.01, 1, 2);
+  EXPECT_EQ(control_of(surface, sizing, sources).mesh().n_vertices(), 6U);
+}
+
+TEST(MakeControl, InterpolatesBetweenPointsWithoutAreaSources) {
+  const auto surface = plane();
+  const PatchSources sources{{}, {{0, {0, 0.5}, size_of(0.1)}, {0, {1, 0.5}, size_of(0.4)}}};
+  const ControlSpace control = control_of(surface, sizing_of(0, 0.01, 1, 2), sources);
+  EXPECT_NEAR(query(control, {0.5, 0.5}).h11, 0.25, 0.05);
+}
+
 TEST(MakeControl, RefusesAPointOutsideTheDomainByItsPlace) {
   const auto rectangle = plane();
   const auto triangle = plane({0, 1, 0, 1, Domain::Shape::Triangle});
