@@ -92,6 +92,15 @@ TEST(ControlSpace, HasAValidMesh) {
   EXPECT_EQ(vertices + control.mesh().n_faces(), control.mesh().n_edges() + 1);
 }
 
+TEST(ControlSpace, ReproducesAConstantFieldExactly) {
+  const SizeTensor size = size_tensor(0.3, 0.07, 0.4);
+  const ControlSpace control({}, grid({}, 7, [&](Uv) { return size; }), 0);
+  ControlSpace::Hint hint;
+  for (const Uv uv : random_points({}, 1000)) {
+    ASSERT_EQ(control.size(uv, {2, 0.5, 3}, hint), size);
+  }
+}
+
 TEST(ControlSpace, GivesTheTensorOfANodeAtItsPosition) {
   const ControlSpace control = random_space(500);
   for (const VertexHandle vh : control.mesh().vertices()) {
@@ -308,6 +317,15 @@ TEST(Query, OfAPointOutsideByRoundingIsThatOfTheBoundary) {
     expect_near(query(control, {outside, v}), query(control, {0.7, v}), 1e-9);
   }
   expect_near(query(control, {0.1 - 1e-16, 2 + 1e-15}), query(control, {0.1, 2}), 1e-9);
+}
+
+TEST(Query, OfAPointFarOutsideEnds) {
+  const ControlSpace control = random_space(1000);
+  for (const Uv uv : {Uv{-5, 0.5}, Uv{0.5, 1e9}, Uv{1e12, 1e12}, Uv{-1e100, 1}}) {
+    const SizeTensor size = query(control, uv);
+    EXPECT_GT(size.h11, 0);
+    EXPECT_LT(size.h11, 1);
+  }
 }
 
 TEST(Query, IsTheSameAtAnyScaleOfTheParameters) {

@@ -163,6 +163,11 @@ TEST(MakeControl, InterpolatesBetweenPointsWithoutAreaSources) {
   EXPECT_NEAR(query(control, {0.5, 0.5}).h11, 0.25, 0.05);
 }
 
+TEST(MakeControl, GivesHmaxWithoutAnySource) {
+  const auto surface = plane();
+  EXPECT_EQ(query(control_of(surface, sizing_of(0, 0.01, 0.7, 2)), {0.3, 0.2}), isotropic(0.7));
+}
+
 TEST(MakeControl, RefusesAPointOutsideTheDomainByItsPlace) {
   const auto rectangle = plane();
   const auto triangle = plane({0, 1, 0, 1, Domain::Shape::Triangle});
