@@ -68,6 +68,18 @@ TEST(MetricArc, OfACircleIsItsCircumference) {
   }
 }
 
+TEST(MetricArc, SeesACurveThatMeetsItsChordAtAllDyadicParameters) {
+  for (const int periods : {4, 8, 16, 24, 32}) {
+    const CallableCurve wave([=](double t) { return Uv{t, 0.1 * std::sin(2 * pi * periods * t)}; });
+    double exact = 0;
+    for (int i = 0; i < 20'000; ++i) {
+      const Uv step = wave.evaluate((i + 1) / 20e3) - wave.evaluate(i / 20e3);
+      exact += 2 * std::hypot(step.u, step.v);
+    }
+    EXPECT_NEAR(MetricArc(wave, size_field(0.5)).length(), exact, 0.01 * exact) << periods;
+  }
+}
+
 TEST(MetricArc, IsZeroAtTheStartAndTheLengthAtTheEnd) {
   const MetricArc arc(circle(3), constant_field({1, 0, 1}));
   EXPECT_EQ(arc.arc(0), 0);
