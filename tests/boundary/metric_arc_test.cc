@@ -154,7 +154,7 @@ TEST(MetricArc, EndsOnALineOfInfiniteLength) {
 }
 
 TEST(MetricArc, RefusesAMetricThatIsNotFiniteByItsPlace) {
-  for (const Metric& bad : {Metric{kUnset, 0, 1}, Metric{1, 0, INFINITY}}) {
+  for (const Metric& bad : {Metric{kUnset, 0, 1}, Metric{1, kUnset, 1}, Metric{1, 0, INFINITY}}) {
     const CallableField field([=](Uv uv) { return uv.u == 1 ? bad : Metric{1, 0, 1}; });
     const std::string error = error_of([&] { MetricArc(kAlongU, field); });
     EXPECT_EQ(error.rfind(name(ErrorCode::Geometry), 0), 0U) << error;

@@ -54,7 +54,7 @@ class Bisection {
   Station station(double t) {
     const Uv uv = curve_.evaluate(t);
     const Metric metric = field_.at(uv, hint_);
-    if (!std::isfinite(metric.m11 + metric.m22)) {
+    if (!std::isfinite(metric.m11 + metric.m12 + metric.m22)) {
       throw Error(ErrorCode::Geometry,
                   fmt::format("the metric at (u,v) = ({}, {}) is not finite", uv.u, uv.v));
     }
