@@ -211,6 +211,17 @@ TEST(PoleFan, IsSharedOutBetweenThePatchesAtAPole) {
   expect_numbers_are_points(model, boundaries);
 }
 
+TEST(PoleFan, NeverJoinsTheSameNodesAsTheOneOfAnotherPatch) {
+  // Elements larger than the sphere: each half's ring would be one segment, the same for both.
+  const Model model = model_of({testing::sphere(0, pi), testing::sphere(pi, 2 * pi)});
+  const Boundaries boundaries = collect(model, 100);
+  int segments = 0;
+  for (const PatchBoundary& boundary : boundaries.patches) {
+    segments += static_cast<int>(boundary.fans[0].ring.size()) - 1;
+  }
+  EXPECT_GE(segments, 3);
+}
+
 TEST(PoleFan, CountsItsRingAmongTheNodesOfAllLoops) {
   const auto cap = std::make_shared<test::Sphere>(1, Domain{0, 2 * pi, 0, pi / 2});
   const Model model = model_of({cap});
