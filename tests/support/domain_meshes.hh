@@ -72,13 +72,13 @@ inline std::unique_ptr<DelaunayMesh> empty_square(const MetricField& field) {
 
 /// Sum of the areas in (u,v); 0 if a triangle is not counter-clockwise, by exact orientation.
 inline double valid_area(const DelaunayMesh& delaunay) {
-  double sum = 0;
+  long double sum = 0;  // of a hundred thousand triangles, to 1e-12
   for (std::size_t i = 0; i < delaunay.n_faces(); ++i) {
     const auto t = corners(delaunay.mesh(), FaceHandle(static_cast<int>(i)), delaunay.uv_handle());
     if (orient2d(t[0], t[1], t[2]) <= 0) return 0;
     sum += 0.5 * cross(t[1] - t[0], t[2] - t[0]);
   }
-  return sum;
+  return static_cast<double>(sum);
 }
 
 inline double least_quality(const DelaunayMesh& delaunay) {
