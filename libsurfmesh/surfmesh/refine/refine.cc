@@ -21,9 +21,7 @@ double accepted_size(Placement placement) {
 }
 
 /// Least metric distance of a new node from the others.
-double least_distance(Placement placement) {
-  return placement == Placement::Frontal ? 0.7 : 0.5;
-}
+double least_distance(Placement placement) { return placement == Placement::Frontal ? 0.7 : 0.5; }
 
 class Refinement {
  public:
@@ -151,8 +149,9 @@ class Refinement {
   bool split(FaceHandle fh, HalfedgeHandle base) {
     const BaseTriangle triangle = triangle_at(base);
     if (options_.placement == Placement::Frontal) {
-      ++report_.queries;
-      if (try_insert(frontal_point(triangle, field_, hint_), fh, triangle, false)) return true;
+      const Place place = frontal_point(triangle, field_, hint_);
+      report_.queries += place.queries;
+      if (try_insert(place.uv, fh, triangle, false)) return true;
     }
     if (try_insert(circumcentre(triangle), fh, triangle, true)) return true;
     return options_.placement == Placement::Circumcentre &&
