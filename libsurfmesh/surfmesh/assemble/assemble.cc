@@ -97,7 +97,9 @@ class PatchCollector {
       const auto far = static_cast<std::size_t>(fan.ring[i + 1]);
       // The pole has no metric; its corner takes that of the ring.
       const CornerValue pole = value(near);
-      add({fan.pole, vertices_[far], vertices_[near]}, {pole, value(far), pole}, {-1, -1, -1},
+      const int from = i + 2 == fan.ring.size() ? fan.contour_from : -1;
+      const int to = i == 0 ? fan.contour_to : -1;
+      add({fan.pole, vertices_[far], vertices_[near]}, {pole, value(far), pole}, {from, -1, to},
           normals_[near] + normals_[far]);
     }
   }

@@ -11,8 +11,7 @@ namespace {
 
 /// A segment of a loop that lies on a degenerate contour, before it is cut off.
 bool is_pole(const Model& model, const BoundaryNode& node) {
-  return node.contour >= 0 &&
-         model.contours[static_cast<std::size_t>(node.contour)].is_degenerate;
+  return node.contour >= 0 && model.contours[static_cast<std::size_t>(node.contour)].is_degenerate;
 }
 
 BoundaryLoop chain_of_nodes(const Model& model, const Loop& loop,
@@ -26,19 +25,31 @@ BoundaryLoop chain_of_nodes(const Model& model, const Loop& loop,
     const int count = list.segment_count();
     for (int i = 0; i < count; ++i) {
       const int node = is_forward ? i : count - i;
-      chain.push_back({uv[static_cast<std::size_t>(node)], numbers(entry.contour, node),
-                       entry.contour});
+      chain.push_back(
+          {uv[static_cast<std::size_t>(node)], numbers(entry.contour, node), entry.contour});
     }
   }
   return chain;
 }
 
-/// Nodes between `from` and `to` at equal metric distances along the straight line.
-std::vector<Uv> ring_between(const BoundaryNode& from, const BoundaryNode& to,
+/// True if another patch lies between the same two contours: the rings of both have the same ends.
+bool have_another_patch(const Model& model, int a, int b) {
+  const auto& uses_a = model.contours[static_cast<std::size_t>(a)].uses;
+  const auto& uses_b = model.contours[static_cast<std::size_t>(b)].uses;
+  int shared = 0;
+  for (const ContourUse& use : uses_a) {
+    shared += std::any_of(uses_b.begin(), uses_b.end(),
+                          [&](const ContourUse& other) { return other.patch == use.patch; });
+  }
+  return shared > 1;
+}
+
+/// Nodes between `from` and `to` at equal metric distances along the straight line, at least
+/// `least` segments.
+std::vector<Uv> ring_between(const BoundaryNode& from, const BoundaryNode& to, int least,
                              const MetricField& field) {
   const SegmentCurve line(from.uv, to.uv);
   const MetricArc arc(line, field);
-  const int least = from.vertex == to.vertex ? 3 : 1;
   const int count = std::max(least, static_cast<int>(std::lround(arc.length())));
   std::vector<Uv> inner;
   for (int i = 1; i < count; ++i) {
@@ -54,7 +65,8 @@ BoundaryLoop cut_off_poles(const Model& model, const BoundaryLoop& chain, int of
   // Start at a node that is no end of a pole, so that none wraps around.
   const std::size_t n = chain.size();
   std::size_t start = 0;
-  while (start < n && (is_pole(model, chain[start]) || is_pole(model, chain[(start + n - 1) % n]))) {
+  while (start < n &&
+         (is_pole(model, chain[start]) || is_pole(model, chain[(start + n - 1) % n]))) {
     ++start;
   }
   if (start == n) return loop;
@@ -70,9 +82,14 @@ BoundaryLoop cut_off_poles(const Model& model, const BoundaryLoop& chain, int of
     fan.pole = node.vertex;
     BoundaryNode& before = loop.back();
     const BoundaryNode after = chain[(start + i + 2) % n];
+    fan.contour_to = before.contour;
+    fan.contour_from = chain[(start + i + 1) % n].contour;
     before.contour = -1;
     fan.ring.push_back(offset + static_cast<int>(loop.size()) - 1);
-    for (const Uv uv : ring_between(before, after, field)) {
+    const bool is_closed = before.vertex == after.vertex;
+    const bool is_one_of_two = have_another_patch(model, fan.contour_to, fan.contour_from);
+    const int least = is_closed ? 3 : is_one_of_two ? 2 : 1;
+    for (const Uv uv : ring_between(before, after, least, field)) {
       fan.ring.push_back(offset + static_cast<int>(loop.size()));
       loop.push_back({uv, -1, -1});
     }

@@ -43,8 +43,10 @@ using BoundaryLoop = std::vector<BoundaryNode>;
 
 /// The triangles between a pole and the ring of nodes around it, which the domain mesh leaves out.
 struct PoleFan {
-  int pole = -1;               ///< result vertex
-  std::vector<int> ring;       ///< positions in the patch's list of boundary nodes
+  int pole = -1;          ///< result vertex
+  int contour_to = -1;    ///< contour of the segment from the first node of the ring to the pole
+  int contour_from = -1;  ///< contour of the segment from the pole to the last node of the ring
+  std::vector<int> ring;  ///< positions in the patch's list of boundary nodes
 };
 
 /// All that the mesh of one patch must keep.
