@@ -24,7 +24,8 @@ std::vector<int> boundary_vertices(const PatchBoundary& boundary);
 /// Give inner nodes to chords that would make the result improper: edges from a vertex to itself,
 /// and edges between two vertices that another edge joins, also across patches.
 ///
-/// Chords between boundary nodes are split in their middle until none offends.
+/// Chords between boundary nodes, and from them to inner nodes (which see both sides of a seam in a
+/// coarse mesh), are split in their middle until none offends.
 ///
 /// Reads    surf:constrained
 /// Writes   surf:uv, surf:metric of new vertices
