@@ -27,16 +27,16 @@ struct Shape {
 };
 
 std::vector<Shape> shapes() {
-  return {{"Sphere", testing::sphere(1), 2, true},
-          {"SphereOfTwo", testing::sphere(2), 2, true},
-          {"SphereOfFive", testing::sphere(5), 2, true},
-          {"Torus", testing::torus(1), 0, true},
-          {"TorusOfTwo", testing::torus(2), 0, true},
-          {"TorusOfThree", testing::torus(3), 0, true},
-          {"Cylinder", testing::cylinder(1), 0, false},
-          {"CylinderOfTwo", testing::cylinder(2), 0, false},
-          {"Cone", testing::cone(1), 1, false},
-          {"ConeOfTwo", testing::cone(2), 1, false},
+  return {{"Sphere", testing::sphere_of(1), 2, true},
+          {"SphereOfTwo", testing::sphere_of(2), 2, true},
+          {"SphereOfFive", testing::sphere_of(5), 2, true},
+          {"Torus", testing::torus_of(1), 0, true},
+          {"TorusOfTwo", testing::torus_of(2), 0, true},
+          {"TorusOfThree", testing::torus_of(3), 0, true},
+          {"Cylinder", testing::cylinder_of(1), 0, false},
+          {"CylinderOfTwo", testing::cylinder_of(2), 0, false},
+          {"Cone", testing::cone_of(1), 1, false},
+          {"ConeOfTwo", testing::cone_of(2), 1, false},
           {"OppositeSquares", testing::opposite_squares(), 1, false}};
 }
 
@@ -208,7 +208,7 @@ TEST(Assemble, CutsAnEdgeOfThreePatchesAtEqualPositions) {
 }
 
 TEST(Assemble, HasNoVertexWithoutATriangle) {
-  for (const Model& model : {testing::sphere(2), testing::cone(1)}) {
+  for (const Model& model : {testing::sphere_of(2), testing::cone_of(1)}) {
     const Assembled result = assemble_with_size(model, 0.3);
     for (const VertexHandle vh : result.assembly.mesh.vertices()) {
       EXPECT_FALSE(result.assembly.mesh.is_isolated(vh));
@@ -217,7 +217,7 @@ TEST(Assemble, HasNoVertexWithoutATriangle) {
 }
 
 TEST(Assemble, GivesTheSameMeshTwice) {
-  const Model model = testing::torus(2);
+  const Model model = testing::torus_of(2);
   const Assembled first = assemble_with_size(model, 0.3), second = assemble_with_size(model, 0.3);
   const PolyMesh &a = first.assembly.mesh, &b = second.assembly.mesh;
   ASSERT_EQ(a.n_vertices(), b.n_vertices());
@@ -226,13 +226,13 @@ TEST(Assemble, GivesTheSameMeshTwice) {
 }
 
 TEST(SplitImproperChords, SplitsNothingInAFineMesh) {
-  for (const Model& model : {testing::torus(1), testing::cylinder(1)}) {
+  for (const Model& model : {testing::torus_of(1), testing::cylinder_of(1)}) {
     EXPECT_EQ(assemble_with_size(model, 0.05 * model.diagonal).chords, 0u);
   }
 }
 
 TEST(SplitImproperChords, SplitsChordsOfACoarseTorus) {
-  EXPECT_GT(assemble_with_size(testing::torus(1), 1000).chords, 0u);
+  EXPECT_GT(assemble_with_size(testing::torus_of(1), 1000).chords, 0u);
 }
 
 }  // namespace

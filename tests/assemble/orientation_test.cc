@@ -21,7 +21,8 @@ TEST(OrientPatches, TurnsTheSecondOfOppositeNormals) {
 }
 
 TEST(OrientPatches, LeavesPiecesOfOneSurface) {
-  for (const Model& model : {testing::sphere(3), testing::torus(4), testing::cylinder(2)}) {
+  for (const Model& model :
+       {testing::sphere_of(3), testing::torus_of(4), testing::cylinder_of(2)}) {
     const PatchOrientation orientation = orient_patches(model);
     EXPECT_EQ(orientation.is_turned, std::vector<char>(model.patches.size(), 0));
     EXPECT_TRUE(orientation.cut_contours.empty());

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/domain_meshes.hh"
+#include "support/expect_valid.hh"
 
 namespace surfmesh {
 namespace {

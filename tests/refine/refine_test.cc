@@ -5,6 +5,7 @@
 
 #include "support/domain_meshes.hh"
 #include "support/errors.hh"
+#include "support/expect_valid.hh"
 
 namespace surfmesh {
 namespace {

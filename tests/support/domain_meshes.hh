@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -10,7 +8,6 @@
 #include <random>
 #include <vector>
 
-#include "support/expect_valid.hh"
 #include "support/metric_fields.hh"
 #include "surfmesh/boundary/metric_arc.hh"
 #include "surfmesh/delaunay/metric_swaps.hh"

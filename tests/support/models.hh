@@ -40,27 +40,27 @@ Model model_of_pieces(int pieces, Make make) {
   return model_of(shapes);
 }
 
-inline Model sphere(int pieces) {
+inline Model sphere_of(int pieces) {
   return model_of_pieces(pieces, [](double u0, double u1) {
     constexpr double quarter = std::numbers::pi / 2;
     return std::make_shared<test::Sphere>(1, Domain{u0, u1, -quarter, quarter});
   });
 }
 
-inline Model torus(int pieces) {
+inline Model torus_of(int pieces) {
   return model_of_pieces(pieces, [](double u0, double u1) {
     return std::make_shared<test::Torus>(2, 0.7, Domain{u0, u1, 0, 2 * std::numbers::pi});
   });
 }
 
-inline Model cylinder(int pieces) {
+inline Model cylinder_of(int pieces) {
   return model_of_pieces(pieces, [](double u0, double u1) {
     return std::make_shared<test::Cylinder>(1, Domain{u0, u1, 0, 2});
   });
 }
 
 /// With its apex.
-inline Model cone(int pieces) {
+inline Model cone_of(int pieces) {
   return model_of_pieces(pieces, [](double u0, double u1) {
     return std::make_shared<test::Cone>(1, Domain{u0, u1, 0, 1});
   });
