@@ -24,7 +24,7 @@ Model formula(SurfaceFormulas formulas, Domain domain = {}) {
 TEST(OddModel, ThatIsUndefinedBeyondItsSideIsNotAskedThere) {
   PipelineOptions options;
   options.sizing.curvature = 0;
-  options.sizing.hmax = {0.02, true};
+  options.sizing.hmax = {0.004, true};
   const Model model = formula({"u+5*v", "v", "0.05*sin(35*u+3*v)+0*log(u+0.001)"});
   const MeshResult result = mesh_model(model, {}, options);
   testing::expect_valid(result.mesh);
