@@ -117,6 +117,7 @@ Json fit_json(const ModelFit& fit) {
   const EdgeStatistics& edges = fit.edges;
   const SurfaceDistance& distance = fit.distance;
   return {{"projected", fit.is_projected},
+          {"other_sizes", fit.has_other_sizes},
           {"edges",
            {{"count", edges.count},
             {"mean", edges.mean},
@@ -166,6 +167,7 @@ class Lines {
   void add_fit(const ModelFit& fit) {
     add("model", fit.is_projected ? "the mesh has no (u,v), nearest points were taken"
                                   : "by the (u,v) of the mesh");
+    if (fit.has_other_sizes) add("", "sizes without `at` and grade, which make it finer by right");
     add("edges", fmt::format("mean {:.3f}, deviation {:.3f}, from {:.3f} to {:.3f}, {:.1f} % in "
                              "[1/√2, √2]",
                              fit.edges.mean, fit.edges.stddev, fit.edges.min, fit.edges.max,
@@ -220,6 +222,7 @@ ModelFit measure_fit(MeshFile& mesh, const ModelInput& input) {
   fit.is_projected = !has_parameters(mesh.mesh);
   if (fit.is_projected) project_mesh(mesh.mesh, mesh.patch_names, input.model, search);
   fit.distance = measure_distance(mesh.mesh, input.model, search, fit.is_projected);
+  fit.has_other_sizes = input.options.sizing.grade > 0 || !input.sources.at.empty();
   attach_exact_metric(mesh.mesh, input);
   fit.edges = measure_edges(mesh.mesh);
   fit.quality = measure_quality(mesh.mesh);

@@ -16,6 +16,8 @@ namespace surfmesh {
 /// How a mesh fits the model that it is a mesh of.
 struct ModelFit {
   bool is_projected = false;  ///< the mesh has no (u,v): nearest points were taken
+  /// True where the model asks for more than the sizes below: a mesh may be finer by right.
+  bool has_other_sizes = false;
   /// In the exact sizes of the area sources. Sizes `at` points and gradation, which only the
   /// control space knows, are not among them: a mesh with these is finer here and there.
   EdgeStatistics edges;

@@ -36,6 +36,7 @@ class SurfaceSearch {
 
   /// The nearest point; `patches` are the ones to look at, empty for all.
   ///
+  /// Of trimmed patches the whole domain counts, with its holes.
   /// Error    may be a point that is nearest in its neighbourhood only, where two places of a patch
   ///          are nearly as far from the point, compared with the distance of the samples
   NearPoint nearest(const Vec3& point, const std::vector<int>& patches = {}) const;
