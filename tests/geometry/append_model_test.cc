@@ -5,10 +5,8 @@
 
 #include <cmath>
 
-#include "geometry/cages.hh"
 #include "support/errors.hh"
 #include "support/models.hh"
-#include "surfmesh/geometry/cage_model.hh"
 
 namespace surfmesh {
 namespace {
@@ -45,15 +43,6 @@ TEST(Append, WarnsOfOpenContoursThatCoincide) {
   EXPECT_NE(model.warnings[0].find("1 pairs of contours run along each other but are not joined"),
             std::string::npos);
   EXPECT_NE(model.warnings[0].find("p0:u1 and b:p0:u0"), std::string::npos) << model.warnings[0];
-}
-
-TEST(Append, HasTheBoxOfCages) {
-  Model model = model_of({rectangle(0, 0, 1, 1)});
-  const Model cube = model_from_cage(testing::cube());
-  append(model, cube, "cube:");
-  EXPECT_EQ(error_of([&] { check(model); }), "no error");
-  EXPECT_EQ(model.patches.size(), 7u);
-  EXPECT_GT(model.diagonal, cube.diagonal);
 }
 
 }  // namespace

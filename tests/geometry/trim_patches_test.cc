@@ -221,11 +221,11 @@ TEST(TrimPatchesFaults, OfLoopsThatLeapOverASeam) {
 }
 
 TEST(TrimPatchesFaults, OfLoopsOutsideTheDomain) {
-  EXPECT_EQ(error_of([] {
-              square({{"-hole"}}, {hole(0.5, {0.75, 0})});
-            }),
-            "geometry: patch p: loop 1: the loop leaves the domain: contour hole at t = 1, (u,v) = "
-            "(1.25, 0)");
+  const std::string error = error_of([] { square({{"-hole"}}, {hole(0.5, {0.75, 0})}); });
+  EXPECT_NE(error.find("geometry: patch p: loop 1: the loop leaves the domain: contour hole at t = "
+                       "1, (u,v) = (1.25, "),
+            std::string::npos)
+      << error;
 }
 
 TEST(TrimPatchesFaults, OfLoopsThatCross) {
