@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "surfmesh/core/error.hh"
 
 namespace surfmesh {
@@ -28,6 +30,17 @@ const ContourUse& use_of(const Model& model, std::size_t patch, const LoopEntry&
                             patch_name, entry.use, contour.name));
   }
   return contour.uses[static_cast<std::size_t>(entry.use)];
+}
+
+void check_use(const Model& model, const Contour& contour, const ContourUse& use) {
+  if (!is_index(use.patch, model.patches.size())) {
+    throw Error(ErrorCode::InvalidInput, fmt::format("contour {}: a use names patch {} of {}",
+                                                     contour.name, use.patch, model.patches.size()));
+  }
+  if (!use.curve) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("contour {}: a use has no curve", contour.name));
+  }
 }
 
 Vec3 end_point(const Patch& patch, const ContourUse& use, bool at_end) {
@@ -59,12 +72,21 @@ void check_loop(const Model& model, std::size_t patch_index, const Loop& loop) {
 
 void check(const Model& model) {
   if (model.patches.empty()) throw Error(ErrorCode::InvalidInput, "the model has no patches");
+  if (!(model.diagonal > 0 && std::isfinite(model.diagonal))) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("the model's diagonal is {}: it has no extent", model.diagonal));
+  }
   for (const Contour& contour : model.contours) {
     if (!is_index(contour.start, model.vertices.size()) ||
         !is_index(contour.end, model.vertices.size())) {
       throw Error(ErrorCode::InvalidInput,
                   fmt::format("contour {}: its end vertices do not exist", contour.name));
     }
+    if (contour.is_degenerate && contour.start != contour.end) {
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("contour {} is degenerate, but has two vertices", contour.name));
+    }
+    for (const ContourUse& use : contour.uses) check_use(model, contour, use);
   }
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
     const Patch& patch = model.patches[p];
