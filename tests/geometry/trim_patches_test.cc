@@ -178,6 +178,25 @@ TEST(TrimPatches, WarnsOfAContourThatNoLoopNames) {
   EXPECT_EQ(model.warnings[0], "contour spare: no loop names it, it is left out");
 }
 
+TEST(TrimPatches, WarnsOfContoursThatAreNotJoined) {
+  const std::vector<PatchInput> patches = {
+      {"p", rectangle(-1, -1, 1, 1), {{"p:v0", "m", "-p:v1", "-p:u0"}}},
+      {"q", rectangle(1, -1, 2, 1)}};
+  const Model model = model_from_patches(patches, {{"m", nullptr, {{"p", line({1, -1}, {1, 1})}}}});
+  ASSERT_EQ(model.warnings.size(), 1u);
+  EXPECT_EQ(model.warnings[0],
+            "contours m and q:u0 run along each other, at most 0 apart, but are not joined: give "
+            "them one name");
+}
+
+TEST(TrimPatchesFaults, OfCurvesThatAreNotFinite) {
+  const auto pole = std::make_shared<CallableCurve>([](double t) { return Uv{1 / t, 0}; });
+  EXPECT_EQ(error_of([&] {
+              square({{"-a"}}, {{"a", nullptr, {{"p", pole}}}});
+            }),
+            "geometry: contour a: the curve at t = 0 is not finite");
+}
+
 TEST(TrimPatchesFaults, OfNames) {
   EXPECT_EQ(error_of([] { square({{"-hol"}}, {hole()}); }),
             "invalid input: patch p: loop 1: there is no contour or side hol");

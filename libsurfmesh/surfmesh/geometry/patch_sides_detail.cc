@@ -33,16 +33,18 @@ constexpr double kGolden = 0.6180339887498949;
 
 constexpr int kPatchIntervals = 16;
 
-Box3 bounds(const Surface& surface) {
-  const Domain domain = surface.domain();
+Box3 bounds(const PatchInput& patch) try {
+  const Domain domain = patch.surface->domain();
   Box3 box;
   for (int i = 0; i <= kPatchIntervals; ++i) {
     for (int j = 0; j <= kPatchIntervals; ++j) {
       const Uv uv = domain.at(double(i) / kPatchIntervals, double(j) / kPatchIntervals);
-      box.extend(surface.evaluate(uv, Order::Position).point);
+      box.extend(patch.surface->evaluate(uv, Order::Position).point);
     }
   }
   return box;
+} catch (const Error& error) {
+  throw Error(error.code(), fmt::format("{}: {}", label(patch), error.what()));
 }
 
 /// Area by the rule of midpoints, which does not touch poles.
@@ -149,7 +151,7 @@ Box3 measure_patches(const std::vector<PatchInput>& patches) {
   std::vector<double> extents;
   Box3 all;
   for (const PatchInput& patch : patches) {
-    const Box3 box = bounds(*patch.surface);
+    const Box3 box = bounds(patch);
     extents.push_back(box.diagonal().norm());
     all.extend(box);
   }

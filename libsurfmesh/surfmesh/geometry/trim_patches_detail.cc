@@ -15,6 +15,7 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/geometry/disjoint_sets_detail.hh"
 #include "surfmesh/geometry/loop_checks_detail.hh"
+#include "surfmesh/geometry/open_contours_detail.hh"
 #include "surfmesh/geometry/patch_sides_detail.hh"
 #include "surfmesh/geometry/project_curve.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
@@ -35,6 +36,21 @@ constexpr double kSmoothAngle = 0.01;
 std::string label(const ContourInput& contour) {
   return fmt::format("{}{}contour {}", contour.origin, contour.origin.empty() ? "" : ": ",
                      contour.name);
+}
+
+/// Fail if a sample of a contour's curves is not finite.
+void check_finite(const ContourInput& contour) {
+  for (const double t : sample_parameters(kLineSamples)) {
+    bool is_finite = !contour.xyz || contour.xyz->evaluate(t).allFinite();
+    for (const ContourInput::On& on : contour.on) {
+      if (!on.curve) continue;
+      const Uv uv = on.curve->evaluate(t);
+      is_finite = is_finite && std::isfinite(uv.u) && std::isfinite(uv.v);
+    }
+    if (is_finite) continue;
+    throw Error(ErrorCode::Geometry,
+                fmt::format("the curve at t = {} is not finite", contour.range.at(t)));
+  }
 }
 
 /// One contour use of a loop, in the direction of the loop.
@@ -72,6 +88,7 @@ class Trimmer {
     unite_vertices();
     set_smoothness();
     warn_of_unused();
+    warn_of_neighbours();
   }
 
  private:
@@ -112,6 +129,7 @@ class Trimmer {
   void set_smoothness();
   bool is_smooth(const Contour& contour) const;
   void warn_of_unused();
+  void warn_of_neighbours();
 
   Vec3 point(const ContourUse& use, double t) const {
     const Surface& surface = *model_.patches[static_cast<std::size_t>(use.patch)].surface;
@@ -146,6 +164,11 @@ void Trimmer::check_names(const ContourInput& contour) {
     }
   }
   if (!has_curve) refuse("it needs a curve in space, or one on a patch");
+  try {
+    check_finite(contour);
+  } catch (const Error& error) {
+    throw Error(error.code(), fmt::format("{}: {}", label(contour), error.what()));
+  }
 }
 
 std::string Trimmer::loop_label(int index, std::size_t loop) const {
@@ -477,6 +500,28 @@ void Trimmer::warn_of_unused() {
       model_.warnings.push_back(
           fmt::format("{}: no loop of patch {} names it", label(input), on.patch));
     }
+  }
+}
+
+/// Named contours are not compared with others, so tell where that was perhaps meant.
+void Trimmer::warn_of_neighbours() {
+  const std::vector<OpenContour> all = open_contours(model_);
+  std::vector<OpenContour> named, sides;
+  for (const OpenContour& open : all) {
+    (by_name_.contains(open.contour->name) ? named : sides).push_back(open);
+  }
+  std::vector<ContourPair> pairs = contours_along(named, sides, kNearShare * model_.diagonal);
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    const std::vector<OpenContour> rest(named.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                                        named.end());
+    const auto more = contours_along({named[i]}, rest, kNearShare * model_.diagonal);
+    pairs.insert(pairs.end(), more.begin(), more.end());
+  }
+  for (const ContourPair& pair : pairs) {
+    model_.warnings.push_back(
+        fmt::format("contours {} and {} run along each other, at most {:.3g} apart, but are not "
+                    "joined: give them one name",
+                    pair.a, pair.b, pair.gap));
   }
 }
 
