@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <string>
 #include <vector>
@@ -69,7 +70,8 @@ struct Model {
   std::vector<Contour> contours;
   std::vector<Patch> patches;
   std::vector<Group> groups;
-  double diagonal = 0;                ///< of the bounding box: cage points, or samples of patches
+  Eigen::AlignedBox3d box;            ///< of the cage's points, or of samples of the patches
+  double diagonal = 0;                ///< of the box
   std::vector<std::string> warnings;  ///< of its construction, in plain English
 };
 
