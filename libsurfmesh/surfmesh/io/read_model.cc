@@ -14,7 +14,7 @@
 #include "surfmesh/geometry/formula.hh"
 #include "surfmesh/geometry/formula_surface.hh"
 #include "surfmesh/io/input_file.hh"
-#include "surfmesh/io/json_node.hh"
+#include "surfmesh/io/json_node_detail.hh"
 
 namespace surfmesh {
 namespace {
