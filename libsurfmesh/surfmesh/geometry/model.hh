@@ -73,7 +73,13 @@ struct Model {
   std::vector<std::string> warnings;  ///< of its construction, in plain English
 };
 
-/// Check the indices and that all loops close in space, to 1e-6 of the diagonal.
+/// Check that all indices exist, and that nothing is missing: surfaces, curves, loops, uses.
+///
+/// Throws   InvalidInput, naming the patch or contour
+/// Cost     O(contour uses)
+void check_structure(const Model& model);
+
+/// Check the structure, and that all loops close in space, to 1e-6 of the diagonal.
 ///
 /// Throws   InvalidInput or Geometry, naming the patch and the contour
 /// Cost     O(contour uses), two surface evaluations each
