@@ -64,6 +64,20 @@ inline Cage triangle_sheet(int m = 3, int n = 3) {
   return cage;
 }
 
+/// A hump of quads around vertex 0, which has the valence given.
+inline Cage quad_fan(int valence) {
+  Cage cage;
+  cage.points = {{0, 0, 1}};
+  for (int i = 0; i < 2 * valence; ++i) {
+    const double angle = M_PI * i / valence, r = i % 2 == 0 ? 1 : 1.4;
+    cage.points.emplace_back(r * std::cos(angle), r * std::sin(angle), i % 2 == 0 ? 0.5 : 0);
+  }
+  for (int i = 0; i < valence; ++i) {
+    cage.faces.push_back({0, 1 + 2 * i, 2 + 2 * i, 1 + (2 * i + 2) % (2 * valence)});
+  }
+  return cage;
+}
+
 inline Cage tetrahedron() {
   Cage cage;
   cage.points = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "support/tensors.hh"
@@ -51,6 +52,21 @@ TEST(Interpolate, DoesNotDependOnTheUnitOfDistance) {
 TEST(Interpolate, IsContinuousAtANode) {
   expect_near(at(1e-310, 1, 2), kSizes[0], 1e-15);
   expect_near(at(1e-16, 1, 2), kSizes[0], 1e-14);
+}
+
+TEST(Interpolate, OfThreeNodesEqualsThatOfAnyNumber) {
+  for (const double d : {0.0, 1e-200, 1e-9, 0.3, 1.0, 1e9, 1e200}) {
+    const std::array<double, 3> distances = {1, d, 2};
+    const SizeTensor any = interpolate(std::span(kSizes), std::span(distances));
+    expect_near(interpolate(kSizes, distances), any, 1e-14);
+  }
+}
+
+TEST(Interpolate, OfThreeEqualTensorsIsThatTensorExactly) {
+  const std::array<SizeTensor, 3> equal = {kSizes[1], kSizes[1], kSizes[1]};
+  for (const double d : {1e-9, 0.3, 70.0}) {
+    EXPECT_EQ(interpolate(equal, std::array{d, 5.0, 1.7}), kSizes[1]);
+  }
 }
 
 TEST(Interpolate, OfOneNodeIsThatNode) {

@@ -27,15 +27,12 @@ struct TriangleSoup {
   std::vector<std::array<int, 3>> contours;  ///< of the side from corner k to the next; -1 inside
   std::vector<int> patches;
   std::vector<Vec3> points;  ///< by vertex
-  std::size_t turned = 0;
 };
 
 class PatchCollector {
  public:
-  PatchCollector(const Model& model, const PatchMesh& patch, int index, bool is_turned,
-                 TriangleSoup& soup)
+  PatchCollector(const PatchMesh& patch, int index, bool is_turned, TriangleSoup& soup)
       : patch_(patch),
-        surface_(*model.patches[static_cast<std::size_t>(index)].surface),
         index_(index),
         is_turned_(is_turned),
         soup_(soup) {}
@@ -57,13 +54,10 @@ class PatchCollector {
       for (const BoundaryNode& node : loop) contours_.push_back(node.contour);
     }
     vertices_.resize(delaunay.n_vertices(), -1);
-    normals_.resize(delaunay.n_vertices());
     for (std::size_t v = 0; v < vertices_.size(); ++v) {
-      const Jet jet = surface_.evaluate(delaunay.uv(VertexHandle(static_cast<int>(v))), Order::First);
-      normals_[v] = jet.du.cross(jet.dv);
       if (vertices_[v] >= 0) continue;
       vertices_[v] = static_cast<int>(soup_.points.size());
-      soup_.points.push_back(jet.point);
+      soup_.points.push_back(patch_.points[v]);
     }
   }
 
@@ -83,13 +77,11 @@ class PatchCollector {
     }
     std::array<int, 3> triangle{};
     std::array<CornerValue, 3> corners;
-    Vec3 normal = Vec3::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
       triangle[k] = vertices_[v[k]];
       corners[k] = value(v[k]);
-      normal += normals_[v[k]];
     }
-    add(triangle, corners, contours, normal);
+    add(triangle, corners, contours);
   }
 
   void add_fan(const PoleFan& fan) {
@@ -101,18 +93,15 @@ class PatchCollector {
       // The metric is singular at the pole; its corner takes that of the ring.
       const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
       const CornerValue pole{lerp(fan.start, fan.end, share), mean(first.metric, second.metric)};
-      add({fan.pole, vertices_[far], vertices_[near]}, {pole, second, first}, {-1, -1, -1},
-          normals_[near] + normals_[far]);
+      add({fan.pole, vertices_[far], vertices_[near]}, {pole, second, first}, {-1, -1, -1});
     }
   }
 
   void add(std::array<int, 3> triangle, std::array<CornerValue, 3> corners,
-           std::array<int, 3> contours, const Vec3& normal) {
+           std::array<int, 3> contours) {
     if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) {
       return;
     }
-    const Vec3 a = point(triangle[0]), b = point(triangle[1]), c = point(triangle[2]);
-    if ((b - a).cross(c - a).dot(normal) <= 0) ++soup_.turned;
     if (is_turned_) {
       std::swap(triangle[1], triangle[2]);
       std::swap(corners[1], corners[2]);
@@ -124,16 +113,12 @@ class PatchCollector {
     soup_.patches.push_back(index_);
   }
 
-  const Vec3& point(int vertex) const { return soup_.points[static_cast<std::size_t>(vertex)]; }
-
   const PatchMesh& patch_;
-  const Surface& surface_;
   int index_;
   bool is_turned_;
   TriangleSoup& soup_;
   std::vector<int> vertices_;  ///< result vertex of each vertex of the domain mesh
   std::vector<int> contours_;  ///< of the segment after each boundary node
-  std::vector<Vec3> normals_;
 };
 
 std::vector<Vec3> contour_points(const Model& model, const std::vector<ContourNodes>& nodes,
@@ -195,14 +180,13 @@ Assembly assemble(const Model& model, const std::vector<ContourNodes>& nodes,
   TriangleSoup soup;
   soup.points = contour_points(model, nodes, numbers);
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    PatchCollector(model, patches[p], static_cast<int>(p), orientation.is_turned[p] != 0, soup)
+    PatchCollector(patches[p], static_cast<int>(p), orientation.is_turned[p] != 0, soup)
         .run();
   }
   drop_unused(soup);
 
   SeparatedFans separated = separate_fans(soup.points.size(), soup.triangles);
   Assembly result;
-  result.report.turned = soup.turned;
   if (separated.cut_edges > 0) {
     result.report.warnings.push_back(
         fmt::format("{} sides of triangles are left open where three or more patches meet, or "

@@ -10,7 +10,6 @@
 namespace surfmesh {
 
 struct AssembleReport {
-  std::size_t turned = 0;  ///< triangles turned against the normal of the surface
   std::vector<std::string> warnings;
 };
 
@@ -29,8 +28,8 @@ struct Assembly {
 ///
 /// Writes   point(); surf:patch (face), surf:contour (edge), surf:uv and surf:metric (halfedge, at
 ///          its tip)
-/// Cost     one surface evaluation with first derivatives a vertex, O(n log n) for the connectivity
-/// Pre      split_improper_chords has been called
+/// Cost     O(n log n) for the connectivity
+/// Pre      split_improper_chords and evaluate_vertices have been called
 Assembly assemble(const Model& model, const std::vector<ContourNodes>& nodes,
                   const NodeNumbers& numbers, const std::vector<PatchMesh>& patches);
 

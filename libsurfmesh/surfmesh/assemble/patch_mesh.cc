@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/assemble/patch_mesh.hh"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
 #include <unordered_map>
@@ -95,7 +96,18 @@ class EdgeCounts {
   std::unordered_map<std::uint64_t, int> count_;
 };
 
-void split(PatchMesh& patch, EdgeHandle eh) {
+}  // namespace
+
+void evaluate_vertices(PatchMesh& patch) {
+  for (std::size_t v = patch.points.size(); v < patch.delaunay->n_vertices(); ++v) {
+    const Uv uv = patch.delaunay->uv(VertexHandle(static_cast<int>(v)));
+    const Jet jet = patch.surface->evaluate(uv, Order::First);
+    patch.points.push_back(jet.point);
+    patch.normals.push_back(jet.du.cross(jet.dv));
+  }
+}
+
+void split_chord(PatchMesh& patch, EdgeHandle eh) {
   DelaunayMesh& delaunay = *patch.delaunay;
   const TriMesh& mesh = delaunay.mesh();
   const HalfedgeHandle heh = mesh.halfedge_handle(eh, 0);
@@ -105,8 +117,6 @@ void split(PatchMesh& patch, EdgeHandle eh) {
   const VertexHandle vh = delaunay.split_edge(eh, middle);
   delaunay.metric(vh) = patch.field->at(middle, hint);
 }
-
-}  // namespace
 
 std::vector<int> boundary_vertices(const PatchBoundary& boundary) {
   std::vector<int> vertices;
@@ -124,7 +134,7 @@ std::size_t split_improper_chords(std::vector<PatchMesh>& patches) {
     const std::size_t before = count;
     for (const Chord& chord : chords) {
       if (!edges.is_offending(chord)) continue;
-      split(patches[chord.patch], chord.edge);
+      split_chord(patches[chord.patch], chord.edge);
       ++count;
     }
     for (PatchMesh& patch : patches) patch.delaunay->shrink();

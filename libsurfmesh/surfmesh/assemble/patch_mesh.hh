@@ -15,8 +15,18 @@ namespace surfmesh {
 struct PatchMesh {
   PatchBoundary boundary;
   std::unique_ptr<DelaunayMesh> delaunay;
+  const Surface* surface = nullptr;
   const MetricField* field = nullptr;
+  /// Positions of the vertices, and normals p_u × p_v of any length; by evaluate_vertices.
+  std::vector<Vec3> points;
+  std::vector<Vec3> normals;
 };
+
+/// Evaluate the surface at the vertices that have no position yet.
+void evaluate_vertices(PatchMesh& patch);
+
+/// Give an inner edge a node in its middle in (u,v), with its metric.
+void split_chord(PatchMesh& patch, EdgeHandle eh);
 
 /// Result vertices of the nodes of the loops, -1 for nodes that are the patch's own.
 std::vector<int> boundary_vertices(const PatchBoundary& boundary);

@@ -45,7 +45,7 @@ struct BoundaryNodes {
 /// pole. A degenerate contour has one segment of no length.
 ///
 /// `fields` holds the metric of each patch.
-/// Cost     about four metric queries a segment and use
+/// Cost     four to eight metric queries a segment and use
 /// Source   paper, section 2.1, item 1
 BoundaryNodes place_contour_nodes(const Model& model,
                                   const std::vector<const MetricField*>& fields,

@@ -12,11 +12,15 @@ namespace surfmesh {
 namespace {
 
 constexpr int kFirstPieces = 8;
-/// Halvings of a first piece: enough for a size of 1e-9 of it, and an end for curves of infinite
+/// Pieces are cut at the golden section: halving would see no wave that has its zeros there.
+constexpr double kCut = 0.381966011250105;
+/// Cuts of a first piece: enough for a size of 1e-9 of it, and an end for curves of infinite
 /// length.
-constexpr int kMaxDepth = 30;
+constexpr int kMaxDepth = 43;
 constexpr double kLongestPiece = 0.5;
-/// Relative disagreement at which a piece is not halved any more; that of the whole is smaller.
+/// Pieces in all: more than a contour of a million segments needs.
+constexpr std::size_t kMaxPieces = 8'000'000;
+/// Relative disagreement at which a piece is not cut any more; that of the whole is smaller.
 constexpr double kAgreement = 1e-3;
 /// Pieces shorter than this do not matter, whatever their agreement.
 constexpr double kNegligible = 1e-4;
@@ -52,7 +56,7 @@ class Bisection {
   Station station(double t) {
     const Uv uv = curve_.evaluate(t);
     const Metric metric = field_.at(uv, hint_);
-    if (!std::isfinite(metric.m11 + metric.m22)) {
+    if (!std::isfinite(metric.m11 + metric.m12 + metric.m22)) {
       throw Error(ErrorCode::Geometry,
                   fmt::format("the metric at (u,v) = ({}, {}) is not finite", uv.u, uv.v));
     }
@@ -60,12 +64,12 @@ class Bisection {
   }
 
   void add(const Station& a, const Station& b, int depth) {
-    const Station middle = station(0.5 * (a.t + b.t));
+    const Station middle = station((1 - kCut) * a.t + kCut * b.t);
     const double whole = piece_length(a, b);
     const double first = piece_length(a, middle), second = piece_length(middle, b);
-    const double halves = first + second;
-    const bool is_good = halves <= kNegligible ||
-                         (halves <= kLongestPiece && std::abs(whole - halves) <= kAgreement * halves);
+    const double parts = first + second;
+    const bool is_good = parts <= kNegligible ||
+                         (parts <= kLongestPiece && std::abs(whole - parts) <= kAgreement * parts);
     if (is_good || depth == 0) {
       append(middle.t, first);
       append(b.t, second);
@@ -77,6 +81,13 @@ class Bisection {
 
  private:
   void append(double t, double length) {
+    if (parameters_.size() > kMaxPieces) {
+      const Uv uv = curve_.evaluate(t);
+      throw Error(ErrorCode::Limit,
+                  fmt::format("sizes near (u,v) = ({}, {}) ask for more than {} segments of one "
+                              "contour",
+                              uv.u, uv.v, kMaxPieces / 8));
+    }
     parameters_.push_back(t);
     arcs_.push_back(arcs_.back() + length);
   }
@@ -90,8 +101,7 @@ class Bisection {
 
 }  // namespace
 
-MetricArc::MetricArc(const Curve& curve, const MetricField& field)
-    : parameters_{0.0}, arcs_{0.0} {
+MetricArc::MetricArc(const Curve& curve, const MetricField& field) : parameters_{0.0}, arcs_{0.0} {
   Bisection bisection(curve, field, parameters_, arcs_);
   Station from = bisection.station(0);
   for (int i = 1; i <= kFirstPieces; ++i) {

@@ -11,8 +11,7 @@ namespace {
 
 /// A segment of a loop that lies on a degenerate contour, before it is cut off.
 bool is_pole(const Model& model, const BoundaryNode& node) {
-  return node.contour >= 0 &&
-         model.contours[static_cast<std::size_t>(node.contour)].is_degenerate;
+  return node.contour >= 0 && model.contours[static_cast<std::size_t>(node.contour)].is_degenerate;
 }
 
 BoundaryLoop chain_of_nodes(const Model& model, const Loop& loop,
@@ -26,19 +25,28 @@ BoundaryLoop chain_of_nodes(const Model& model, const Loop& loop,
     const int count = list.segment_count();
     for (int i = 0; i < count; ++i) {
       const int node = is_forward ? i : count - i;
-      chain.push_back({uv[static_cast<std::size_t>(node)], numbers(entry.contour, node),
-                       entry.contour});
+      chain.push_back(
+          {uv[static_cast<std::size_t>(node)], numbers(entry.contour, node), entry.contour});
     }
   }
   return chain;
 }
 
+/// The least number of segments of a ring that joins two nodes. Of two patches at a pole both rings
+/// join the same nodes.
+int least_segments(const Model& model, int pole, const BoundaryNode& from, const BoundaryNode& to) {
+  if (from.vertex == to.vertex) return 3;
+  const auto sides = std::count_if(
+      model.contours.begin(), model.contours.end(),
+      [&](const Contour& contour) { return contour.is_degenerate && contour.start == pole; });
+  return sides == 2 ? 2 : 1;
+}
+
 /// Nodes between `from` and `to` at equal metric distances along the straight line.
-std::vector<Uv> ring_between(const BoundaryNode& from, const BoundaryNode& to,
+std::vector<Uv> ring_between(const BoundaryNode& from, const BoundaryNode& to, int least,
                              const MetricField& field) {
   const SegmentCurve line(from.uv, to.uv);
   const MetricArc arc(line, field);
-  const int least = from.vertex == to.vertex ? 3 : 1;
   const int count = std::max(least, static_cast<int>(std::lround(arc.length())));
   std::vector<Uv> inner;
   for (int i = 1; i < count; ++i) {
@@ -54,7 +62,8 @@ BoundaryLoop cut_off_poles(const Model& model, const BoundaryLoop& chain, int of
   // Start at a node that is no end of a pole, so that none wraps around.
   const std::size_t n = chain.size();
   std::size_t start = 0;
-  while (start < n && (is_pole(model, chain[start]) || is_pole(model, chain[(start + n - 1) % n]))) {
+  while (start < n &&
+         (is_pole(model, chain[start]) || is_pole(model, chain[(start + n - 1) % n]))) {
     ++start;
   }
   if (start == n) return loop;
@@ -74,7 +83,8 @@ BoundaryLoop cut_off_poles(const Model& model, const BoundaryLoop& chain, int of
     const BoundaryNode after = chain[(start + i + 2) % n];
     before.contour = -1;
     fan.ring.push_back(offset + static_cast<int>(loop.size()) - 1);
-    for (const Uv uv : ring_between(before, after, field)) {
+    const int least = least_segments(model, fan.pole, before, after);
+    for (const Uv uv : ring_between(before, after, least, field)) {
       fan.ring.push_back(offset + static_cast<int>(loop.size()));
       loop.push_back({uv, -1, -1});
     }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <deque>
 
@@ -25,6 +26,13 @@ constexpr double kMergeLength = 0.1;
 
 /// A size that gradation lowers by less is left as it is, so that it ends.
 constexpr double kLeastGradation = 1e-3;
+
+/// Steps of a walk, which starts near its end: a bound, for it may go astray by rounding.
+constexpr int kWalkLimit = 2000;
+
+/// Distance in cells of the grid of start triangles within which the last triangle is the better
+/// start.
+constexpr double kNearCells = 3;
 
 /// The diagonal metric in which the parameter plane is distorted least: mean squared speeds.
 Metric plane_metric(const std::vector<ControlNode>& nodes) {
@@ -110,6 +118,7 @@ ControlSpace::ControlSpace(const Domain& domain, const std::vector<ControlNode>&
                            double grade) {
   triangulate(domain, nodes);
   if (grade > 0) grade_sizes(grade);
+  collect_triangles();
   make_seed_grid(domain);
 }
 
@@ -155,8 +164,7 @@ void ControlSpace::grade_sizes(double grade) {
     for (const VertexHandle to : mesh_.vv_range(from)) {
       const Uv edge = mesh_.property(uv_, to) - mesh_.property(uv_, from);
       SizeTensor& old = mesh_.property(size_, to);
-      const SizeTensor lowered =
-          graded(old, size, std::sqrt(squared_length(metric, edge)), grade);
+      const SizeTensor lowered = graded(old, size, std::sqrt(squared_length(metric, edge)), grade);
       if (log_conformity(old, lowered) <= kLeastGradation) continue;
       old = lowered;
       char& queued = is_queued[static_cast<std::size_t>(to.idx())];
@@ -166,65 +174,110 @@ void ControlSpace::grade_sizes(double grade) {
   }
 }
 
-int ControlSpace::SeedGrid::column(double u) const {
-  return std::clamp(static_cast<int>((u - lower.u) * columns_per_u), 0, columns - 1);
-}
-
-int ControlSpace::SeedGrid::row(double v) const {
-  return std::clamp(static_cast<int>((v - lower.v) * rows_per_v), 0, rows - 1);
-}
-
-void ControlSpace::make_seed_grid(const Domain& domain) {
-  // About two triangles a cell: finer grids cost memory and gain less than a step.
-  const int side = 1 + static_cast<int>(std::sqrt(0.5 * static_cast<double>(mesh_.n_faces())));
-  seeds_.lower = {domain.u0, domain.v0};
-  seeds_.columns = seeds_.rows = side;
-  seeds_.columns_per_u = side / (domain.u1 - domain.u0);
-  seeds_.rows_per_v = side / (domain.v1 - domain.v0);
-  seeds_.faces.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
-  RandomBits random;
-  FaceHandle face(0);
-  for (int row = 0; row < side; ++row) {
-    for (int i = 0; i < side; ++i) {
-      const int column = row % 2 == 0 ? i : side - 1 - i;  // there and back, so that steps are short
-      const Uv centre = domain.at((column + 0.5) / side, (row + 0.5) / side);
-      face = locate(mesh_, uv_, centre, face, random, mesh_.n_faces()).face;
-      seeds_.faces[static_cast<std::size_t>(row * side + column)] = face;
+void ControlSpace::collect_triangles() {
+  std::vector<Uv> middles;
+  middles.reserve(mesh_.n_faces());
+  for (const FaceHandle fh : mesh_.faces()) {
+    const auto [a, b, c] = corners(mesh_, fh, uv_);
+    middles.push_back((1.0 / 3.0) * (a + b + c));
+  }
+  const std::vector<int> order = hilbert_order(middles);
+  std::vector<int> position(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    position[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+  }
+  triangles_.resize(order.size());
+  for (const FaceHandle fh : mesh_.faces()) {
+    const auto index = static_cast<std::size_t>(fh.idx());
+    Triangle& triangle = triangles_[static_cast<std::size_t>(position[index])];
+    HalfedgeHandle heh = mesh_.halfedge_handle(fh);
+    for (std::size_t k = 0; k < 3; ++k, heh = mesh_.next_halfedge_handle(heh)) {
+      const VertexHandle vh = mesh_.from_vertex_handle(heh);
+      const FaceHandle behind = mesh_.opposite_face_handle(heh);
+      triangle.corners[k] = mesh_.property(uv_, vh);
+      triangle.sizes[k] = mesh_.property(size_, vh);
+      if (behind.is_valid()) {
+        triangle.neighbours[k] = position[static_cast<std::size_t>(behind.idx())];
+      }
     }
   }
 }
 
-FaceHandle ControlSpace::find_face(Uv uv, Hint& hint) const {
-  const int column = seeds_.column(uv.u), row = seeds_.row(uv.v);
-  FaceHandle start = hint.face;
-  if (start.is_valid()) {
-    const Uv near = mesh_.property(uv_, mesh_.to_vertex_handle(mesh_.halfedge_handle(start)));
-    const bool is_near =
-        std::abs(seeds_.column(near.u) - column) + std::abs(seeds_.row(near.v) - row) <= 2;
-    if (!is_near) start.invalidate();
+std::size_t ControlSpace::SeedGrid::cell(Uv uv) const {
+  const double column = std::clamp((uv.u - lower.u) * cells_per_u, 0.0, side - 1.0);
+  const double row = std::clamp((uv.v - lower.v) * cells_per_v, 0.0, side - 1.0);
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(side) +
+         static_cast<std::size_t>(column);
+}
+
+bool ControlSpace::SeedGrid::are_near(Uv a, Uv b) const {
+  return std::abs(a.u - b.u) * cells_per_u + std::abs(a.v - b.v) * cells_per_v <= kNearCells;
+}
+
+void ControlSpace::make_seed_grid(const Domain& domain) {
+  // About two triangles a cell: finer grids cost memory and gain less than a step.
+  const int side = 1 + static_cast<int>(std::sqrt(0.5 * static_cast<double>(triangles_.size())));
+  seeds_.lower = {domain.u0, domain.v0};
+  seeds_.side = side;
+  seeds_.cells_per_u = side / (domain.u1 - domain.u0);
+  seeds_.cells_per_v = side / (domain.v1 - domain.v0);
+  seeds_.triangles.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+  RandomBits random;
+  int triangle = 0;
+  for (int row = 0; row < side; ++row) {
+    for (int i = 0; i < side; ++i) {
+      const int column =
+          row % 2 == 0 ? i : side - 1 - i;  // there and back, so that steps are short
+      const Uv centre = domain.at((column + 0.5) / side, (row + 0.5) / side);
+      triangle = walk(centre, triangle, random);
+      seeds_.triangles[static_cast<std::size_t>(row * side + column)] = triangle;
+    }
   }
-  if (!start.is_valid()) {
-    start = seeds_.faces[static_cast<std::size_t>(row * seeds_.columns + column)];
+}
+
+/// The neighbour of a triangle on the way to a point; -1 if the point lies in it, or beyond an open
+/// side. At random where two neighbours lead on: a fixed choice was seen to cycle.
+int ControlSpace::exit_towards(Uv uv, int triangle, int entered_from, RandomBits& random) const {
+  const Triangle& t = triangles_[static_cast<std::size_t>(triangle)];
+  unsigned exits = 0;
+  for (unsigned k = 0; k < 3; ++k) {
+    const Uv a = t.corners[k], b = t.corners[k == 2 ? 0 : k + 1];
+    // Not back, whatever rounding says of a point on the side.
+    const bool can_leave = (t.neighbours[k] >= 0) & (t.neighbours[k] != entered_from);
+    exits |= static_cast<unsigned>((cross(b - a, uv - a) < 0) & can_leave) << k;
   }
-  hint.face = walk(mesh_, uv_, uv, start, hint.random);
-  return hint.face;
+  if (exits == 0) return -1;
+  const unsigned others = exits & (exits - 1);
+  if (others != 0 && (random.next() & 1u) != 0) exits = others;
+  return t.neighbours[static_cast<std::size_t>(std::countr_zero(exits))];
+}
+
+/// The triangle that contains a point up to rounding: for sizes a neighbour is as good.
+int ControlSpace::walk(Uv uv, int start, RandomBits& random) const {
+  int triangle = start, entered_from = -1;
+  for (int steps = 0; steps < kWalkLimit; ++steps) {
+    const int next = exit_towards(uv, triangle, entered_from, random);
+    if (next < 0) break;
+    entered_from = triangle;
+    triangle = next;
+  }
+  return triangle;
+}
+
+const ControlSpace::Triangle& ControlSpace::find_triangle(Uv uv, Hint& hint) const {
+  const auto last = static_cast<std::size_t>(hint.triangle);
+  const bool is_near = last < triangles_.size() && seeds_.are_near(triangles_[last].corners[0], uv);
+  const int start = is_near ? hint.triangle : seeds_.triangles[seeds_.cell(uv)];
+  hint.triangle = walk(uv, start, hint.random);
+  return triangles_[static_cast<std::size_t>(hint.triangle)];
 }
 
 SizeTensor ControlSpace::size(Uv uv, const FirstFormFactor& form, Hint& hint) const {
-  const FaceHandle fh = find_face(uv, hint);
-  const HalfedgeHandle a = mesh_.halfedge_handle(fh);
-  const HalfedgeHandle b = mesh_.next_halfedge_handle(a);
-  const HalfedgeHandle c = mesh_.next_halfedge_handle(b);
-  std::array<SizeTensor, 3> sizes;
-  std::array<double, 3> distances{};
-  std::size_t k = 0;
-  for (const HalfedgeHandle heh : {a, b, c}) {
-    const VertexHandle vh = mesh_.to_vertex_handle(heh);
-    sizes[k] = mesh_.property(size_, vh);
-    distances[k] = squared_distance(form, uv - mesh_.property(uv_, vh));
-    ++k;
-  }
-  return interpolate(sizes, distances);
+  const Triangle& triangle = find_triangle(uv, hint);
+  const auto& [a, b, c] = triangle.corners;
+  return interpolate(triangle.sizes,
+                     std::array{squared_distance(form, uv - a), squared_distance(form, uv - b),
+                                squared_distance(form, uv - c)});
 }
 
 Metric ControlSpace::metric(Uv uv, const FirstFormFactor& form, Hint& hint) const {

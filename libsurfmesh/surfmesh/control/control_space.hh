@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "surfmesh/control/control_nodes.hh"
@@ -15,9 +16,10 @@ namespace surfmesh {
 /// hint of its own.
 class ControlSpace {
  public:
-  /// What a caller keeps from one query to the next, so that near points are found fast.
+  /// What a caller keeps from one query of a control space to the next, so that near points are
+  /// found fast.
   struct Hint {
-    FaceHandle face;
+    int triangle = -1;
     RandomBits random;
   };
 
@@ -47,27 +49,39 @@ class ControlSpace {
   const TriMesh& mesh() const { return mesh_; }
 
  private:
+  /// All that a query reads of one triangle, so that it lies in one place of the memory.
+  struct Triangle {
+    std::array<Uv, 3> corners;
+    std::array<int, 3> neighbours = {
+        -1, -1, -1};  ///< behind the side from corner i to i + 1; -1 if it is open
+    std::array<SizeTensor, 3> sizes;
+  };
+
+  /// A regular grid of triangles to start from.
   struct SeedGrid {
     Uv lower;
-    double columns_per_u = 0;
-    double rows_per_v = 0;
-    int columns = 0;
-    int rows = 0;
-    std::vector<FaceHandle> faces;
+    double cells_per_u = 0;
+    double cells_per_v = 0;
+    int side = 0;                ///< number of cells along u, and along v
+    std::vector<int> triangles;  ///< the one at the middle of each cell, rows along u
 
-    int column(double u) const;
-    int row(double v) const;
+    std::size_t cell(Uv uv) const;
+    bool are_near(Uv a, Uv b) const;
   };
 
   void triangulate(const Domain& domain, const std::vector<ControlNode>& nodes);
   void grade_sizes(double grade);
+  void collect_triangles();
   void make_seed_grid(const Domain& domain);
-  FaceHandle find_face(Uv uv, Hint& hint) const;
+  int exit_towards(Uv uv, int triangle, int entered_from, RandomBits& random) const;
+  int walk(Uv uv, int start, RandomBits& random) const;
+  const Triangle& find_triangle(Uv uv, Hint& hint) const;
 
   TriMesh mesh_;
   decltype(keys::vertex_uv)::Handle uv_;
   decltype(keys::vertex_size)::Handle size_;
   std::vector<FirstFormFactor> forms_;
+  std::vector<Triangle> triangles_;
   SeedGrid seeds_;
 };
 

@@ -45,19 +45,23 @@ ControlNode node_of(const AtSource& source, const SizeField& field) {
   }
   const SizeField::Sample sample = field.at(uv);
   SizeTensor size = field.clamp(field.tensor(source.size));
-  if (field.has_source()) size = minimum(size, sample.size);
+  if (field.has_source()) size = field.clamp(minimum(size, sample.size));
   return {uv, sample.point, sample.form, size, {}};
 }
 
-/// Give the nodes of a field without sources the size of the nearest source.
-void take_nearest(std::vector<ControlNode>& nodes, const std::vector<ControlNode>& sources) {
-  for (ControlNode& node : nodes) {
+/// The corners of a domain without area sources, each with the size of the nearest source.
+std::vector<ControlNode> corners_like_nearest(const SizeField& field,
+                                              const std::vector<ControlNode>& sources) {
+  std::vector<ControlNode> corners = choose_control_nodes(field, {.regular = 4});
+  for (ControlNode& node : corners) {
     const auto nearest = std::min_element(
         sources.begin(), sources.end(), [&](const ControlNode& a, const ControlNode& b) {
           return (a.point - node.point).squaredNorm() < (b.point - node.point).squaredNorm();
         });
     node.size = nearest->size;
+    node.spacing = {};
   }
+  return corners;
 }
 
 std::vector<ControlNode> choose_accurate_nodes(const SizeField& field, ControlNodeOptions options) {
@@ -95,19 +99,20 @@ MetricArea metric_area(const SizeField& field, const ControlSpace& control, int 
   return area;
 }
 
-ControlSpace make_control(const Surface& surface, const Sizing& sizing,
-                          const PatchSources& sources, double diagonal,
-                          const ControlNodeOptions& options) {
-  if (!(sizing.grade == 0 || sizing.grade >= 1)) {
+ControlSpace make_control(const Surface& surface, const Sizing& sizing, const PatchSources& sources,
+                          double diagonal, const ControlNodeOptions& options) {
+  if (!(sizing.grade == 0 || (sizing.grade >= 1 && std::isfinite(sizing.grade)))) {
     throw Error(ErrorCode::InvalidOption,
                 fmt::format("sizing.grade = {} is outside its range: 0 (off), or 1 and above",
                             sizing.grade));
   }
   const SizeField field(surface, sizing, sources.everywhere, diagonal);
-  std::vector<ControlNode> nodes = choose_accurate_nodes(field, options);
+  check(options);
   std::vector<ControlNode> points;
   for (const AtSource& source : sources.at) points.push_back(node_of(source, field));
-  if (!field.has_source() && !points.empty()) take_nearest(nodes, points);
+  std::vector<ControlNode> nodes = field.has_source() || points.empty()
+                                       ? choose_accurate_nodes(field, options)
+                                       : corners_like_nearest(field, points);
   nodes.insert(nodes.end(), points.begin(), points.end());
   return ControlSpace(surface.domain(), nodes, sizing.grade);
 }

@@ -19,8 +19,8 @@ struct PatchSources {
 ///
 /// Nodes are chosen so that the control space represents the area sources; where it does not hold
 /// their ∫√det M to 2 % on an independent sample, it is made again with a finer precision. Nodes of
-/// `at` take the minimum with the area sources; without any of these the corners take the size of
-/// the nearest `at`. Gradation comes last.
+/// `at` take the minimum with the area sources; without any of these the only other nodes are the
+/// corners, with the size of the nearest `at`. Gradation comes last.
 ///
 /// Cost     about 5 µs a node
 /// Throws   InvalidOption for sizing out of range; InvalidInput for a source that is, or that lies

@@ -48,7 +48,7 @@ SizeField::SizeField(const Surface& surface, const Sizing& sizing,
   check(stretch_ >= 1, "stretch", stretch_, "1 or above");
   for (const EverywhereSource& source : everywhere) {
     const SizeTensor size = clamp(tensor(source.size));
-    everywhere_ = everywhere_ ? minimum(*everywhere_, size) : size;
+    everywhere_ = everywhere_ ? clamp(minimum(*everywhere_, size)) : size;
   }
   if (factor_ == 0) return;
   for (const SingularPoint& singular : surface.singular_points()) {
@@ -65,6 +65,10 @@ SizeTensor SizeField::tensor(const Size& size) const {
   if (!(along > 0 && across > 0 && std::isfinite(along) && std::isfinite(across))) {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("a size of [{}, {}] is not positive and finite", along, across));
+  }
+  if (!std::isfinite(size.angle)) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("the angle {} of a size is not finite", size.angle));
   }
   return size_tensor(along, across, size.angle);
 }
@@ -152,7 +156,8 @@ SizeField::Sample SizeField::at(Uv uv) const {
     sample.size = size_from_curvature(jet);
     blend_with_discs(sample);
   }
-  if (everywhere_) sample.size = minimum(sample.size, *everywhere_);
+  // Where stretched sizes cross, their minimum is shorter than both.
+  if (everywhere_) sample.size = clamp(minimum(sample.size, *everywhere_));
   return sample;
 }
 

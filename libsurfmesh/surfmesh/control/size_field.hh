@@ -45,7 +45,7 @@ class SizeField {
   SizeTensor clamp(const SizeTensor& size) const;
 
   /// The size tensor of a user's size.
-  /// Throws   InvalidInput if a length is not positive and finite
+  /// Throws   InvalidInput if a length is not positive and finite, or the angle not finite
   SizeTensor tensor(const Size& size) const;
 
   /// True if some area source gives sizes below hmax; if not, the field is hmax everywhere.

@@ -62,37 +62,7 @@ std::size_t step_limit(std::size_t face_count) {
   return 100 + 20 * static_cast<std::size_t>(std::sqrt(static_cast<double>(face_count)));
 }
 
-/// Steps of a walk that starts near its end.
-constexpr int kWalkLimit = 2000;
-
 }  // namespace
-
-FaceHandle walk(const TriMesh& mesh, decltype(keys::vertex_uv)::Handle uv, Uv p, FaceHandle start,
-                RandomBits& random) {
-  const auto is_right = [&](HalfedgeHandle heh) {
-    const Uv a = mesh.property(uv, mesh.from_vertex_handle(heh));
-    const Uv b = mesh.property(uv, mesh.to_vertex_handle(heh));
-    return cross(b - a, p - a) < 0;
-  };
-  HalfedgeHandle entry = mesh.halfedge_handle(start);
-  if (is_right(entry) && !mesh.is_boundary(mesh.opposite_halfedge_handle(entry))) {
-    entry = mesh.opposite_halfedge_handle(entry);
-  }
-  for (int steps = 0; steps < kWalkLimit; ++steps) {
-    HalfedgeHandle a = mesh.next_halfedge_handle(entry);
-    HalfedgeHandle b = mesh.next_halfedge_handle(a);
-    if (random.next() & 1u) std::swap(a, b);
-    // An open side is not left: the point may lie outside by rounding.
-    if (is_right(a) && !mesh.is_boundary(mesh.opposite_halfedge_handle(a))) {
-      entry = mesh.opposite_halfedge_handle(a);
-    } else if (is_right(b) && !mesh.is_boundary(mesh.opposite_halfedge_handle(b))) {
-      entry = mesh.opposite_halfedge_handle(b);
-    } else {
-      break;
-    }
-  }
-  return mesh.face_handle(entry);
-}
 
 Location locate(const TriMesh& mesh, decltype(keys::vertex_uv)::Handle uv, Uv p, FaceHandle start,
                 RandomBits& random, std::size_t face_count) {

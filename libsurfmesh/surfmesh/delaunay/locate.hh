@@ -44,12 +44,4 @@ struct Location {
 Location locate(const TriMesh& mesh, decltype(keys::vertex_uv)::Handle uv, Uv p, FaceHandle start,
                 RandomBits& random, std::size_t face_count);
 
-/// Walk towards a point and return the triangle that contains it, up to rounding; the last one met
-/// if the point lies outside or after a bounded number of steps. For queries, where a neighbour of
-/// the right triangle is as good.
-///
-/// Cost     as locate, without its exact predicates
-FaceHandle walk(const TriMesh& mesh, decltype(keys::vertex_uv)::Handle uv, Uv p, FaceHandle start,
-                RandomBits& random);
-
 }  // namespace surfmesh

@@ -52,9 +52,9 @@ struct Key {
   int index;
 };
 
-}  // namespace
-
-std::vector<int> spatial_order(const std::vector<Uv>& points) {
+/// Order points by a round told for each, then along the curve.
+template <class Round>
+std::vector<int> order_by_rounds(const std::vector<Uv>& points, Round next_round) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Uv lower{infinity, infinity}, upper{-infinity, -infinity};
   for (const Uv p : points) {
@@ -62,15 +62,12 @@ std::vector<int> spatial_order(const std::vector<Uv>& points) {
     upper = {std::max(upper.u, p.u), std::max(upper.v, p.v)};
   }
   const Cells column(lower.u, upper.u), row(lower.v, upper.v);
-  RandomBits random;
   std::vector<Key> keys;
   keys.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    // The number of leading zeros of random bits is the number of rounds before the last.
-    const int rounds_before_last = std::countl_zero(random.next() | 1u);
-    const std::uint64_t round = static_cast<std::uint64_t>(32 - rounds_before_last);
-    keys.push_back({round << 32 | hilbert_index(column(points[i].u), row(points[i].v)),
-                    static_cast<int>(i)});
+    const std::uint64_t round = next_round();
+    keys.push_back(
+        {round << 32 | hilbert_index(column(points[i].u), row(points[i].v)), static_cast<int>(i)});
   }
   std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
     return a.rank != b.rank ? a.rank < b.rank : a.index < b.index;
@@ -79,6 +76,21 @@ std::vector<int> spatial_order(const std::vector<Uv>& points) {
   order.reserve(keys.size());
   for (const Key& key : keys) order.push_back(key.index);
   return order;
+}
+
+}  // namespace
+
+std::vector<int> spatial_order(const std::vector<Uv>& points) {
+  RandomBits random;
+  return order_by_rounds(points, [&] {
+    // The number of leading zeros of random bits is the number of rounds before the last.
+    const int rounds_before_last = std::countl_zero(random.next() | 1u);
+    return static_cast<std::uint64_t>(32 - rounds_before_last);
+  });
+}
+
+std::vector<int> hilbert_order(const std::vector<Uv>& points) {
+  return order_by_rounds(points, [] { return std::uint64_t{0}; });
 }
 
 }  // namespace surfmesh

@@ -17,4 +17,11 @@ namespace surfmesh {
 /// Source   Amenta, Choi, Rote, Incremental constructions con BRIO (2003)
 std::vector<int> spatial_order(const std::vector<Uv>& points);
 
+/// The order of points along one Hilbert curve, for what is read again and again: near in the plane
+/// is near in memory. Deterministic.
+///
+/// Returns  indices into `points`
+/// Cost     O(n log n), about 100 ns a point
+std::vector<int> hilbert_order(const std::vector<Uv>& points);
+
 }  // namespace surfmesh

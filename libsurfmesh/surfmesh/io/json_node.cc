@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/io/nearest_word.hh"
 
 namespace surfmesh {
 namespace {
@@ -100,32 +100,9 @@ std::string_view reason_of(std::string_view message) {
       fmt::format("{}:{}:{}: {}", name, line, position - line_start + 1, reason_of(error.what())));
 }
 
-/// How many letters have to be put in, left out or changed to make one word of the other.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, change});
-    }
-  }
-  return row[b.size()];
-}
-
 std::string suggestion(std::string_view key, std::initializer_list<std::string_view> known) {
-  // Beyond this many letters any key is near to some other.
-  if (key.size() > 40) return "";
-  const auto nearest = std::min_element(known.begin(), known.end(), [key](auto a, auto b) {
-    return edit_distance(key, a) < edit_distance(key, b);
-  });
-  if (nearest == known.end()) return "";
-  const bool is_near =
-      edit_distance(key, *nearest) <= std::max<std::size_t>(1, nearest->size() / 3);
-  return is_near ? fmt::format(", did you mean {}?", *nearest) : "";
+  const auto nearest = nearest_word(key, {known.begin(), known.size()});
+  return nearest ? fmt::format(", did you mean {}?", *nearest) : "";
 }
 
 }  // namespace

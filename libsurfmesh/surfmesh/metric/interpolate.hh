@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -34,6 +36,21 @@ inline SizeTensor interpolate(std::span<const SizeTensor> sizes,
   }
   const double scale = 1 / total;
   return {scale * sum.h11, scale * sum.h12, scale * sum.h22};
+}
+
+/// The same of exactly three nodes, with one division; exact where all tensors are equal.
+inline SizeTensor interpolate(const std::array<SizeTensor, 3>& sizes,
+                              const std::array<double, 3>& squared_distances) {
+  const auto& [d0, d1, d2] = squared_distances;
+  const double w0 = d1 * d2, w1 = d0 * d2, w2 = d0 * d1;
+  // At a node, or where products leave the range of numbers.
+  if (!std::isnormal(w2 * d2)) return interpolate(std::span(sizes), std::span(squared_distances));
+  const double scale = 1 / (w0 + w1 + w2);
+  const double s1 = scale * w1, s2 = scale * w2;
+  const auto& [a, b, c] = sizes;
+  return {a.h11 + (s1 * (b.h11 - a.h11) + s2 * (c.h11 - a.h11)),
+          a.h12 + (s1 * (b.h12 - a.h12) + s2 * (c.h12 - a.h12)),
+          a.h22 + (s1 * (b.h22 - a.h22) + s2 * (c.h22 - a.h22))};
 }
 
 }  // namespace surfmesh

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "surfmesh/assemble/assemble.hh"
+#include "surfmesh/assemble/turned_triangles.hh"
 #include "surfmesh/boundary/patch_boundary.hh"
 #include "surfmesh/control/make_control.hh"
 #include "surfmesh/core/error.hh"
@@ -139,11 +140,24 @@ class Run {
       elements += patches_[p].delaunay->n_faces();
     });
     const StageClock clock(report_.seconds.assemble);
+    std::size_t turned = 0;
+    for (PatchMesh& patch : patches_) {
+      evaluate_vertices(patch);
+      turned += mend_turned_triangles(patch);
+    }
     split_improper_chords(patches_);
+    for (PatchMesh& patch : patches_) evaluate_vertices(patch);
+    if (turned > 0) {
+      report_.shortfalls.push_back(
+          fmt::format("{} triangles are turned against the normal of the surface; smaller sizes "
+                      "help (curvature, hmax)",
+                      turned));
+    }
   }
 
   void mesh_patch(std::size_t p, const RefineOptions& refine_options) {
     PatchMesh& patch = patches_[p];
+    patch.surface = model_.patches[p].surface.get();
     patch.field = fields_[p];
     {
       const StageClock clock(report_.seconds.triangulate);
@@ -172,12 +186,6 @@ class Run {
     Assembly assembly = assemble(model_, nodes_, *numbers_, patches_);
     for (std::string& warning : assembly.report.warnings) {
       report_.warnings.push_back(std::move(warning));
-    }
-    if (assembly.report.turned > 0) {
-      report_.shortfalls.push_back(
-          fmt::format("{} triangles are turned against the normal of the surface; smaller sizes "
-                      "help (curvature, hmax)",
-                      assembly.report.turned));
     }
     tell("assemble", 1, 1);
     return {std::move(assembly.mesh), {}};

@@ -9,11 +9,11 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 #include "surfmesh/control/parse_length.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/io/nearest_word.hh"
 
 namespace surfmesh {
 namespace {
@@ -240,40 +240,13 @@ constexpr auto kOptions = std::to_array<OptionEntry>({
      }},
 });
 
-/// Least number of characters to insert, remove or replace to make one word of the other.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-/// The nearest name, if it is near: a third of its characters may differ.
-std::optional<std::string_view> suggestion(std::string_view name) {
-  const auto distance = [name](std::string_view other) { return edit_distance(name, other); };
-  const auto& names = option_names();
-  const auto nearest = std::min_element(
-      names.begin(), names.end(),
-      [&](std::string_view a, std::string_view b) { return distance(a) < distance(b); });
-  if (distance(*nearest) > std::max<std::size_t>(1, nearest->size() / 3)) return std::nullopt;
-  return *nearest;
-}
-
 const OptionEntry& entry(std::string_view name) {
   const auto found = std::find_if(kOptions.begin(), kOptions.end(),
                                   [name](const OptionEntry& e) { return e.name == name; });
   if (found != kOptions.end()) return *found;
   const std::string front = fmt::format("there is no option '{}'", name.substr(0, kLongestQuote));
   if (name.size() <= kLongestQuote) {
-    if (const auto near = suggestion(name)) {
+    if (const auto near = nearest_word(name, option_names())) {
       throw Error(ErrorCode::InvalidOption, fmt::format("{}; did you mean {}?", front, *near));
     }
   }

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "surfmesh/assemble/patch_mesh.hh"
+
+namespace surfmesh {
+
+/// True if the triangle's normal points against the sum of the surface's normals at its vertices.
+/// Pre      evaluate_vertices has been called
+bool is_turned(const PatchMesh& patch, FaceHandle fh);
+
+/// Mend triangles that are valid in (u,v) but turned against the surface in space, where elements
+/// are large against its curvature: swap an edge if that mends both triangles, else give its longest
+/// chord a node in the middle, and again, for a few rounds.
+///
+/// Writes   surf:uv, surf:metric of new vertices; points and normals of the patch
+/// Returns  the number of triangles still turned: those at a contour whose own segments are too long
+/// Cost     O(faces) if none is turned
+std::size_t mend_turned_triangles(PatchMesh& patch);
+
+}  // namespace surfmesh

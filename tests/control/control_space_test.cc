@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/control/control_space.hh"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <random>
+#include <thread>
+
+#include "support/errors.hh"
+#include "support/expect_valid.hh"
+#include "support/tensors.hh"
+#include "support/waves.hh"
+#include "surfmesh/metric/conformity.hh"
+#include "surfmesh/metric/gradation.hh"
+
+namespace surfmesh {
+namespace {
+
+using testing::expect_near;
+
+constexpr FirstFormFactor kFlat{1, 0, 1};
+constexpr double kGradationTolerance = 1e-3;
+
+ControlNode node(Uv uv, const SizeTensor& size, const FirstFormFactor& form = kFlat) {
+  return {uv, Vec3(uv.u, uv.v, 0), form, size, {}};
+}
+
+/// n × n nodes of the plane.
+std::vector<ControlNode> grid(const Domain& domain, int n,
+                              const std::function<SizeTensor(Uv)>& size) {
+  std::vector<ControlNode> nodes;
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      const Uv uv = domain.at(double(i) / (n - 1), double(j) / (n - 1));
+      nodes.push_back(node(uv, size(uv)));
+    }
+  }
+  return nodes;
+}
+
+/// The four corners of a domain and what else is given.
+std::vector<ControlNode> with_corners(const Domain& domain, const SizeTensor& size,
+                                      const std::vector<ControlNode>& others) {
+  std::vector<ControlNode> nodes = others;
+  for (int i = 0; i < 4; ++i) nodes.push_back(node(domain.corner(i), size));
+  return nodes;
+}
+
+std::vector<Uv> random_points(const Domain& domain, int count, unsigned seed = 1) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<Uv> points;
+  for (int i = 0; i < count; ++i) {
+    const double s = uniform(random);
+    points.push_back(domain.at(s, uniform(random)));
+  }
+  return points;
+}
+
+/// Nodes at random places of the unit square with random sizes.
+ControlSpace random_space(int count, double grade = 0) {
+  const auto sizes = testing::random_sizes(count, 10);
+  const auto points = random_points({}, count);
+  std::vector<ControlNode> nodes = with_corners({}, isotropic(0.01), {});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    nodes.push_back(node(points[i], scaled(sizes[i], 0.01)));
+  }
+  return ControlSpace({}, nodes, grade);
+}
+
+SizeTensor query(const ControlSpace& control, Uv uv, const FirstFormFactor& form = kFlat) {
+  ControlSpace::Hint hint;
+  return control.size(uv, form, hint);
+}
+
+SizeTensor size_at(const ControlSpace& control, VertexHandle vh) {
+  return control.mesh().property(require(control.mesh(), keys::vertex_size), vh);
+}
+
+Uv uv_at(const ControlSpace& control, VertexHandle vh) {
+  return control.mesh().property(require(control.mesh(), keys::vertex_uv), vh);
+}
+
+TEST(ControlSpace, HasAValidMesh) {
+  const ControlSpace control = random_space(1000);
+  testing::expect_valid(control.mesh());
+  const std::size_t vertices = control.mesh().n_vertices();
+  EXPECT_GT(vertices, 950U);  // some are near each other
+  EXPECT_EQ(vertices + control.mesh().n_faces(), control.mesh().n_edges() + 1);
+}
+
+TEST(ControlSpace, ReproducesAConstantFieldExactly) {
+  const SizeTensor size = size_tensor(0.3, 0.07, 0.4);
+  const ControlSpace control({}, grid({}, 7, [&](Uv) { return size; }), 0);
+  ControlSpace::Hint hint;
+  for (const Uv uv : random_points({}, 1000)) {
+    ASSERT_EQ(control.size(uv, {2, 0.5, 3}, hint), size);
+  }
+}
+
+TEST(ControlSpace, GivesTheTensorOfANodeAtItsPosition) {
+  const ControlSpace control = random_space(500);
+  for (const VertexHandle vh : control.mesh().vertices()) {
+    EXPECT_EQ(query(control, uv_at(control, vh)), size_at(control, vh));
+  }
+}
+
+TEST(ControlSpace, StaysWithinTheSizesOfItsNodes) {
+  const ControlSpace control = random_space(500);
+  double least = 1, largest = 0;
+  for (const VertexHandle vh : control.mesh().vertices()) {
+    least = std::min(least, principal_sizes(size_at(control, vh)).l_t);
+    largest = std::max(largest, principal_sizes(size_at(control, vh)).l_s);
+  }
+  for (const Uv uv : random_points({}, 2000)) {
+    const PrincipalSizes sizes = principal_sizes(query(control, uv));
+    ASSERT_GE(sizes.l_t, least * (1 - 1e-12));
+    ASSERT_LE(sizes.l_s, largest * (1 + 1e-12));
+  }
+}
+
+TEST(ControlSpace, WeighsByTheInverseSquaresOfDistances) {
+  const Domain domain{};
+  const ControlSpace control(
+      domain, with_corners(domain, isotropic(1), {node({0.5, 0.5}, isotropic(2))}), 0);
+  // From (0.5, 0.25): 1/16 to the middle, 5/16 to the corners below, in any triangle that holds it.
+  const double expected = (16 * 2 + 2 * 3.2 * 1) / (16 + 2 * 3.2);
+  EXPECT_NEAR(query(control, {0.5, 0.25}).h11, expected, 1e-14);
+}
+
+TEST(ControlSpace, TakesDistancesThroughTheFirstForm) {
+  const Domain domain{};
+  const ControlSpace control(
+      domain, with_corners(domain, isotropic(1), {node({0.5, 0.5}, isotropic(2))}), 0);
+  // u counts ten times: 1/16 to the middle, 25 + 1/16 to the corners below.
+  const double expected = (16 * 2 + 2 / 25.0625) / (16 + 2 / 25.0625);
+  EXPECT_NEAR(query(control, {0.5, 0.25}, {10, 0, 1}).h11, expected, 1e-14);
+}
+
+TEST(ControlSpace, TurnsSizesIntoTheMetric) {
+  const ControlSpace control = random_space(100);
+  ControlSpace::Hint hint;
+  const FirstFormFactor form{2, 0.5, 3};
+  const Metric expected = metric_from_size(form, query(control, {0.3, 0.6}, form));
+  EXPECT_EQ(control.metric({0.3, 0.6}, form, hint), expected);
+}
+
+TEST(ControlSpace, ConvergesToASmoothField) {
+  const auto exact = [](Uv uv) { return isotropic(0.01 + 0.005 * std::sin(3 * uv.u + 2 * uv.v)); };
+  std::array<double, 2> errors{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const ControlSpace control({}, grid({}, k == 0 ? 11 : 41, exact), 0);
+    for (const Uv uv : random_points({}, 2000)) {
+      errors[k] = std::max(errors[k], std::abs(query(control, uv).h11 - exact(uv).h11));
+    }
+  }
+  EXPECT_LT(errors[1], 0.35 * errors[0]);
+}
+
+// --- near nodes ---
+
+TEST(ControlSpace, MakesOneOfNearNodesWithTheMinimumOfBoth) {
+  const Domain domain{};
+  const auto nodes = with_corners(
+      domain, isotropic(1), {node({0.5, 0.5}, {0.2, 0, 0.4}), node({0.5, 0.51}, {0.4, 0, 0.2})});
+  const ControlSpace control(domain, nodes, 0);
+  EXPECT_EQ(control.mesh().n_vertices(), 5U);
+  expect_near(query(control, uv_at(control, VertexHandle(4))), isotropic(0.2), 1e-9);
+}
+
+TEST(ControlSpace, KeepsNodesThatAreATenthOfTheSizeApart) {
+  const Domain domain{};
+  const auto nodes = with_corners(
+      domain, isotropic(1), {node({0.5, 0.5}, isotropic(0.2)), node({0.5, 0.521}, isotropic(0.2))});
+  EXPECT_EQ(ControlSpace(domain, nodes, 0).mesh().n_vertices(), 6U);
+}
+
+TEST(ControlSpace, MakesOneOfNodesAtOnePosition) {
+  const Domain domain{};
+  const auto nodes = with_corners(
+      domain, isotropic(1), {node({0.5, 0.5}, {0.2, 0, 0.4}), node({0.5, 0.5}, {0.4, 0, 0.2})});
+  const ControlSpace control(domain, nodes, 0);
+  EXPECT_EQ(control.mesh().n_vertices(), 5U);
+  expect_near(query(control, {0.5, 0.5}), isotropic(0.2), 1e-9);
+}
+
+TEST(ControlSpace, TakesTheMinimumOfNodesAtOneCorner) {
+  const Domain domain{};
+  const auto nodes = with_corners(domain, isotropic(1), {node({1, 1}, isotropic(0.2))});
+  const ControlSpace control(domain, nodes, 0);
+  expect_near(query(control, {1, 1}), isotropic(0.2), 1e-9);
+  EXPECT_EQ(query(control, {0, 0}), isotropic(1));
+}
+
+TEST(ControlSpace, KeepsTheCornersOfAPatchMuchSmallerThanItsElements) {
+  const Domain domain{0, 1e-3, 0, 1e-3};
+  const auto nodes = grid(domain, 5, [](Uv) { return isotropic(1); });
+  const ControlSpace control(domain, nodes, 0);
+  EXPECT_EQ(control.mesh().n_vertices(), 4U);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(query(control, domain.corner(i)), isotropic(1));
+  }
+}
+
+// --- gradation ---
+
+/// Greatest conformity between a size and the one its neighbours allow.
+double worst_gradation(const ControlSpace& control, double grade,
+                       const FirstFormFactor& form = kFlat) {
+  double worst = 0;
+  for (const HalfedgeHandle heh : control.mesh().halfedges()) {
+    const VertexHandle i = control.mesh().from_vertex_handle(heh);
+    const VertexHandle j = control.mesh().to_vertex_handle(heh);
+    const Uv edge = uv_at(control, j) - uv_at(control, i);
+    const Metric metric = metric_from_size(form, size_at(control, i));
+    const double length_m = std::sqrt(squared_length(metric, edge));
+    const SizeTensor allowed = graded(size_at(control, j), size_at(control, i), length_m, grade);
+    worst = std::max(worst, log_conformity(size_at(control, j), allowed));
+  }
+  return worst;
+}
+
+TEST(Gradation, LeavesNoNeighbourThatViolatesIt) {
+  for (const double grade : {1.0, 1.2, 1.5, 3.0}) {
+    EXPECT_LE(worst_gradation(random_space(2000, grade), grade), kGradationTolerance) << grade;
+  }
+  EXPECT_GT(worst_gradation(random_space(2000, 0), 1.5), 0.1);
+}
+
+TEST(Gradation, GivesACone) {
+  // From one small size the others grow by ln g a unit of length.
+  const auto spike = [](Uv uv) { return isotropic(uv == Uv{0.5, 0.5} ? 0.01 : 10); };
+  const ControlSpace control({}, grid({}, 21, spike), 1.5);
+  for (const VertexHandle vh : control.mesh().vertices()) {
+    const Uv step = uv_at(control, vh) - Uv{0.5, 0.5};
+    const double size = size_at(control, vh).h11;
+    const double distance = std::hypot(step.u, step.v);
+    // Along edges the way is longer than straight, by at most the secant of π/8.
+    EXPECT_GE(size, (0.01 + std::log(1.5) * distance) * (1 - 20 * kGradationTolerance));
+    EXPECT_LE(size, (0.01 + 1.083 * std::log(1.5) * distance) * (1 + 20 * kGradationTolerance));
+  }
+}
+
+TEST(Gradation, LeavesAFieldThatRespectsItBitByBit) {
+  const auto gentle = [](Uv uv) { return isotropic(0.1 + 0.3 * uv.u); };
+  const auto nodes = grid({}, 21, gentle);
+  const ControlSpace control({}, nodes, 1.5);
+  for (const VertexHandle vh : control.mesh().vertices()) {
+    EXPECT_EQ(size_at(control, vh), gentle(uv_at(control, vh)));
+  }
+}
+
+TEST(Gradation, ByOneGivesTheLeastSizeEverywhere) {
+  const auto spike = [](Uv uv) { return isotropic(uv == Uv{0.5, 0.5} ? 0.01 : 10); };
+  const ControlSpace control({}, grid({}, 9, spike), 1);
+  for (const VertexHandle vh : control.mesh().vertices()) {
+    EXPECT_NEAR(size_at(control, vh).h11, 0.01, 0.01 * 10 * kGradationTolerance);
+  }
+}
+
+TEST(Gradation, NeverRaisesASize) {
+  const ControlSpace before = random_space(500, 0), after = random_space(500, 1.2);
+  for (const VertexHandle vh : before.mesh().vertices()) {
+    for (const Uv d : testing::directions(16)) {
+      EXPECT_LE(testing::wanted_length(size_at(after, vh), d),
+                testing::wanted_length(size_at(before, vh), d) * (1 + 1e-9));
+    }
+  }
+}
+
+// --- queries ---
+
+TEST(Query, FromFourThreadsEqualsTheSerialOneBitByBit) {
+  const ControlSpace control = random_space(5000);
+  std::array<std::vector<SizeTensor>, 4> parallel, serial;
+  const auto ask = [&](std::size_t part, std::vector<SizeTensor>& answers) {
+    ControlSpace::Hint hint;
+    for (const Uv uv : random_points({}, 5000, static_cast<unsigned>(part))) {
+      answers.push_back(control.size(uv, kFlat, hint));
+    }
+  };
+  std::vector<std::thread> threads;
+  for (std::size_t k = 0; k < 4; ++k) threads.emplace_back([&, k] { ask(k, parallel[k]); });
+  for (std::thread& thread : threads) thread.join();
+  for (std::size_t k = 0; k < 4; ++k) ask(k, serial[k]);
+  EXPECT_EQ(parallel, serial);
+}
+
+TEST(Query, DoesNotDependOnTheHint) {
+  const ControlSpace control = random_space(5000);
+  ControlSpace::Hint warm;
+  for (const Uv uv : random_points({}, 5000)) {
+    ASSERT_EQ(control.size(uv, kFlat, warm), query(control, uv));
+  }
+}
+
+TEST(Query, DoesNotDependOnTheOrderOfPoints) {
+  const ControlSpace control = random_space(5000);
+  std::vector<Uv> points = random_points({}, 3000);
+  ControlSpace::Hint hint;
+  std::vector<SizeTensor> forth, back;
+  for (const Uv uv : points) forth.push_back(control.size(uv, kFlat, hint));
+  std::reverse(points.begin(), points.end());
+  for (const Uv uv : points) back.push_back(control.size(uv, kFlat, hint));
+  std::reverse(back.begin(), back.end());
+  EXPECT_EQ(forth, back);
+}
+
+TEST(Query, OfAPointOutsideByRoundingIsThatOfTheBoundary) {
+  const Domain domain{0.1, 0.7, -1.0 / 3, 2};
+  const ControlSpace control(domain, grid(domain, 9, [](Uv uv) { return isotropic(1 + uv.u); }), 0);
+  for (const double v : {-1.0 / 3, 0.1, 1.9, 2.0}) {
+    const double outside = 0.7 * (1 + 1e-15);
+    expect_near(query(control, {outside, v}), query(control, {0.7, v}), 1e-9);
+  }
+  expect_near(query(control, {0.1 - 1e-16, 2 + 1e-15}), query(control, {0.1, 2}), 1e-9);
+}
+
+TEST(Query, OfAPointFarOutsideEnds) {
+  const ControlSpace control = random_space(1000);
+  for (const Uv uv : {Uv{-5, 0.5}, Uv{0.5, 1e9}, Uv{1e12, 1e12}, Uv{-1e100, 1}}) {
+    const SizeTensor size = query(control, uv);
+    EXPECT_GT(size.h11, 0);
+    EXPECT_LT(size.h11, 1);
+  }
+}
+
+TEST(Query, IsTheSameAtAnyScaleOfTheParameters) {
+  constexpr double u_scale = 1e6, v_scale = 1e-3;
+  const auto field = [](Uv uv) { return isotropic(0.1 + 0.05 * std::sin(5 * uv.u + uv.v)); };
+  const ControlSpace plain({}, grid({}, 17, field), 1.2);
+  std::vector<ControlNode> nodes = grid({}, 17, field);
+  for (ControlNode& n : nodes) {
+    n.uv = {u_scale * n.uv.u, v_scale * n.uv.v};
+    n.form = {1 / u_scale, 0, 1 / v_scale};
+  }
+  const ControlSpace stretched({0, u_scale, 0, v_scale}, nodes, 1.2);
+  ASSERT_EQ(stretched.mesh().n_vertices(), plain.mesh().n_vertices());
+  for (const Uv uv : random_points({}, 1000)) {
+    // Squares may be cut along either diagonal.
+    const Uv far{u_scale * uv.u, v_scale * uv.v};
+    expect_near(query(stretched, far, {1 / u_scale, 0, 1 / v_scale}), query(plain, uv), 0.05);
+  }
+}
+
+TEST(Query, AtAPoleTakesANodeOfThePole) {
+  const auto rows = [](Uv uv) { return isotropic(uv.v == 1 ? 0.1 : 0.5); };
+  const ControlSpace control({}, grid({}, 5, rows), 0);
+  EXPECT_EQ(query(control, {0.4, 1}, {0, 1, 0}), isotropic(0.1));
+}
+
+TEST(ControlSpace, RefusesANodeOutsideTheDomainByItsPlace) {
+  const Domain domain{};
+  const auto nodes = with_corners(domain, isotropic(1), {node({0.5, 1.25}, isotropic(1))});
+  const std::string error = error_of([&] { ControlSpace(domain, nodes, 0); });
+  EXPECT_EQ(error.rfind(name(ErrorCode::InvalidInput), 0), 0U) << error;
+  EXPECT_NE(error.find("(0.5, 1.25)"), std::string::npos) << error;
+}
+
+TEST(ControlSpace, TakesNodesInAnyOrder) {
+  auto nodes = grid({}, 9, [](Uv uv) { return isotropic(0.05 + 0.1 * uv.u * uv.v); });
+  const ControlSpace control({}, nodes, 1.5);
+  std::reverse(nodes.begin(), nodes.end());
+  const ControlSpace reversed({}, nodes, 1.5);
+  for (const VertexHandle vh : control.mesh().vertices()) {
+    const Uv uv = uv_at(control, vh);
+    expect_near(query(reversed, uv), query(control, uv), 0.01);
+  }
+}
+
+}  // namespace
+}  // namespace surfmesh

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/control/make_control.hh"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "geometry/cages.hh"
+#include "support/analytic.hh"
+#include "support/errors.hh"
+#include "support/tensors.hh"
+#include "support/waves.hh"
+#include "surfmesh/geometry/limit_surface.hh"
+
+namespace surfmesh {
+namespace {
+
+using std::numbers::pi;
+using testing::expect_near;
+using testing::size_of;
+using testing::sizing_of;
+
+double root_of_determinant(const FirstFormFactor& form, const SizeTensor& size) {
+  return form.l11 * form.l22 / determinant(size);
+}
+
+/// ∫√det M of field and control space at one random point in each of n × n cells.
+MetricArea stratified_area(const SizeField& field, const ControlSpace& control, int n) {
+  std::mt19937_64 random(20240229);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const Domain domain = field.surface().domain();
+  ControlSpace::Hint hint;
+  MetricArea area;
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      const double s = (i + uniform(random)) / n;
+      const Uv uv = domain.at(s, (j + uniform(random)) / n);
+      const SizeField::Sample sample = field.at(uv);
+      area.exact += root_of_determinant(sample.form, sample.size);
+      area.control += root_of_determinant(sample.form, control.size(uv, sample.form, hint));
+    }
+  }
+  const double cell = (domain.u1 - domain.u0) * (domain.v1 - domain.v0) / n / n;
+  return {cell * area.exact, cell * area.control};
+}
+
+ControlSpace control_of(const Surface& surface, const Sizing& sizing,
+                        const PatchSources& sources = {}, const ControlNodeOptions& options = {}) {
+  return make_control(surface, sizing, sources, 1, options);
+}
+
+SizeTensor query(const ControlSpace& control, Uv uv) {
+  ControlSpace::Hint hint;
+  return control.size(uv, {1, 0, 1}, hint);
+}
+
+// --- the metric area ---
+
+struct AreaCase {
+  const char* name;
+  std::shared_ptr<const Surface> surface;
+  Sizing sizing;
+};
+
+class MetricAreaOf : public ::testing::TestWithParam<AreaCase> {};
+
+TEST_P(MetricAreaOf, IsHeldByTheControlSpaceToTwoPercent) {
+  const AreaCase& c = GetParam();
+  const SizeField field(*c.surface, c.sizing, {}, 1);
+  const MetricArea area = stratified_area(field, control_of(*c.surface, c.sizing), 300);
+  EXPECT_NEAR(area.control, area.exact, 0.02 * area.exact);
+}
+
+TEST_P(MetricAreaOf, IsEstimatedToOnePercent) {
+  const AreaCase& c = GetParam();
+  const SizeField field(*c.surface, c.sizing, {}, 1);
+  const ControlSpace control = control_of(*c.surface, c.sizing);
+  const MetricArea area = stratified_area(field, control, 300);
+  const MetricArea estimate = metric_area(field, control, 50'000);
+  EXPECT_NEAR(estimate.exact, area.exact, 0.01 * area.exact);
+  EXPECT_NEAR(estimate.control, area.control, 0.01 * area.control);
+}
+
+std::vector<AreaCase> area_cases() {
+  const auto sphere = std::make_shared<test::Sphere>(1, Domain{0, 2 * pi, -pi / 2, pi / 2});
+  const auto torus = std::make_shared<test::Torus>(2, 0.5, Domain{0, 2 * pi, 0, 2 * pi});
+  return {{"PaperWave", testing::paper_wave(), testing::paper_sizing()},
+          {"PaperWaveAtTwoScales", testing::paper_wave(1e6, 1e-3), testing::paper_sizing()},
+          {"Sphere", sphere, sizing_of(0.1, 0.001, 1, 2)},
+          {"Torus", torus, sizing_of(0.1, 0.001, 1, 2)},
+          {"StretchedTorus", torus, sizing_of(0.1, 0.001, 1, 100)},
+          {"SineWave", testing::sine_wave(), sizing_of(0.1, 0.001, 1, 5)},
+          {"HalfBentSheet", testing::half_bent_sheet(), sizing_of(0.1, 0.001, 0.3, 5)},
+          {"CubePatch", make_limit_surfaces(testing::cube(), Scheme::Auto).front(),
+           sizing_of(0.1, 0.001, 1, 2)},
+          {"Saddle", make_limit_surfaces(testing::quad_fan(5), Scheme::Auto).front(),
+           sizing_of(0.1, 0.001, 1, 2)}};
+}
+
+INSTANTIATE_TEST_SUITE_P(Surfaces, MetricAreaOf, ::testing::ValuesIn(area_cases()),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(MetricArea, OfASphereIsItsAreaOverTheSquareOfTheSize) {
+  const test::Sphere sphere(1, {0, 2 * pi, -pi / 2, pi / 2});
+  const SizeField field(sphere, sizing_of(0.1, 0.001, 1, 2), {}, 1);
+  const ControlSpace control = control_of(sphere, sizing_of(0.1, 0.001, 1, 2));
+  const MetricArea area = metric_area(field, control, 20'000);
+  EXPECT_NEAR(area.exact, 400 * pi, 4 * pi);
+  EXPECT_NEAR(area.control, 400 * pi, 4 * pi);
+}
+
+TEST(MetricArea, OfATriangleIsHalfThatOfItsRectangle) {
+  const test::PlanePatch triangle(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(),
+                                  {0, 1, 0, 1, Domain::Shape::Triangle});
+  const Sizing sizing = sizing_of(0, 0.01, 0.1, 2);
+  const MetricArea area =
+      metric_area(SizeField(triangle, sizing, {}, 1), control_of(triangle, sizing), 20'000);
+  EXPECT_NEAR(area.exact, 50, 0.5);
+}
+
+// --- sources at points ---
+
+test::PlanePatch plane(const Domain& domain = {}) {
+  return {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), domain};
+}
+
+TEST(MakeControl, TakesTheMinimumOfPointAndAreaSources) {
+  const auto surface = plane();
+  const PatchSources sources{{{0, size_of(0.3)}}, {{0, {0.4, 0.6}, size_of(0.1, 0.9)}}};
+  const ControlSpace control = control_of(surface, sizing_of(0, 0.01, 1, 2), sources);
+  expect_near(query(control, {0.4, 0.6}), {0.1, 0, 0.3}, 1e-9);
+  expect_near(query(control, {0, 0}), isotropic(0.3), 1e-9);
+}
+
+TEST(MakeControl, ClampsSizesAtPoints) {
+  const auto surface = plane();
+  const PatchSources sources{{}, {{0, {0.4, 0.6}, size_of(0.001, 9)}}};
+  const ControlSpace control = control_of(surface, sizing_of(0, 0.01, 1, 2), sources);
+  expect_near(query(control, {0.4, 0.6}), {0.01, 0, 1}, 1e-9);
+}
+
+TEST(MakeControl, GivesCornersTheNearestSizeWithoutAreaSources) {
+  const auto surface = plane();
+  const PatchSources sources{{}, {{0, {0.1, 0.1}, size_of(0.1)}, {0, {0.8, 0.9}, size_of(0.4)}}};
+  const ControlSpace control = control_of(surface, sizing_of(0, 0.01, 1, 2), sources);
+  expect_near(query(control, {0, 0}), isotropic(0.1), 1e-12);
+  expect_near(query(control, {1, 1}), isotropic(0.4), 1e-12);
+}
+
+TEST(MakeControl, HasOnlyCornersAndPointsWithoutAreaSources) {
+  const auto surface = plane();
+  const PatchSources sources{{}, {{0, {0.1, 0.1}, size_of(0.1)}, {0, {0.8, 0.9}, size_of(0.4)}}};
+  const Sizing sizing = sizing_of(0, 0.01, 1, 2);
+  EXPECT_EQ(control_of(surface, sizing, sources).mesh().n_vertices(), 6U);
+}
+
+TEST(MakeControl, InterpolatesBetweenPointsWithoutAreaSources) {
+  const auto surface = plane();
+  const PatchSources sources{{}, {{0, {0, 0.5}, size_of(0.1)}, {0, {1, 0.5}, size_of(0.4)}}};
+  const ControlSpace control = control_of(surface, sizing_of(0, 0.01, 1, 2), sources);
+  EXPECT_NEAR(query(control, {0.5, 0.5}).h11, 0.25, 0.05);
+}
+
+TEST(MakeControl, GivesHmaxWithoutAnySource) {
+  const auto surface = plane();
+  EXPECT_EQ(query(control_of(surface, sizing_of(0, 0.01, 0.7, 2)), {0.3, 0.2}), isotropic(0.7));
+}
+
+TEST(MakeControl, RefusesAPointOutsideTheDomainByItsPlace) {
+  const auto rectangle = plane();
+  const auto triangle = plane({0, 1, 0, 1, Domain::Shape::Triangle});
+  const auto error = [](const Surface& surface, Uv at) {
+    const PatchSources sources{{}, {{0, at, size_of(0.1)}}};
+    return error_of([&] { control_of(surface, sizing_of(0, 0.01, 1, 2), sources); });
+  };
+  EXPECT_NE(error(rectangle, {1.5, 0.25}).find("(u,v) = (1.5, 0.25)"), std::string::npos);
+  EXPECT_NE(error(triangle, {0.75, 0.5}).find("(u,v) = (0.75, 0.5)"), std::string::npos);
+  EXPECT_NE(error(rectangle, {kUnset, 0}).find("outside"), std::string::npos);
+  EXPECT_EQ(error(rectangle, {1, 0}), "no error");
+}
+
+TEST(MakeControl, RefusesAPointWithoutSize) {
+  const auto surface = plane();
+  const PatchSources sources{{}, {{0, {0.5, 0.5}, size_of(-0.1)}}};
+  EXPECT_THROW(control_of(surface, sizing_of(0, 0.01, 1, 2), sources), Error);
+}
+
+TEST(MakeControl, RefusesAGradeOutOfRange) {
+  const auto surface = plane();
+  for (const double bad : {0.5, -1.0, kUnset, std::numeric_limits<double>::infinity()}) {
+    Sizing sizing = sizing_of(0, 0.01, 1, 2);
+    sizing.grade = bad;
+    const std::string error = error_of([&] { control_of(surface, sizing); });
+    EXPECT_NE(error.find("sizing.grade"), std::string::npos) << bad << " " << error;
+  }
+}
+
+TEST(MakeControl, GradesLast) {
+  const auto surface = plane();
+  Sizing sizing = sizing_of(0, 0.01, 1, 2);
+  sizing.grade = 1.5;
+  const PatchSources sources{{{0, size_of(1)}}, {{0, {0.5, 0.5}, size_of(0.05)}}};
+  const ControlSpace control = control_of(surface, sizing, sources);
+  // Along the edges of the control mesh the way to the corner is at most 1 long.
+  EXPECT_LE(query(control, {0, 0}).h11, (0.05 + std::log(1.5)) * 1.01);
+}
+
+TEST(MakeControl, TakesRegularNodes) {
+  const auto surface = testing::paper_wave();
+  const ControlSpace control = control_of(*surface, testing::paper_sizing(), {}, {2500, 0.1});
+  EXPECT_EQ(control.mesh().n_vertices(), 2500U);
+}
+
+TEST(MakeControl, ChecksItsOptionsAlsoWithoutAreaSources) {
+  const auto surface = plane();
+  const PatchSources sources{{}, {{0, {0.5, 0.5}, size_of(0.1)}}};
+  EXPECT_THROW(control_of(surface, sizing_of(0, 0.01, 1, 2), sources, {3, 0.1}), Error);
+}
+
+TEST(MakeControl, IsDeterministic) {
+  const auto surface = testing::paper_wave();
+  const ControlSpace a = control_of(*surface, testing::paper_sizing());
+  const ControlSpace b = control_of(*surface, testing::paper_sizing());
+  const auto size = require(a.mesh(), keys::vertex_size);
+  ASSERT_EQ(a.mesh().n_vertices(), b.mesh().n_vertices());
+  for (const VertexHandle vh : a.mesh().vertices()) {
+    ASSERT_EQ(a.mesh().property(size, vh), b.mesh().property(size, vh));
+  }
+}
+
+}  // namespace
+}  // namespace surfmesh

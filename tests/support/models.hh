@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "support/analytic.hh"
+#include "support/metric_fields.hh"
+#include "surfmesh/core/error.hh"
+#include "surfmesh/geometry/join_sides.hh"
+
+/// Models of a few patches.
+namespace surfmesh::testing {
+
+using Shape = std::shared_ptr<const Surface>;
+
+/// The rectangle from (x0, y0) to (x1, y1) in the plane z = 0, with x and y as parameters.
+inline Shape rectangle(double x0, double y0, double x1, double y1) {
+  return std::make_shared<test::PlanePatch>(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(),
+                                            Domain{x0, x1, y0, y1});
+}
+
+/// The part of the unit sphere between two longitudes.
+inline Shape sphere(double u0 = 0, double u1 = 2 * std::numbers::pi) {
+  return std::make_shared<test::Sphere>(
+      1, Domain{u0, u1, -std::numbers::pi / 2, std::numbers::pi / 2});
+}
+
+inline Shape cylinder(double u0, double u1) {
+  return std::make_shared<test::Cylinder>(1, Domain{u0, u1, 0, 1});
+}
+
+inline Shape torus() {
+  return std::make_shared<test::Torus>(2, 0.5,
+                                       Domain{0, 2 * std::numbers::pi, 0, 2 * std::numbers::pi});
+}
+
+/// Patches p0, p1, ...
+inline Model model_of(const std::vector<Shape>& shapes) {
+  std::vector<PatchInput> patches;
+  for (const Shape& shape : shapes) {
+    patches.push_back({std::string("p").append(std::to_string(patches.size())), shape});
+  }
+  return model_from_patches(patches);
+}
+
+/// The square [-1,1]² with a round hole of the given radius about the origin.
+inline Model square_with_hole(double radius) {
+  Model model = model_of({rectangle(-1, -1, 1, 1)});
+  const int vertex = static_cast<int>(model.vertices.size());
+  model.vertices.push_back({Vec3(radius, 0, 0)});
+  Contour hole;
+  hole.name = "hole";
+  hole.start = hole.end = vertex;
+  hole.is_smooth = false;
+  const auto curve = std::make_shared<CallableCurve>([=](double t) {
+    const double angle = t == 1 ? 0 : 2 * std::numbers::pi * t;
+    return Uv{radius * std::cos(angle), radius * std::sin(angle)};
+  });
+  // Counter-clockwise: the patch lies on the right.
+  hole.uses.push_back({0, curve, false, true});
+  model.patches[0].loops.push_back({{static_cast<int>(model.contours.size()), 0}});
+  model.contours.push_back(std::move(hole));
+  return model;
+}
+
+/// The index of a contour by its name.
+inline int contour_index(const Model& model, std::string_view name) {
+  for (std::size_t i = 0; i < model.contours.size(); ++i) {
+    if (model.contours[i].name == name) return static_cast<int>(i);
+  }
+  throw Error(ErrorCode::InvalidInput, "no contour " + std::string(name));
+}
+
+/// The metric of every patch: one wanted length in space.
+class UniformSizes {
+ public:
+  UniformSizes(const Model& model, double size) {
+    for (const Patch& patch : model.patches) fields_.push_back(size_field_on(*patch.surface, size));
+    for (const CallableField& field : fields_) pointers_.push_back(&field);
+  }
+  UniformSizes(const UniformSizes&) = delete;
+  UniformSizes& operator=(const UniformSizes&) = delete;
+
+  operator const std::vector<const MetricField*>&() const { return pointers_; }
+  const MetricField& operator[](int patch) const {
+    return *pointers_[static_cast<std::size_t>(patch)];
+  }
+
+ private:
+  std::vector<CallableField> fields_;
+  std::vector<const MetricField*> pointers_;
+};
+
+}  // namespace surfmesh::testing
