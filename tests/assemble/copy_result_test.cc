@@ -157,6 +157,15 @@ TEST(CopyResult, RefusesPositionsThatFloatCannotHold) {
   EXPECT_EQ(target.n_faces(), source.n_faces());
 }
 
+TEST(CopyResult, RefusesDeletedElements) {
+  PolyMesh source = result();
+  source.request_face_status();
+  source.status(FaceHandle(5)).set_deleted(true);
+  FloatTriMesh target;
+  EXPECT_EQ(error_of([&] { copy_result(source, target); }),
+            "invalid input: face 5 of the result is deleted; call garbage_collection() first");
+}
+
 TEST(CopyResult, NamesPropertiesThatAreMissing) {
   PolyMesh source = result();
   detach(source, keys::edge_contour);

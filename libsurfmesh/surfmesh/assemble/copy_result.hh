@@ -13,9 +13,23 @@
 namespace surfmesh {
 namespace detail {
 
+template <class Handles>
+void check_not_deleted(const PolyMesh& result, bool has_status, Handles handles, const char* name) {
+  if (!has_status) return;
+  for (const auto handle : handles) {
+    if (!result.status(handle).deleted()) continue;
+    throw Error(ErrorCode::InvalidInput,
+                std::string(name) + " " + std::to_string(handle.idx()) +
+                    " of the result is deleted; call garbage_collection() first");
+  }
+}
+
 /// Check, before anything is changed, that a mesh type can hold the faces and positions.
 template <class Mesh>
 void check_fits(const PolyMesh& result) {
+  check_not_deleted(result, result.has_vertex_status(), result.all_vertices(), "vertex");
+  check_not_deleted(result, result.has_edge_status(), result.all_edges(), "edge");
+  check_not_deleted(result, result.has_face_status(), result.all_faces(), "face");
   using Scalar = typename OpenMesh::vector_traits<typename Mesh::Point>::value_type;
   for (const VertexHandle vh : result.all_vertices()) {
     for (const double x : result.point(vh)) {
@@ -33,6 +47,25 @@ void check_fits(const PolyMesh& result) {
                                                " of the result has " + std::to_string(corners) +
                                                " corners; the target holds triangles only");
     }
+  }
+}
+
+/// Copy the connectivity, index by index. OpenMesh's own assign_connectivity loses track of the
+/// status that the target has requested (test CopyResult.ReplacesWhatTheTargetHeld).
+template <class Mesh>
+void copy_connectivity(const PolyMesh& result, Mesh& target) {
+  target.clear();
+  target.resize(result.n_vertices(), result.n_edges(), result.n_faces());
+  for (const HalfedgeHandle heh : result.all_halfedges()) {
+    target.set_vertex_handle(heh, result.to_vertex_handle(heh));
+    target.set_next_halfedge_handle(heh, result.next_halfedge_handle(heh));
+    target.set_face_handle(heh, result.face_handle(heh));
+  }
+  for (const VertexHandle vh : result.all_vertices()) {
+    target.set_halfedge_handle(vh, result.halfedge_handle(vh));
+  }
+  for (const FaceHandle fh : result.all_faces()) {
+    target.set_halfedge_handle(fh, result.halfedge_handle(fh));
   }
 }
 
@@ -109,8 +142,7 @@ void copy_result(const PolyMesh& result, Mesh& target) {
   require(result, keys::corner_uv);
   require(result, keys::corner_metric);
   detail::check_fits<Mesh>(result);
-  target.clear();
-  target.assign_connectivity(result);
+  detail::copy_connectivity(result, target);
   detail::copy_points(result, target);
   detail::copy_property(result, target, keys::face_patch);
   detail::copy_property(result, target, keys::edge_contour);
