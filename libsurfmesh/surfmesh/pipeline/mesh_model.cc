@@ -216,11 +216,24 @@ class Run {
   std::vector<PatchMesh> patches_;
 };
 
+/// A source of a patch that does not exist would have no effect.
+template <class Source>
+void check_patches(const std::vector<Source>& sources, const Model& model, const char* kind) {
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const int patch = sources[i].patch;
+    if (patch >= 0 && static_cast<std::size_t>(patch) < model.patches.size()) continue;
+    throw Error(ErrorCode::InvalidInput, fmt::format("source {} of kind {}: patch {} of {}", i,
+                                                     kind, patch, model.patches.size()));
+  }
+}
+
 }  // namespace
 
 MeshResult mesh_model(const Model& model, const Sources& sources, const PipelineOptions& options) {
   check(options);
   check(model);
+  check_patches(sources.everywhere, model, "everywhere");
+  check_patches(sources.at, model, "at");
   return Run(model, sources, options).mesh();
 }
 
