@@ -17,7 +17,7 @@ namespace {
 using std::numbers::pi;
 using testing::contour_index;
 using testing::model_of;
-using testing::size_field;
+using testing::isotropic_field;
 using testing::UniformSizes;
 
 /// The error of a MetricArc, of two of them.
@@ -74,7 +74,7 @@ TEST(ContourNodes, AreTheNearestIntegerToTheLength) {
 
 TEST(ContourNodes, LieAtEqualMetricDistances) {
   const Model model = model_of({testing::rectangle(0, 0, 1, 1)});
-  const auto field = size_field([](Uv uv) { return 0.02 + 0.1 * uv.u; });
+  const auto field = isotropic_field([](Uv uv) { return 0.02 + 0.1 * uv.u; });
   const BoundaryNodes nodes = place_contour_nodes(model, {&field});
   const auto all = lengths(nodes_of(model, nodes, "p0:v0"), 0, field);
   const auto [least, longest] = std::minmax_element(all.begin(), all.end());
@@ -96,7 +96,7 @@ TEST(ContourNodes, EndExactlyAtTheVertices) {
 
 TEST(ContourNodes, AreThoseOfTheFinerPatch) {
   const Model model = model_of({testing::rectangle(0, 0, 1, 1), testing::rectangle(1, 0, 2, 1)});
-  const auto coarse = size_field(0.3), fine = size_field(0.1);
+  const auto coarse = isotropic_field(0.3), fine = isotropic_field(0.1);
   EXPECT_EQ(count(model, place_contour_nodes(model, {&coarse, &fine}), "p0:u1"), 10);
   EXPECT_EQ(count(model, place_contour_nodes(model, {&fine, &coarse}), "p0:u1"), 10);
   EXPECT_EQ(count(model, place_contour_nodes(model, {&fine, &coarse}), "p0:u0"), 10);
@@ -106,8 +106,8 @@ TEST(ContourNodes, AreThoseOfTheFinerPatch) {
 TEST(ContourNodes, HaveNoSegmentLongerThanTheRootOfTwoInAnyPatch) {
   // Each patch is fine where the other is coarse.
   const Model model = model_of({testing::rectangle(0, 0, 1, 1), testing::rectangle(1, 0, 2, 1)});
-  const auto below = size_field([](Uv uv) { return 0.01 + 0.3 * uv.v; });
-  const auto above = size_field([](Uv uv) { return 0.012 + 0.3 * (1 - uv.v); });
+  const auto below = isotropic_field([](Uv uv) { return 0.01 + 0.3 * uv.v; });
+  const auto above = isotropic_field([](Uv uv) { return 0.012 + 0.3 * (1 - uv.v); });
   for (const int multiple : {1, 2, 4}) {
     const BoundaryNodes nodes = place_contour_nodes(model, {&below, &above}, {multiple});
     for (const double l : lengths(nodes_of(model, nodes, "p0:u1"), 0, below)) {
@@ -135,7 +135,7 @@ TEST(ContourNodes, HaveNoLongSegmentWhereTheirNumberIsRoundedDown) {
 TEST(ContourNodes, AreAMultiple) {
   const std::vector<Model> models = {
       model_of({testing::rectangle(0, 0, 1, 0.7), testing::rectangle(1, 0, 2, 0.7)}),
-      model_of({testing::sphere()}), model_of({testing::torus()})};
+      model_of({testing::sphere()}), model_of({testing::whole_torus()})};
   for (const Model& model : models) {
     for (const int multiple : {2, 3, 4}) {
       for (const double size : {0.013, 0.1, 0.33, 100.0}) {
@@ -150,7 +150,7 @@ TEST(ContourNodes, AreAMultiple) {
 }
 
 TEST(ContourNodes, MakeAtLeastATriangleOfAClosedContour) {
-  const Model torus = model_of({testing::torus()});
+  const Model torus = model_of({testing::whole_torus()});
   const BoundaryNodes nodes = place(torus, 100);
   for (const ContourNodes& list : nodes.contours) EXPECT_EQ(list.segment_count(), 3);
   const Model hole = testing::square_with_hole(0.1);
@@ -192,7 +192,7 @@ TEST(ContourNodes, AreTheSamePointsAtDifferentSpeeds) {
   const auto fast = std::make_shared<test::Reparametrised>(testing::rectangle(0, 1, 1, 2));
   const Model model = model_of({testing::rectangle(0, 0, 1, 1), fast});
   ASSERT_FALSE(contour(model, "p0:v1").uses[1].is_same_speed);
-  const auto coarse = size_field(0.3), fine = size_field(0.01);
+  const auto coarse = isotropic_field(0.3), fine = isotropic_field(0.01);
   for (const auto& fields : {std::array<const MetricField*, 2>{&coarse, &fine},
                              std::array<const MetricField*, 2>{&fine, &coarse}}) {
     const BoundaryNodes nodes = place_contour_nodes(model, {fields[0], fields[1]});
@@ -211,7 +211,7 @@ TEST(ContourNodes, RunOneWayOnAllUses) {
 }
 
 TEST(ContourNodes, LieOnASeamOnBothOfItsSides) {
-  const Model model = model_of({testing::torus()});
+  const Model model = model_of({testing::whole_torus()});
   const BoundaryNodes nodes = place(model, 0.2);
   for (std::size_t c = 0; c < model.contours.size(); ++c) {
     ASSERT_EQ(nodes.contours[c].uv.size(), 2U);

@@ -13,9 +13,9 @@ namespace surfmesh {
 namespace {
 
 using std::numbers::pi;
-using testing::CallableField;
+using testing::FunctionField;
 using testing::constant_field;
-using testing::size_field;
+using testing::isotropic_field;
 
 /// The bound that the header tells.
 constexpr double kArcError = 1e-3;
@@ -36,7 +36,7 @@ TEST(MetricArc, InAConstantMetricIsTheLengthOfTheStep) {
 
 TEST(MetricArc, OfASizeThatGrowsLinearlyIsALogarithm) {
   for (const double slope : {0.1, 1.0, 10.0}) {
-    const auto field = size_field([=](Uv uv) { return 0.1 * (1 + slope * uv.u); });
+    const auto field = isotropic_field([=](Uv uv) { return 0.1 * (1 + slope * uv.u); });
     const double exact = 10 * std::log(1 + slope) / slope;
     EXPECT_NEAR(MetricArc(kAlongU, field).length(), exact, kArcError * exact) << slope;
   }
@@ -44,7 +44,7 @@ TEST(MetricArc, OfASizeThatGrowsLinearlyIsALogarithm) {
 
 TEST(MetricArc, OfASizeThatGrowsGeometricallyIsExact) {
   // ∫ du / (0.01 100^u) = (100 − 1) / ln 100
-  const auto field = size_field([](Uv uv) { return 0.01 * std::pow(100, uv.u); });
+  const auto field = isotropic_field([](Uv uv) { return 0.01 * std::pow(100, uv.u); });
   EXPECT_NEAR(MetricArc(kAlongU, field).length(), 99 / std::log(100), 1e-11);
 }
 
@@ -53,7 +53,7 @@ TEST(MetricArc, OfASizeWithANarrowDipKeepsItsBound) {
   for (const double w : {0.1, 0.03, 0.01}) {
     const double c = 0.37;
     const auto field =
-        size_field([=](Uv uv) { return 1 / (10 + 100 / (1 + (uv.u - c) * (uv.u - c) / (w * w))); });
+        isotropic_field([=](Uv uv) { return 1 / (10 + 100 / (1 + (uv.u - c) * (uv.u - c) / (w * w))); });
     const double exact = 10 + 100 * w * (std::atan((1 - c) / w) + std::atan(c / w));
     EXPECT_NEAR(MetricArc(kAlongU, field).length(), exact, kArcError * exact) << w;
   }
@@ -76,7 +76,7 @@ TEST(MetricArc, SeesACurveThatMeetsItsChordAtAllDyadicParameters) {
       const Uv step = wave.evaluate((i + 1) / 20e3) - wave.evaluate(i / 20e3);
       exact += 2 * std::hypot(step.u, step.v);
     }
-    EXPECT_NEAR(MetricArc(wave, size_field(0.5)).length(), exact, 0.01 * exact) << periods;
+    EXPECT_NEAR(MetricArc(wave, isotropic_field(0.5)).length(), exact, 0.01 * exact) << periods;
   }
 }
 
@@ -97,7 +97,7 @@ TEST(MetricArc, OutsideItsRangeIsThatOfTheEnds) {
 }
 
 TEST(MetricArc, GrowsWithTheParameter) {
-  const auto field = size_field([](Uv uv) { return 0.1 + 0.09 * std::sin(20 * uv.u); });
+  const auto field = isotropic_field([](Uv uv) { return 0.1 + 0.09 * std::sin(20 * uv.u); });
   const MetricArc arc(kAlongU, field);
   double last = 0;
   for (int i = 1; i <= 1000; ++i) {
@@ -107,7 +107,7 @@ TEST(MetricArc, GrowsWithTheParameter) {
 }
 
 TEST(MetricArc, IsTheInverseOfItsParameter) {
-  const auto field = size_field([](Uv uv) { return 0.01 * std::pow(50, uv.u); });
+  const auto field = isotropic_field([](Uv uv) { return 0.01 * std::pow(50, uv.u); });
   const MetricArc arc(kAlongU, field);
   for (int i = 0; i <= 100; ++i) {
     EXPECT_NEAR(arc.parameter(arc.arc(i / 100.0)), i / 100.0, 1e-12);
@@ -117,7 +117,7 @@ TEST(MetricArc, IsTheInverseOfItsParameter) {
 }
 
 TEST(MetricArc, BetweenStationsKeepsItsBound) {
-  const auto field = size_field([](Uv uv) { return 0.01 * std::pow(50, uv.u); });
+  const auto field = isotropic_field([](Uv uv) { return 0.01 * std::pow(50, uv.u); });
   const MetricArc arc(kAlongU, field);
   for (int i = 0; i <= 997; ++i) {
     const double t = i / 997.0;
@@ -127,7 +127,7 @@ TEST(MetricArc, BetweenStationsKeepsItsBound) {
 }
 
 TEST(MetricArc, IsTheSameBackwards) {
-  const auto field = size_field([](Uv uv) { return 0.05 + 0.1 * uv.u * uv.u; });
+  const auto field = isotropic_field([](Uv uv) { return 0.05 + 0.1 * uv.u * uv.u; });
   const SegmentCurve back({1, 0}, {0, 0});
   const double length = MetricArc(kAlongU, field).length();
   EXPECT_NEAR(MetricArc(back, field).length(), length, 2 * kArcError * length);
@@ -141,21 +141,21 @@ TEST(MetricArc, IsTheSameAtAnyScaleOfTheParameters) {
 }
 
 TEST(MetricArc, AsksForTheMetricAtFourToEightPlacesAUnit) {
-  const MetricArc longer(kAlongU, size_field(0.001));
+  const MetricArc longer(kAlongU, isotropic_field(0.001));
   EXPECT_LE(static_cast<double>(longer.stations()), 8 * longer.length());
-  EXPECT_LE(MetricArc(kAlongU, size_field(100)).stations(), 17U);
+  EXPECT_LE(MetricArc(kAlongU, isotropic_field(100)).stations(), 17U);
 }
 
 TEST(MetricArc, EndsOnALineOfInfiniteLength) {
   // ∫ du/u is infinite: the cuts have an end.
-  const auto field = size_field([](Uv uv) { return uv.u + 1e-100; });
+  const auto field = isotropic_field([](Uv uv) { return uv.u + 1e-100; });
   const MetricArc arc(kAlongU, field);
   EXPECT_TRUE(std::isfinite(arc.length()));
 }
 
 TEST(MetricArc, RefusesAMetricThatIsNotFiniteByItsPlace) {
   for (const Metric& bad : {Metric{kUnset, 0, 1}, Metric{1, kUnset, 1}, Metric{1, 0, INFINITY}}) {
-    const CallableField field([=](Uv uv) { return uv.u == 1 ? bad : Metric{1, 0, 1}; });
+    const FunctionField field([=](Uv uv) { return uv.u == 1 ? bad : Metric{1, 0, 1}; });
     const std::string error = error_of([&] { MetricArc(kAlongU, field); });
     EXPECT_EQ(error.rfind(name(ErrorCode::Geometry), 0), 0U) << error;
     EXPECT_NE(error.find("(u,v) = (1, 0)"), std::string::npos) << error;

@@ -119,7 +119,7 @@ TEST(PatchBoundary, SharesItsNumbersWithItsNeighbours) {
 }
 
 TEST(PatchBoundary, ShowsASeamOnBothSides) {
-  const Model model = model_of({testing::torus()});
+  const Model model = model_of({testing::whole_torus()});
   const Boundaries boundaries = collect(model, 0.3);
   const BoundaryLoop& loop = boundaries.patches[0].loops[0];
   EXPECT_NEAR(signed_area(loop), 4 * pi * pi, 1e-9);
@@ -142,7 +142,7 @@ TEST(PatchBoundary, RunsClockwiseAroundAHole) {
 }
 
 TEST(PatchBoundary, HasFansOnlyAtPoles) {
-  for (const Model& model : {model_of({testing::torus()}), testing::square_with_hole(0.4),
+  for (const Model& model : {model_of({testing::whole_torus()}), testing::square_with_hole(0.4),
                              model_of({testing::cylinder(0, 2 * pi)})}) {
     EXPECT_TRUE(collect(model, 0.2).patches[0].fans.empty());
   }

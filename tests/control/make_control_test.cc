@@ -69,7 +69,7 @@ class MetricAreaOf : public ::testing::TestWithParam<AreaCase> {};
 TEST_P(MetricAreaOf, IsHeldByTheControlSpaceToTwoPercent) {
   const AreaCase& c = GetParam();
   const SizeField field(*c.surface, c.sizing, {}, 1);
-  const MetricArea area = stratified_area(field, control_of(*c.surface, c.sizing), 300);
+  const MetricArea area = stratified_area(field, control_of(*c.surface, c.sizing), 150);
   EXPECT_NEAR(area.control, area.exact, 0.02 * area.exact);
 }
 
@@ -77,8 +77,8 @@ TEST_P(MetricAreaOf, IsEstimatedToOnePercent) {
   const AreaCase& c = GetParam();
   const SizeField field(*c.surface, c.sizing, {}, 1);
   const ControlSpace control = control_of(*c.surface, c.sizing);
-  const MetricArea area = stratified_area(field, control, 300);
-  const MetricArea estimate = metric_area(field, control, 50'000);
+  const MetricArea area = stratified_area(field, control, 150);
+  const MetricArea estimate = metric_area(field, control, 20'000);
   EXPECT_NEAR(estimate.exact, area.exact, 0.01 * area.exact);
   EXPECT_NEAR(estimate.control, area.control, 0.01 * area.control);
 }

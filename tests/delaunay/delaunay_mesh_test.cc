@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "surfmesh/core/error.hh"
@@ -160,6 +161,33 @@ TEST(DelaunayMesh, NeverCrossesAConstraintWithACavity) {
   for (const Uv p : random_points(200, 5)) delaunay.insert(p, FaceHandle(0), rule);
   EXPECT_TRUE(delaunay.find_halfedge(a, b).is_valid());
   EXPECT_FALSE(delaunay.insert({0.5, 0.5}, FaceHandle(0), rule).is_valid());
+}
+
+TEST(SplitEdge, CutsBothTrianglesInTwo) {
+  DelaunayMesh delaunay({0, 0}, {1, 1});
+  const HalfedgeHandle diagonal = delaunay.find_halfedge(VertexHandle(0), VertexHandle(2));
+  const VertexHandle vh = delaunay.split_edge(delaunay.mesh().edge_handle(diagonal), {0.25, 0.25});
+  EXPECT_EQ(delaunay.n_vertices(), 5u);
+  EXPECT_EQ(delaunay.n_edges(), 8u);
+  EXPECT_EQ(delaunay.n_faces(), 4u);
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(delaunay.find_halfedge(vh, VertexHandle(i)).is_valid());
+  EXPECT_FALSE(delaunay.find_halfedge(VertexHandle(0), VertexHandle(2)).is_valid());
+  EXPECT_EQ(area(delaunay), 1);
+}
+
+TEST(SplitEdge, LeavesTheMetricOfTheVertexUnset) {
+  DelaunayMesh delaunay({0, 0}, {1, 1});
+  const HalfedgeHandle diagonal = delaunay.find_halfedge(VertexHandle(0), VertexHandle(2));
+  const VertexHandle vh = delaunay.split_edge(delaunay.mesh().edge_handle(diagonal), {0.5, 0.5});
+  EXPECT_EQ(delaunay.uv(vh), (Uv{0.5, 0.5}));
+  EXPECT_TRUE(std::isnan(delaunay.metric(vh).m11));
+}
+
+TEST(SplitEdge, ConstrainsNoneOfTheNewEdges) {
+  DelaunayMesh delaunay({0, 0}, {1, 1});
+  const HalfedgeHandle diagonal = delaunay.find_halfedge(VertexHandle(0), VertexHandle(2));
+  const VertexHandle vh = delaunay.split_edge(delaunay.mesh().edge_handle(diagonal), {0.5, 0.5});
+  for (const EdgeHandle eh : delaunay.mesh().ve_range(vh)) EXPECT_FALSE(delaunay.is_constrained(eh));
 }
 
 }  // namespace

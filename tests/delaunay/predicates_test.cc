@@ -52,5 +52,10 @@ TEST(InMetricCircle, CountsCocircularPointsAsOutside) {
   EXPECT_FALSE(in_metric_circle(triangle, {0, 1}, {1, 0, 1}));
 }
 
+TEST(Orient2d, OfAPointThatIsNotFiniteIsZero) {
+  EXPECT_EQ(orient2d({0, 0}, {1, 0}, Uv()), 0);
+  EXPECT_EQ(orient2d({0, 0}, {INFINITY, 0}, {0, 1}), 0);
+}
+
 }  // namespace
 }  // namespace surfmesh

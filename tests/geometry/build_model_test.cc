@@ -169,7 +169,8 @@ TEST(CheckModel, NamesContoursWithoutUsesOrCurves) {
   model.contours[2].uses[0].curve = nullptr;
   EXPECT_EQ(error_of([&] { check(model); }), "invalid input: contour side2: a use has no curve");
   model.contours[1].uses[0].patch = 7;
-  EXPECT_EQ(error_of([&] { check(model); }), "invalid input: contour side1: it names patch 7 of 1");
+  EXPECT_EQ(error_of([&] { check(model); }),
+            "invalid input: contour side1: a use names patch 7 of 1");
   model.contours[0].uses.clear();
   EXPECT_EQ(error_of([&] { check(model); }), "invalid input: contour side0: no patch uses it");
 }
@@ -178,7 +179,7 @@ TEST(CheckModel, RefusesADiagonalThatIsNotSet) {
   Model model = plate(kSquare, 1);
   model.diagonal = 0;
   EXPECT_EQ(error_of([&] { check(model); }),
-            "invalid input: the model's diagonal is 0, not above 0");
+            "invalid input: the model's diagonal is 0: it has no extent");
 }
 
 }  // namespace

@@ -112,18 +112,22 @@ inline Cage pillow() {
   return cage;
 }
 
-/// A prism over a pentagon: two pentagons and five quads.
-inline Cage pentagon_prism() {
+/// A prism over a polygon of n sides: two polygons and n quads.
+inline Cage prism(int n) {
   Cage cage;
+  cage.faces.resize(2);
   for (int k = 0; k < 2; ++k) {
-    for (int i = 0; i < 5; ++i) {
-      cage.points.emplace_back(std::cos(0.4 * M_PI * i), std::sin(0.4 * M_PI * i), 2 * k);
+    for (int i = 0; i < n; ++i) {
+      cage.points.emplace_back(std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n), 2 * k);
+      cage.faces[static_cast<std::size_t>(k)].push_back(k == 0 ? n - 1 - i : n + i);
     }
   }
-  cage.faces = {{4, 3, 2, 1, 0}, {5, 6, 7, 8, 9}};
-  for (int i = 0; i < 5; ++i) cage.faces.push_back({i, (i + 1) % 5, (i + 1) % 5 + 5, i + 5});
+  for (int i = 0; i < n; ++i) cage.faces.push_back({i, (i + 1) % n, (i + 1) % n + n, i + n});
   return cage;
 }
+
+/// Two pentagons and five quads.
+inline Cage pentagon_prism() { return prism(5); }
 
 /// Three quads that share the edge 0-1.
 inline Cage fan() {

@@ -14,7 +14,7 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/geometry/join_sides.hh"
 
-/// Models of a few patches.
+/// Models of a few patches: analytic surfaces, in one piece and cut.
 namespace surfmesh::testing {
 
 using Shape = std::shared_ptr<const Surface>;
@@ -35,7 +35,7 @@ inline Shape cylinder(double u0, double u1) {
   return std::make_shared<test::Cylinder>(1, Domain{u0, u1, 0, 1});
 }
 
-inline Shape torus() {
+inline Shape whole_torus() {
   return std::make_shared<test::Torus>(2, 0.5,
                                        Domain{0, 2 * std::numbers::pi, 0, 2 * std::numbers::pi});
 }
@@ -81,8 +81,8 @@ inline int contour_index(const Model& model, std::string_view name) {
 class UniformSizes {
  public:
   UniformSizes(const Model& model, double size) {
-    for (const Patch& patch : model.patches) fields_.push_back(size_field_on(*patch.surface, size));
-    for (const CallableField& field : fields_) pointers_.push_back(&field);
+    for (const Patch& patch : model.patches) fields_.push_back(isotropic_field_on(*patch.surface, size));
+    for (const FunctionField& field : fields_) pointers_.push_back(&field);
   }
   UniformSizes(const UniformSizes&) = delete;
   UniformSizes& operator=(const UniformSizes&) = delete;
@@ -93,8 +93,68 @@ class UniformSizes {
   }
 
  private:
-  std::vector<CallableField> fields_;
+  std::vector<FunctionField> fields_;
   std::vector<const MetricField*> pointers_;
 };
+
+inline Shape plane(Vec3 origin, Vec3 a, Vec3 b) {
+  return std::make_shared<test::PlanePatch>(std::move(origin), std::move(a), std::move(b));
+}
+
+/// Surfaces of one kind over pieces of u.
+template <class Make>
+Model model_of_pieces(int pieces, Make make) {
+  std::vector<Shape> shapes;
+  for (int i = 0; i < pieces; ++i) {
+    const double full = 2 * std::numbers::pi;
+    // Written so that the end of one piece is exactly the start of the next.
+    shapes.push_back(make(full * i / pieces, full * (i + 1) / pieces));
+  }
+  return model_of(shapes);
+}
+
+inline Model sphere_of(int pieces) {
+  return model_of_pieces(pieces, [](double u0, double u1) {
+    constexpr double quarter = std::numbers::pi / 2;
+    return std::make_shared<test::Sphere>(1, Domain{u0, u1, -quarter, quarter});
+  });
+}
+
+inline Model torus_of(int pieces) {
+  return model_of_pieces(pieces, [](double u0, double u1) {
+    return std::make_shared<test::Torus>(2, 0.7, Domain{u0, u1, 0, 2 * std::numbers::pi});
+  });
+}
+
+inline Model cylinder_of(int pieces) {
+  return model_of_pieces(pieces, [](double u0, double u1) {
+    return std::make_shared<test::Cylinder>(1, Domain{u0, u1, 0, 2});
+  });
+}
+
+/// With its apex.
+inline Model cone_of(int pieces) {
+  return model_of_pieces(pieces, [](double u0, double u1) {
+    return std::make_shared<test::Cone>(1, Domain{u0, u1, 0, 1});
+  });
+}
+
+inline Model mobius_band() {
+  return model_of(
+      {std::make_shared<test::MobiusBand>(1, Domain{0, 2 * std::numbers::pi, -0.3, 0.3})});
+}
+
+inline Model unit_square() { return model_of({plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0})}); }
+
+/// Two unit squares side by side, the second with its normal downwards.
+inline Model opposite_squares() {
+  return model_of({plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), plane({1, 0, 0}, {0, 1, 0}, {1, 0, 0})});
+}
+
+/// Three unit squares that share the side x = y = 0.
+inline Model three_squares() {
+  return model_of({plane({0, 0, 0}, {1, 0, 0}, {0, 0, 1}), plane({0, 0, 0}, {0, 1, 0}, {0, 0, 1}),
+                   plane({0, 0, 0}, {-1, -1, 0}, {0, 0, 1})});
+}
 
 }  // namespace surfmesh::testing

@@ -92,8 +92,10 @@ class PatchCollector {
       const CornerValue first = value(near), second = value(far);
       // The metric is singular at the pole; its corner takes that of the ring.
       const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-      const CornerValue pole{lerp(fan.start, fan.end, share), mean(first.metric, second.metric)};
-      add({fan.pole, vertices_[far], vertices_[near]}, {pole, second, first}, {-1, -1, -1});
+      const CornerValue pole{point_on_pole(fan, share), mean(first.metric, second.metric)};
+      const int from = i + 1 == count ? fan.contour_from : -1;
+      const int to = i == 0 ? fan.contour_to : -1;
+      add({fan.pole, vertices_[far], vertices_[near]}, {pole, second, first}, {from, -1, to});
     }
   }
 

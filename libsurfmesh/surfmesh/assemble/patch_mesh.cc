@@ -96,6 +96,17 @@ class EdgeCounts {
   std::unordered_map<std::uint64_t, int> count_;
 };
 
+/// Split the chord or, where that is a sliver's too thin to split, another one of the same ends.
+/// Returns  the number of nodes, 0 or 1
+std::size_t split_one_of(std::vector<PatchMesh>& patches, const std::vector<Chord>& chords,
+                         const Chord& chord) {
+  if (split_chord(patches[chord.patch], chord.edge)) return 1;
+  for (const Chord& other : chords) {
+    if (other.ends == chord.ends && split_chord(patches[other.patch], other.edge)) return 1;
+  }
+  return 0;
+}
+
 }  // namespace
 
 void evaluate_vertices(PatchMesh& patch) {
@@ -107,15 +118,22 @@ void evaluate_vertices(PatchMesh& patch) {
   }
 }
 
-void split_chord(PatchMesh& patch, EdgeHandle eh) {
+bool split_chord(PatchMesh& patch, EdgeHandle eh) {
   DelaunayMesh& delaunay = *patch.delaunay;
   const TriMesh& mesh = delaunay.mesh();
   const HalfedgeHandle heh = mesh.halfedge_handle(eh, 0);
-  const Uv middle = lerp(delaunay.uv(mesh.from_vertex_handle(heh)),
-                         delaunay.uv(mesh.to_vertex_handle(heh)), 0.5);
+  const Uv middle =
+      lerp(delaunay.uv(mesh.from_vertex_handle(heh)), delaunay.uv(mesh.to_vertex_handle(heh)), 0.5);
+  for (const HalfedgeHandle side : {heh, mesh.opposite_halfedge_handle(heh)}) {
+    const Uv origin = delaunay.uv(mesh.from_vertex_handle(side));
+    const Uv tip = delaunay.uv(mesh.to_vertex_handle(side));
+    const Uv apex = delaunay.uv(mesh.to_vertex_handle(mesh.next_halfedge_handle(side)));
+    if (orient2d(middle, tip, apex) <= 0 || orient2d(middle, apex, origin) <= 0) return false;
+  }
   MetricField::Hint hint;
   const VertexHandle vh = delaunay.split_edge(eh, middle);
   delaunay.metric(vh) = patch.field->at(middle, hint);
+  return true;
 }
 
 std::vector<int> boundary_vertices(const PatchBoundary& boundary) {
@@ -134,14 +152,14 @@ std::size_t split_improper_chords(std::vector<PatchMesh>& patches) {
     const std::size_t before = count;
     for (const Chord& chord : chords) {
       if (!edges.is_offending(chord)) continue;
-      split_chord(patches[chord.patch], chord.edge);
-      ++count;
+      count += split_one_of(patches, chords, chord);
     }
     for (PatchMesh& patch : patches) patch.delaunay->shrink();
     if (count == before) return count;
   }
-  throw Error(ErrorCode::Geometry,
-              "the boundary is too coarse: chords between its nodes keep joining the same vertices");
+  throw Error(
+      ErrorCode::Geometry,
+      "the boundary is too coarse: chords between its nodes keep joining the same vertices");
 }
 
 }  // namespace surfmesh

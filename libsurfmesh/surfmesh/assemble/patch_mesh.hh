@@ -26,7 +26,10 @@ struct PatchMesh {
 void evaluate_vertices(PatchMesh& patch);
 
 /// Give an inner edge a node in its middle in (u,v), with its metric.
-void split_chord(PatchMesh& patch, EdgeHandle eh);
+///
+/// Returns  false, and does nothing, if the middle as rounded does not lie strictly inside the two
+///          triangles
+bool split_chord(PatchMesh& patch, EdgeHandle eh);
 
 /// Result vertices of the nodes of the loops, -1 for nodes that are the patch's own.
 std::vector<int> boundary_vertices(const PatchBoundary& boundary);
@@ -34,7 +37,8 @@ std::vector<int> boundary_vertices(const PatchBoundary& boundary);
 /// Give inner nodes to chords that would make the result improper: edges from a vertex to itself,
 /// and edges between two vertices that another edge joins, also across patches.
 ///
-/// Chords between boundary nodes are split in their middle until none offends.
+/// Chords between boundary nodes, and from them to inner nodes (which see both sides of a seam in a
+/// coarse mesh), are split in their middle until none offends.
 ///
 /// Reads    surf:constrained
 /// Writes   surf:uv, surf:metric of new vertices

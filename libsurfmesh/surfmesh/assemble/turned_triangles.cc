@@ -7,8 +7,8 @@
 namespace surfmesh {
 namespace {
 
-/// Each round halves the chords of what is turned.
-constexpr int kMaxRounds = 6;
+/// Rounds without progress: halving goes on a little before triangles lie flat, then leads to slivers.
+constexpr int kMaxFailures = 4;
 
 bool is_turned(const PatchMesh& patch, const TriangleVertices& triangle) {
   const auto index = [&](std::size_t k) { return static_cast<std::size_t>(triangle[k].idx()); };
@@ -70,9 +70,11 @@ bool is_turned(const PatchMesh& patch, FaceHandle fh) {
   return is_turned(patch, vertices(patch.delaunay->mesh(), fh));
 }
 
-std::size_t mend_turned_triangles(PatchMesh& patch) {
+void mend_turned_triangles(PatchMesh& patch) {
   std::vector<FaceHandle> faces = turned_faces(patch);
-  for (int round = 0; round < kMaxRounds && !faces.empty(); ++round) {
+  std::size_t least = faces.size();
+  int failures = 0;
+  while (!faces.empty() && failures < kMaxFailures) {
     std::vector<EdgeHandle> chords;
     for (const FaceHandle fh : faces) {
       if (!is_turned(patch, fh)) continue;  // mended by a swap of its neighbour
@@ -85,8 +87,23 @@ std::size_t mend_turned_triangles(PatchMesh& patch) {
     patch.delaunay->shrink();
     evaluate_vertices(patch);
     faces = turned_faces(patch);
+    if (faces.size() >= least) ++failures;
+    least = std::min(least, faces.size());
   }
-  return faces.size();
+}
+
+std::size_t count_turned_triangles(const PatchMesh& patch) {
+  std::size_t count = turned_faces(patch).size();
+  for (const PoleFan& fan : patch.boundary.fans) {
+    const Vec3 pole = patch.surface->evaluate(fan.sides.front(), Order::Position).point;
+    for (std::size_t i = 0; i + 1 < fan.ring.size(); ++i) {
+      const auto near = static_cast<std::size_t>(fan.ring[i]);
+      const auto far = static_cast<std::size_t>(fan.ring[i + 1]);
+      const Vec3 normal = (patch.points[far] - pole).cross(patch.points[near] - pole);
+      if (normal.dot(patch.normals[near] + patch.normals[far]) <= 0) ++count;
+    }
+  }
+  return count;
 }
 
 }  // namespace surfmesh

@@ -11,13 +11,17 @@ namespace surfmesh {
 /// Pre      evaluate_vertices has been called
 bool is_turned(const PatchMesh& patch, FaceHandle fh);
 
+/// Count the turned triangles of a patch, also those of its fans around poles.
+/// Pre      evaluate_vertices has been called
+std::size_t count_turned_triangles(const PatchMesh& patch);
+
 /// Mend triangles that are valid in (u,v) but turned against the surface in space, where elements
 /// are large against its curvature: swap an edge if that mends both triangles, else give its longest
 /// chord a node in the middle, and again, for a few rounds.
 ///
 /// Writes   surf:uv, surf:metric of new vertices; points and normals of the patch
-/// Returns  the number of triangles still turned: those at a contour whose own segments are too long
+/// Some may stay turned: those at a contour whose own segments are too long.
 /// Cost     O(faces) if none is turned
-std::size_t mend_turned_triangles(PatchMesh& patch);
+void mend_turned_triangles(PatchMesh& patch);
 
 }  // namespace surfmesh

@@ -18,6 +18,9 @@ namespace {
 /// Longest segment in the metric of a patch that did not place the nodes.
 constexpr double kLongestSegment = std::numbers::sqrt2;
 
+/// Shortest segment, in the metric of the patch that placed the nodes, that is halved for another.
+constexpr double kShortestHalved = 0.02;
+
 const Patch& patch_of(const Model& model, const ContourUse& use) {
   return model.patches[static_cast<std::size_t>(use.patch)];
 }
@@ -78,7 +81,7 @@ class ContourDivision {
 
   void halve_long_segments() {
     for (std::size_t i = 0; i + 1 < parameters_[selected_].size();) {
-      if (longest(i) > kLongestSegment) {
+      if (longest(i) > kLongestSegment && can_halve(i)) {
         halve(i);
       } else {
         ++i;
@@ -143,6 +146,21 @@ class ContourDivision {
       length = std::max(length, arcs_[use].arc(t[i + 1]) - arcs_[use].arc(t[i]));
     }
     return length;
+  }
+
+  /// False where the selected patch sees nearly nothing of the segment, or another patch finds its
+  /// middle at one of its ends: halving would not end there.
+  bool can_halve(std::size_t i) const {
+    const auto& selected = parameters_[selected_];
+    const MetricArc& arc = arcs_[selected_];
+    const double from = arc.arc(selected[i]), to = arc.arc(selected[i + 1]);
+    if (to - from < kShortestHalved) return false;
+    const double middle = arc.parameter(0.5 * (from + to));
+    for (std::size_t use = 0; use < parameters_.size(); ++use) {
+      const double t = on_use(use, middle);
+      if (!(t > parameters_[use][i] && t < parameters_[use][i + 1])) return false;
+    }
+    return true;
   }
 
   void halve(std::size_t i) {

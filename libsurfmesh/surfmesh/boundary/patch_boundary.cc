@@ -74,13 +74,16 @@ BoundaryLoop cut_off_poles(const Model& model, const BoundaryLoop& chain, int of
       loop.push_back(node);
       continue;
     }
-    // `loop` ends with the node before the pole; the pole's own second node is skipped, too.
+    // `loop` ends with the node before the pole; all of the pole's own nodes are skipped.
+    std::size_t sides = 1;
+    while (is_pole(model, chain[(start + i + sides) % n])) ++sides;
     PoleFan fan;
     fan.pole = node.vertex;
-    fan.start = node.uv;
-    fan.end = chain[(start + i + 1) % n].uv;
+    for (std::size_t k = 0; k <= sides; ++k) fan.sides.push_back(chain[(start + i + k) % n].uv);
     BoundaryNode& before = loop.back();
-    const BoundaryNode after = chain[(start + i + 2) % n];
+    const BoundaryNode after = chain[(start + i + sides + 1) % n];
+    fan.contour_to = before.contour;
+    fan.contour_from = chain[(start + i + sides) % n].contour;
     before.contour = -1;
     fan.ring.push_back(offset + static_cast<int>(loop.size()) - 1);
     const int least = least_segments(model, fan.pole, before, after);
@@ -88,10 +91,10 @@ BoundaryLoop cut_off_poles(const Model& model, const BoundaryLoop& chain, int of
       fan.ring.push_back(offset + static_cast<int>(loop.size()));
       loop.push_back({uv, -1, -1});
     }
-    const bool wraps = i + 2 >= n;
+    const bool wraps = i + sides + 1 >= n;
     fan.ring.push_back(wraps ? offset : offset + static_cast<int>(loop.size()));
     fans.push_back(std::move(fan));
-    ++i;
+    i += sides;
   }
   return loop;
 }
@@ -112,6 +115,12 @@ int NodeNumbers::operator()(int contour, int node) const {
   if (node == 0) return range.start;
   if (node == range.segments) return range.end;
   return range.first_inner + node - 1;
+}
+
+Uv point_on_pole(const PoleFan& fan, double share) {
+  const double place = share * static_cast<double>(fan.sides.size() - 1);
+  const auto side = std::min(static_cast<std::size_t>(place), fan.sides.size() - 2);
+  return lerp(fan.sides[side], fan.sides[side + 1], place - static_cast<double>(side));
 }
 
 PatchBoundary collect_boundary(const Model& model, int patch,

@@ -44,7 +44,9 @@ using BoundaryLoop = std::vector<BoundaryNode>;
 /// The triangles between a pole and the ring of nodes around it, which the domain mesh leaves out.
 struct PoleFan {
   int pole = -1;          ///< result vertex
-  Uv start, end;          ///< ends of the side that is the pole, in the direction of the loop
+  std::vector<Uv> sides;  ///< ends of the sides that are the pole, in the direction of the loop
+  int contour_to = -1;    ///< contour of the segment from the first node of the ring to the pole
+  int contour_from = -1;  ///< contour of the segment from the pole to the last node of the ring
   std::vector<int> ring;  ///< positions in the patch's list of boundary nodes
 };
 
@@ -54,9 +56,12 @@ struct PatchBoundary {
   std::vector<PoleFan> fans;
 };
 
+/// The point of the sides of a pole at a share in [0,1] of them.
+Uv point_on_pole(const PoleFan& fan, double share);
+
 /// Collect the boundary of one patch from the nodes of its contours.
 ///
-/// A side that is one point (a pole) is cut off: the nodes next to it on both adjoining sides are
+/// A side that is one point (a pole), or several such sides in a row, are cut off: the nodes next to it on both adjoining sides are
 /// joined by a ring at constant metric distances, so that the metric, which is singular at a pole,
 /// is never asked for there.
 PatchBoundary collect_boundary(const Model& model, int patch,

@@ -30,6 +30,9 @@ constexpr double kLeastCellLength = 0.35;
 /// Shares of a cell's width at which it is sampled: irrational, and not symmetric.
 constexpr std::array<double, 3> kSampleShares = {0.1273, 0.4817, 0.8359};
 
+/// Nodes in all: far more than sizes that elements can follow ever need in one patch.
+constexpr std::size_t kMaxNodes = 4'000'000;
+
 struct Cell {
   std::uint32_t i0, j0, i1, j1;
 };
@@ -50,6 +53,13 @@ class NodeChooser {
         cells.push_back({i, j, i + step, j + step});
     while (!cells.empty()) {
       const Cell cell = cells.back();
+      if (nodes_.size() > kMaxNodes) {
+        const Uv uv = at(cell.i0, cell.j0);
+        throw Error(ErrorCode::Limit,
+                    fmt::format("sizes near (u,v) = ({}, {}) change so fast that more than {} "
+                                "control nodes are needed; a larger hmin helps",
+                                uv.u, uv.v, kMaxNodes));
+      }
       cells.pop_back();
       split_or_keep(cell, cells);
     }

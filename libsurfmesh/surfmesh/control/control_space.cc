@@ -76,13 +76,20 @@ class NodeInsertion {
     nodes_[index] = node;
     nodes_[index].size = size;
     delaunay_.metric(vh) = spacing;
-    hint_ = delaunay_.mesh().face_handle(delaunay_.mesh().halfedge_handle(vh));
+    hint_ = face_at(vh);
   }
 
   DelaunayMesh& delaunay() { return delaunay_; }
   const std::vector<ControlNode>& nodes() const { return nodes_; }
 
  private:
+  /// A triangle at a vertex; the vertex' own halfedge is the open one on the boundary.
+  FaceHandle face_at(VertexHandle vh) const {
+    const TriMesh& mesh = delaunay_.mesh();
+    const HalfedgeHandle heh = mesh.halfedge_handle(vh);
+    return mesh.is_boundary(heh) ? mesh.opposite_face_handle(heh) : mesh.face_handle(heh);
+  }
+
   /// Mean spacing of the vertices of a triangle.
   Metric around(FaceHandle fh) const {
     const TriMesh& mesh = delaunay_.mesh();

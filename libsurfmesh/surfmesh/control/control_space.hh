@@ -28,7 +28,7 @@ class ControlSpace {
   /// become one with the minimum of both; then sizes are graded.
   ///
   /// Writes   surf:uv, surf:size, point() of the control mesh
-  /// Cost     O(n log n), about 1 µs a node
+  /// Cost     O(n log n), about 3 µs a node
   /// Pre      the corners of the rectangle are among the nodes
   /// Throws   InvalidInput for a node outside the rectangle, naming its (u,v)
   /// Source   paper, section 3.2
@@ -39,7 +39,8 @@ class ControlSpace {
   /// Weights are 1/d² with distances through M_p at the point asked for (paper, eq. (4), (5)). A
   /// point outside the rectangle gets the sizes of its nearest triangle.
   ///
-  /// Cost     about 50 ns near the point asked for last, 130 ns elsewhere
+  /// Cost     about 40 ns near the point asked for last, 60 ns elsewhere while the control space
+  ///          fits into the cache (136 B a triangle); 70 and 330 ns with 80,000 triangles
   Metric metric(Uv uv, const FirstFormFactor& form, Hint& hint) const;
 
   /// The sizes alone.
@@ -52,8 +53,8 @@ class ControlSpace {
   /// All that a query reads of one triangle, so that it lies in one place of the memory.
   struct Triangle {
     std::array<Uv, 3> corners;
-    std::array<int, 3> neighbours = {
-        -1, -1, -1};  ///< behind the side from corner i to i + 1; -1 if it is open
+    /// Behind the side from corner i to i + 1; -1 if it is open.
+    std::array<int, 3> neighbours = {-1, -1, -1};
     std::array<SizeTensor, 3> sizes;
   };
 

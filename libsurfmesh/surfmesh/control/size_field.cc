@@ -73,7 +73,7 @@ SizeTensor SizeField::tensor(const Size& size) const {
   return size_tensor(along, across, size.angle);
 }
 
-/// The point itself, or the nearest one that lies outside of all roundings.
+/// The point itself, or one towards the far corner of the domain that lies outside of a rounding.
 Uv SizeField::beside_roundings(Uv uv) const {
   for (const RoundedSide& rounded : rounded_sides_) {
     const Uv a = domain_.corner(rounded.side);
@@ -83,6 +83,17 @@ Uv SizeField::beside_roundings(Uv uv) const {
     const double distance = cross(b - a, uv - a) / cross(b - a, opposite - a);
     if (distance >= rounded.reach) continue;
     uv = lerp(uv, opposite, (rounded.reach - distance) / (1 - distance));
+  }
+  return uv;
+}
+
+/// A point near one without a tangent plane that has one; the point itself if there is none.
+Uv SizeField::beside_pole(Uv uv) const {
+  // Towards the middle first, which is inside; then across, for lines through the middle.
+  for (const Uv target : {domain_.at(0.5, 0.5), domain_.at(0.25, 0.4), domain_.at(0.6, 0.25)}) {
+    const Uv place = lerp(uv, target, kStepFromPole);
+    const Jet jet = surface_.evaluate(place, Order::First);
+    if (is_regular(first_form_factor(jet.du, jet.dv))) return place;
   }
   return uv;
 }
@@ -150,9 +161,9 @@ SizeField::Sample SizeField::at(Uv uv) const {
   sample.form = first_form_factor(jet.du, jet.dv);
   sample.size = isotropic(hmax_);
   if (factor_ > 0) {
-    const Uv place = is_regular(sample.form) ? beside_roundings(uv)
-                                             : lerp(uv, domain_.at(0.5, 0.5), kStepFromPole);
+    const Uv place = is_regular(sample.form) ? beside_roundings(uv) : beside_pole(uv);
     if (!(place == uv)) jet = surface_.evaluate(place, Order::Second);
+    if (!is_regular(first_form_factor(jet.du, jet.dv))) return sample;  // no curvature here
     sample.size = size_from_curvature(jet);
     blend_with_discs(sample);
   }

@@ -63,6 +63,7 @@ class SizeField {
   };
 
   Uv beside_roundings(Uv uv) const;
+  Uv beside_pole(Uv uv) const;
   SizeTensor size_from_curvature(const Jet& jet) const;
   Disc make_disc(const SingularPoint& singular) const;
   double least_size_on_ring(Uv corner, double distance, double& radius) const;

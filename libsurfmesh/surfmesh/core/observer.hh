@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "surfmesh/core/error.hh"
+
 namespace surfmesh {
 
 /// Told of the progress of a run; the library itself never prints.
@@ -17,5 +19,15 @@ class Observer {
   /// Asked between units of work; true ends the run with an Error of code Limit.
   virtual bool is_cancelled() { return false; }
 };
+
+/// Steps of a loop (insertions, vertices) between two questions whether it is cancelled: some
+/// milliseconds.
+inline constexpr std::size_t kStepsBetweenCancellation = 4096;
+
+/// End a run that its observer has cancelled.
+/// Throws   Limit
+inline void throw_if_cancelled(Observer* observer) {
+  if (observer && observer->is_cancelled()) throw Error(ErrorCode::Limit, "cancelled");
+}
 
 }  // namespace surfmesh

@@ -6,6 +6,10 @@
 namespace surfmesh::detail {
 
 int orient2d_exact(Uv a, Uv b, Uv c) {
+  // An exact number cannot hold what is not finite; such a point is on no side.
+  for (const double x : {a.u, a.v, b.u, b.v, c.u, c.v}) {
+    if (!std::isfinite(x)) return 0;
+  }
   using Exact = boost::multiprecision::cpp_rational;
   const Exact cu(c.u), cv(c.v);
   const Exact determinant =

@@ -19,7 +19,7 @@ inline constexpr double kOrientErrorBound = 3.3306690738754716e-16;
 
 }  // namespace detail
 
-/// Exact sign of the area of (a,b,c): 1 counter-clockwise, -1 clockwise, 0 collinear.
+/// Exact sign of the area of (a,b,c): 1 counter-clockwise, -1 clockwise, 0 collinear or not finite.
 ///
 /// A cyclic shift of the arguments keeps the sign, an exchange of two inverts it. Exact as long as
 /// no product over- or underflows.

@@ -34,6 +34,18 @@ const ContourUse& use_of(const Model& model, std::size_t patch, const LoopEntry&
   return contour.uses[static_cast<std::size_t>(entry.use)];
 }
 
+void check_use(const Model& model, const Contour& contour, const ContourUse& use) {
+  if (!is_index(use.patch, model.patches.size())) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("contour {}: a use names patch {} of {}", contour.name, use.patch,
+                            model.patches.size()));
+  }
+  if (!use.curve) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("contour {}: a use has no curve", contour.name));
+  }
+}
+
 Vec3 end_point(const Patch& patch, const ContourUse& use, bool at_end) {
   const double t = at_end == use.is_forward ? 1.0 : 0.0;
   return patch.surface->evaluate(use.curve->evaluate(t), Order::Position).point;
@@ -64,13 +76,11 @@ void check_contour(const Model& model, const Contour& contour) {
       !is_index(contour.end, model.vertices.size())) {
     refuse("its end vertices do not exist");
   }
-  if (contour.uses.empty()) refuse("no patch uses it");
-  for (const ContourUse& use : contour.uses) {
-    if (!is_index(use.patch, model.patches.size())) {
-      refuse(fmt::format("it names patch {} of {}", use.patch, model.patches.size()));
-    }
-    if (!use.curve) refuse("a use has no curve");
+  if (contour.is_degenerate && contour.start != contour.end) {
+    refuse("it is degenerate, but has two vertices");
   }
+  if (contour.uses.empty()) refuse("no patch uses it");
+  for (const ContourUse& use : contour.uses) check_use(model, contour, use);
 }
 
 void check_patch(const Model& model, std::size_t index) {
@@ -98,7 +108,7 @@ void check(const Model& model) {
   check_structure(model);
   if (!(model.diagonal > 0 && std::isfinite(model.diagonal))) {
     throw Error(ErrorCode::InvalidInput,
-                fmt::format("the model's diagonal is {}, not above 0", model.diagonal));
+                fmt::format("the model's diagonal is {}: it has no extent", model.diagonal));
   }
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
     for (const Loop& loop : model.patches[p].loops) check_loop(model, p, loop);

@@ -20,16 +20,23 @@ constexpr double kLeastMove = 0.01;
 /// A vertex may lose quality in favour of edge lengths down to this.
 constexpr double kGoodQuality = 0.8;
 
+/// Gain of score for which a vertex is moved: far above rounding, so that a search ends.
+constexpr double kLeastGain = 1e-6;
+
+/// Steps of a search for a better place; four halvings and a few moves are usual.
+constexpr int kMaxSearchRounds = 40;
+
 /// Triangles below this quality are repaired.
 constexpr double kBadQuality = 0.85;
 
 class Improvement {
  public:
-  Improvement(DelaunayMesh& delaunay, const MetricField& field)
-      : delaunay_(delaunay), field_(field) {}
+  Improvement(DelaunayMesh& delaunay, const MetricField& field, Observer* observer)
+      : delaunay_(delaunay), field_(field), observer_(observer) {}
 
   void smooth() {
     for (std::size_t i = 0; i < delaunay_.n_vertices(); ++i) {
+      if (i % kStepsBetweenCancellation == 0) throw_if_cancelled(observer_);
       const VertexHandle vh(static_cast<int>(i));
       if (star_.collect(delaunay_, vh)) smooth(vh);
     }
@@ -39,13 +46,17 @@ class Improvement {
   /// Returns  false if there was nothing to repair
   bool repair() {
     std::vector<EdgeHandle> edges;
+    std::vector<char> is_searched(delaunay_.n_vertices(), 0);
     for (std::size_t i = 0; i < delaunay_.n_faces(); ++i) {
+      if (i % kStepsBetweenCancellation == 0) throw_if_cancelled(observer_);
       const FaceHandle fh(static_cast<int>(i));
       if (quality(delaunay_, fh) >= kBadQuality) continue;
       HalfedgeHandle heh = delaunay_.mesh().halfedge_handle(fh);
       for (int k = 0; k < 3; ++k, heh = delaunay_.mesh().next_halfedge_handle(heh)) {
         const VertexHandle vh = delaunay_.mesh().to_vertex_handle(heh);
-        if (star_.collect(delaunay_, vh)) search(vh);
+        char& searched = is_searched[static_cast<std::size_t>(vh.idx())];
+        if (!searched && star_.collect(delaunay_, vh)) search(vh);
+        searched = 1;
         edges.push_back(delaunay_.mesh().edge_handle(heh));
       }
     }
@@ -129,11 +140,13 @@ class Improvement {
     MetricCorner best = corner(delaunay_, vh);
     double best_score = score(best);
     bool is_moved = false;
-    for (double step = first_step; step >= last_step;) {
+    double step = first_step;
+    for (int round = 0; round < kMaxSearchRounds && step >= last_step; ++round) {
       const MetricCorner from = best;
       // Unit steps in the metric: the columns of its inverse Cholesky factor.
       const double l11 = std::sqrt(from.metric.m11), l21 = from.metric.m12 / l11;
       const double l22 = std::sqrt(from.metric.m22 - l21 * l21);
+      if (!(l22 > 0)) break;  // singular by rounding
       for (int i = 0; i < directions; ++i) {
         const double angle = 2 * std::numbers::pi * i / directions;
         const double y = step * std::sin(angle) / l22;
@@ -141,7 +154,7 @@ class Improvement {
         if (star_.quality({place, from.metric}) <= 0) continue;
         const MetricCorner p = at(place);
         const double value = score(p);
-        if (value > best_score) {
+        if (value > best_score + kLeastGain) {
           best_score = value;
           best = p;
         }
@@ -157,6 +170,7 @@ class Improvement {
 
   DelaunayMesh& delaunay_;
   const MetricField& field_;
+  Observer* observer_;
   MetricField::Hint hint_;
   Star star_;
   ImproveReport report_;
@@ -175,7 +189,7 @@ void check(const ImproveOptions& options) {
 ImproveReport improve(DelaunayMesh& delaunay, const MetricField& field,
                       const ImproveOptions& options) {
   check(options);
-  Improvement improvement(delaunay, field);
+  Improvement improvement(delaunay, field, options.observer);
   for (int i = 0; i < options.sweeps; ++i) improvement.smooth();
   if (options.sweeps > 0) improvement.swap();
   for (int i = 0; i < options.repairs; ++i) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "surfmesh/control/metric_field.hh"
+#include "surfmesh/core/observer.hh"
 #include "surfmesh/delaunay/delaunay_mesh.hh"
 
 namespace surfmesh {
@@ -13,6 +14,7 @@ struct ImproveOptions {
   int sweeps = 2;
   /// Passes over the triangles of low quality at the end; 0 is off.
   int repairs = 3;
+  Observer* observer = nullptr;  ///< asked whether to go on; not owned, null for none
 };
 
 void check(const ImproveOptions& options);

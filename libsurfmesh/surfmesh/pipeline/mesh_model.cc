@@ -73,7 +73,7 @@ class Run {
   void tell(std::string_view stage, std::size_t done, std::size_t total) const {
     if (!options_.observer) return;
     options_.observer->progress(stage, done, total);
-    if (options_.observer->is_cancelled()) throw Error(ErrorCode::Limit, "cancelled");
+    throw_if_cancelled(options_.observer);
   }
 
   /// Call `body(index)`, and name the patch in its errors.
@@ -131,22 +131,26 @@ class Run {
     std::size_t elements = 0;
     for_each_patch("mesh", [&](std::size_t p) {
       RefineOptions refine_options = options_.refine;
+      refine_options.observer = options_.observer;
+      refine_options.max_elements -= elements;
+      mesh_patch(p, refine_options);
+      elements += patches_[p].delaunay->n_faces();
       if (elements >= options_.refine.max_elements) {
         throw Error(ErrorCode::Limit, fmt::format("more than max_elements = {} triangles",
                                                   options_.refine.max_elements));
       }
-      refine_options.max_elements -= elements;
-      mesh_patch(p, refine_options);
-      elements += patches_[p].delaunay->n_faces();
     });
     const StageClock clock(report_.seconds.assemble);
+    for (PatchMesh& patch : patches_) {
+      evaluate_vertices(patch);
+      mend_turned_triangles(patch);
+    }
+    split_improper_chords(patches_);
     std::size_t turned = 0;
     for (PatchMesh& patch : patches_) {
       evaluate_vertices(patch);
-      turned += mend_turned_triangles(patch);
+      turned += count_turned_triangles(patch);
     }
-    split_improper_chords(patches_);
-    for (PatchMesh& patch : patches_) evaluate_vertices(patch);
     if (turned > 0) {
       report_.shortfalls.push_back(
           fmt::format("{} triangles are turned against the normal of the surface; smaller sizes "
@@ -176,8 +180,10 @@ class Run {
       report_.control.queries.refine += refine(*patch.delaunay, *patch.field, refine_options).queries;
     }
     const StageClock clock(report_.seconds.improve);
+    ImproveOptions improve_options = options_.improve;
+    improve_options.observer = options_.observer;
     report_.control.queries.improve +=
-        improve(*patch.delaunay, *patch.field, options_.improve).queries;
+        improve(*patch.delaunay, *patch.field, improve_options).queries;
   }
 
   MeshResult assemble_patches() {
@@ -216,15 +222,16 @@ class Run {
   std::vector<PatchMesh> patches_;
 };
 
-/// A source of a patch that does not exist would have no effect.
-template <class Source>
-void check_patches(const std::vector<Source>& sources, const Model& model, const char* kind) {
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    const int patch = sources[i].patch;
-    if (patch >= 0 && static_cast<std::size_t>(patch) < model.patches.size()) continue;
-    throw Error(ErrorCode::InvalidInput, fmt::format("source {} of kind {}: patch {} of {}", i,
-                                                     kind, patch, model.patches.size()));
-  }
+/// Throws   InvalidInput for a source of a patch that does not exist
+void check_patches(const Model& model, const Sources& sources) {
+  const auto check_patch = [&](int patch) {
+    if (patch < 0 || static_cast<std::size_t>(patch) >= model.patches.size()) {
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("a source names patch {} of {}", patch, model.patches.size()));
+    }
+  };
+  for (const EverywhereSource& source : sources.everywhere) check_patch(source.patch);
+  for (const AtSource& source : sources.at) check_patch(source.patch);
 }
 
 }  // namespace
@@ -232,8 +239,7 @@ void check_patches(const std::vector<Source>& sources, const Model& model, const
 MeshResult mesh_model(const Model& model, const Sources& sources, const PipelineOptions& options) {
   check(options);
   check(model);
-  check_patches(sources.everywhere, model, "everywhere");
-  check_patches(sources.at, model, "at");
+  check_patches(model, sources);
   return Run(model, sources, options).mesh();
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "surfmesh/core/error.hh"
@@ -23,12 +24,14 @@ struct Box {
   Uv upper{-kInfinity, -kInfinity};
 };
 
+void extend(Box& box, Uv p) {
+  box.lower = {std::min(box.lower.u, p.u), std::min(box.lower.v, p.v)};
+  box.upper = {std::max(box.upper.u, p.u), std::max(box.upper.v, p.v)};
+}
+
 Box box_around(const std::vector<Uv>& points) {
   Box box;
-  for (const Uv p : points) {
-    box.lower = {std::min(box.lower.u, p.u), std::min(box.lower.v, p.v)};
-    box.upper = {std::max(box.upper.u, p.u), std::max(box.upper.v, p.v)};
-  }
+  for (const Uv p : points) extend(box, p);
   const Uv margin = kMargin * (box.upper - box.lower);
   return {box.lower - margin, box.upper + margin};
 }
@@ -55,9 +58,7 @@ class BoxTriangulation {
       const std::size_t before = delaunay_.n_vertices();
       const VertexHandle vh = delaunay_.insert(points[static_cast<std::size_t>(i)], hint, rule);
       if (!vh.is_valid() || delaunay_.n_vertices() == before) {
-        const Uv p = points[static_cast<std::size_t>(i)];
-        throw Error(ErrorCode::Geometry,
-                    fmt::format("the boundary touches itself at (u,v) = ({}, {})", p.u, p.v));
+        throw_touching(points[static_cast<std::size_t>(i)]);
       }
       vertices_[static_cast<std::size_t>(i)] = vh;
       hint = delaunay_.mesh().face_handle(delaunay_.mesh().halfedge_handle(vh));
@@ -65,7 +66,11 @@ class BoxTriangulation {
   }
 
   void constrain(std::size_t from, std::size_t to) {
-    delaunay_.insert_constraint(vertices_[from], vertices_[to]);
+    const VertexHandle a = vertices_[from], b = vertices_[to];
+    delaunay_.insert_constraint(a, b);
+    // A chain of edges passes through a node that is not of this segment.
+    if (delaunay_.find_halfedge(a, b).is_valid()) return;
+    throw_touching(node_between(a, b));
   }
 
   /// The triangles at an odd number of segments from the box's rim, as indices of nodes.
@@ -89,6 +94,21 @@ class BoxTriangulation {
   }
 
  private:
+  [[noreturn]] static void throw_touching(Uv p) {
+    throw Error(ErrorCode::Geometry,
+                fmt::format("the boundary touches itself at (u,v) = ({}, {})", p.u, p.v));
+  }
+
+  /// A node on the segment from a to b; a's position if there is none.
+  Uv node_between(VertexHandle a, VertexHandle b) const {
+    const Uv from = delaunay_.uv(a), to = delaunay_.uv(b);
+    for (const VertexHandle vh : vertices_) {
+      const Uv p = delaunay_.uv(vh), back = from - p, ahead = to - p;
+      if (orient2d(from, to, p) == 0 && back.u * ahead.u + back.v * ahead.v < 0) return p;
+    }
+    return from;
+  }
+
   /// 0 outside and in holes, 1 inside.
   std::vector<char> depth_of_faces() const {
     const TriMesh& mesh = delaunay_.mesh();
@@ -119,10 +139,33 @@ class BoxTriangulation {
   std::vector<VertexHandle> vertices_;
 };
 
+/// Refuse what no box can be put around: a kernel in it would not end.
+void check_loops(const std::vector<std::vector<Uv>>& loops) {
+  Box box;
+  for (const auto& loop : loops) {
+    for (const Uv p : loop) {
+      if (!std::isfinite(p.u) || !std::isfinite(p.v)) {
+        throw Error(ErrorCode::Geometry,
+                    fmt::format("the boundary is not finite at (u,v) = ({}, {})", p.u, p.v));
+      }
+      extend(box, p);
+    }
+    if (loop.size() < 3) {
+      throw Error(ErrorCode::Geometry,
+                  "the boundary leaves nothing inside: a loop has fewer than "
+                  "three nodes");
+    }
+  }
+  if (!(box.lower.u < box.upper.u && box.lower.v < box.upper.v)) {
+    throw Error(ErrorCode::Geometry, "the boundary leaves nothing inside");
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<DelaunayMesh> triangulate_boundary(const std::vector<std::vector<Uv>>& loops,
                                                    const MetricField& field) {
+  check_loops(loops);
   std::vector<Uv> points;
   std::vector<Metric> metrics;
   MetricField::Hint hint;

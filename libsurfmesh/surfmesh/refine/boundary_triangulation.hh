@@ -18,8 +18,8 @@ namespace surfmesh {
 ///
 /// Writes   surf:uv, surf:metric (vertex), surf:constrained (edge)
 /// Cost     O(n log n), about 3 µs a node
-/// Throws   Geometry if loops touch or cross themselves or each other, or leave nothing inside,
-///          naming (u,v)
+/// Throws   Geometry if loops touch or cross themselves or each other, or are not finite, naming
+///          (u,v); if they leave nothing inside
 /// Source   paper, section 2.1, item 2
 std::unique_ptr<DelaunayMesh> triangulate_boundary(const std::vector<std::vector<Uv>>& loops,
                                                    const MetricField& field);

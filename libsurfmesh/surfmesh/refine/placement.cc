@@ -58,17 +58,16 @@ Uv circumcentre(const BaseTriangle& t) {
   return frame.middle + frame.height_of_circumcentre * frame.across;
 }
 
-Uv frontal_point(const BaseTriangle& t, const MetricField& field, MetricField::Hint& hint) {
+std::optional<Uv> frontal_point(const BaseTriangle& t) {
   const BaseFrame frame = make_frame(t, mean(t.a.metric, t.b.metric));
   const double squared_height = 1 - frame.half * frame.half;
   const double limit = frame.height_of_circumcentre;
-  if (!(limit > 0) || squared_height <= 0 || squared_height >= limit * limit) {
-    return circumcentre(t);
-  }
-  MetricCorner p;
-  p.uv = frame.middle + std::sqrt(squared_height) * frame.across;
-  p.metric = field.at(p.uv, hint);
-  return p.uv + newton_step(t, p, 1.0);
+  if (!(limit > 0) || squared_height <= 0 || squared_height >= limit * limit) return std::nullopt;
+  return frame.middle + std::sqrt(squared_height) * frame.across;
+}
+
+Uv correct_frontal_point(const BaseTriangle& t, const MetricCorner& point) {
+  return point.uv + newton_step(t, point, 1.0);
 }
 
 }  // namespace surfmesh

@@ -3,33 +3,29 @@
 
 #include <optional>
 
-#include "surfmesh/control/metric_field.hh"
 #include "surfmesh/delaunay/metric_swaps.hh"
 
 namespace surfmesh {
-
-/// A point to be inserted, with its metric.
-using Candidate = MetricCorner;
 
 /// A base edge from a to b and the corner of its triangle on the left.
 struct BaseTriangle {
   MetricCorner a, b, apex;
 };
 
-/// The metric circumcentre of a triangle, in the mean metric of its corners.
-///
-/// Returns  nothing if the point lies outside of all triangles reachable in the metric, that is, is
-///          not finite
+/// The metric circumcentre of a triangle, in the mean metric of its corners; not finite for a
+/// degenerate triangle.
 Uv circumcentre(const BaseTriangle& triangle);
 
-/// The point that makes a unit triangle with the base, or the circumcentre where that is nearer.
+/// The point that makes a unit triangle with the base in the mean metric of its ends; nothing where
+/// the circumcentre is nearer, or the base too long for one.
 ///
-/// With M the mean of the base's ends and q the height of the circumcentre over the base: height
-/// d = √(1 − l²/4), the circumcentre where q ≤ d; then one Newton step, at most half a unit, that
-/// makes both legs √(d² + l²/4) long, with the metric of the first place. A second step gains
+/// At the height d = √(1 − l²/4) over the base, if the circumcentre is higher.
+std::optional<Uv> frontal_point(const BaseTriangle& triangle);
+
+/// Move a frontal point to where both its edges to the base are units, to first order.
+///
+/// One Newton step, at most half a unit, with the metric of the point itself; a second one gains
 /// nothing.
-///
-/// Cost     one metric query, for the step
-Uv frontal_point(const BaseTriangle& triangle, const MetricField& field, MetricField::Hint& hint);
+Uv correct_frontal_point(const BaseTriangle& triangle, const MetricCorner& point);
 
 }  // namespace surfmesh

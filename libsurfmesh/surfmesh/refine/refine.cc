@@ -21,9 +21,7 @@ double accepted_size(Placement placement) {
 }
 
 /// Least metric distance of a new node from the others.
-double least_distance(Placement placement) {
-  return placement == Placement::Frontal ? 0.7 : 0.5;
-}
+double least_distance(Placement placement) { return placement == Placement::Frontal ? 0.7 : 0.5; }
 
 class Refinement {
  public:
@@ -44,9 +42,11 @@ class Refinement {
       activate(FaceHandle(static_cast<int>(f)));
     }
     FrontQueue::Entry entry;
+    std::size_t steps = 0;
     while (queue_.pop(entry)) {
       State& state = states_[index(entry.face)];
       if (state.stamp != entry.stamp || state.is_accepted) continue;
+      if (++steps % kStepsBetweenCancellation == 0) throw_if_cancelled(options_.observer);
       const HalfedgeHandle base = base_of(entry.face);
       if (!base.is_valid()) {
         state.is_active = false;  // its accepted neighbour has been replaced since
@@ -150,13 +150,21 @@ class Refinement {
 
   bool split(FaceHandle fh, HalfedgeHandle base) {
     const BaseTriangle triangle = triangle_at(base);
-    if (options_.placement == Placement::Frontal) {
-      ++report_.queries;
-      if (try_insert(frontal_point(triangle, field_, hint_), fh, triangle, false)) return true;
-    }
+    if (options_.placement == Placement::Frontal && try_frontal(fh, triangle)) return true;
     if (try_insert(circumcentre(triangle), fh, triangle, true)) return true;
     return options_.placement == Placement::Circumcentre &&
            try_insert(0.5 * (triangle.a.uv + triangle.b.uv), fh, triangle, false);
+  }
+
+  /// The place before its correction is asked for the metric only if it lies inside.
+  bool try_frontal(FaceHandle fh, const BaseTriangle& triangle) {
+    const std::optional<Uv> place = frontal_point(triangle);
+    if (!place) return false;
+    const Location location = delaunay_.locate(*place, fh);
+    if (!is_insertable(location)) return false;
+    ++report_.queries;
+    const MetricCorner point{*place, field_.at(*place, hint_)};
+    return try_insert(correct_frontal_point(triangle, point), location.face, triangle, false);
   }
 
   bool try_insert(Uv p, FaceHandle fh, const BaseTriangle& triangle, bool must_conform) {
@@ -184,7 +192,7 @@ class Refinement {
   }
 
   /// Far enough from all nodes around, and not facing a boundary edge under more than 90°.
-  bool is_good_place(const Candidate& p) const {
+  bool is_good_place(const MetricCorner& p) const {
     const TriMesh& mesh = delaunay_.mesh();
     for (const HalfedgeHandle heh : cavity_.rim) {
       const MetricCorner a = corner(delaunay_, mesh.from_vertex_handle(heh));

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "surfmesh/control/metric_field.hh"
+#include "surfmesh/core/observer.hh"
 #include "surfmesh/delaunay/delaunay_mesh.hh"
 
 namespace surfmesh {
@@ -22,6 +23,7 @@ struct RefineOptions {
   Kernel kernel = Kernel::Cavity;
   /// More triangles than this end the run with an error. Above 0.
   std::size_t max_elements = 50'000'000;
+  Observer* observer = nullptr;  ///< asked whether to go on; not owned, null for none
 };
 
 void check(const RefineOptions& options);

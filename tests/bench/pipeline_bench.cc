@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole path of a formula surface and of a cage, and refinement alone on the metric of case c1,
+// over growing numbers of triangles. The counter `triangles` is per second.
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <cmath>
+
+#include "geometry/cages.hh"
+
+// After cages, for Scheme::Loop of a later header would shadow the Loop of a model.
+#include "support/domain_meshes.hh"
+#include "support/models.hh"
+#include "surfmesh/geometry/cage_model.hh"
+#include "surfmesh/geometry/callable_surface.hh"
+#include "surfmesh/pipeline/mesh_model.hh"
+
+namespace surfmesh {
+namespace {
+
+void count_triangles(benchmark::State& state, std::size_t triangles) {
+  const auto count = static_cast<double>(triangles);
+  state.counters["per_run"] = count;
+  state.counters["triangles"] =
+      benchmark::Counter(count, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void mesh_whole(benchmark::State& state, const Model& model) {
+  PipelineOptions options;
+  options.sizing.curvature = 1 / static_cast<double>(state.range(0));
+  options.sizing.hmin = {1e-5, true};
+  std::size_t triangles = 0;
+  for (auto _ : state) triangles = mesh_model(model, {}, options).mesh.n_faces();
+  count_triangles(state, triangles);
+}
+
+void whole_wave(benchmark::State& state) {
+  mesh_whole(
+      state, testing::model_of({make_callable_surface({-6, 6, -6, 6}, [](auto u, auto v) {
+        return std::array{u, v, 1.5 * sin(2 * u) * cos(v / 5) * exp(-(u * u + v * v) / 1000)};
+      })}));
+}
+BENCHMARK(whole_wave)->RangeMultiplier(2)->Range(4, 32)->Unit(benchmark::kMillisecond);
+
+void whole_torus_cage(benchmark::State& state) {
+  mesh_whole(state, model_from_cage(testing::torus(12, 8)));
+}
+BENCHMARK(whole_torus_cage)->RangeMultiplier(2)->Range(4, 32)->Unit(benchmark::kMillisecond);
+
+/// Argument: by how much sizes are smaller than those of c1.
+template <class Way>
+void refine_four_points(benchmark::State& state, Way way) {
+  const auto field = testing::four_point_field(static_cast<double>(state.range(0)));
+  std::size_t triangles = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    auto delaunay = testing::empty_square(field);
+    state.ResumeTiming();
+    refine(*delaunay, field, way);
+    triangles = delaunay->n_faces();
+  }
+  count_triangles(state, triangles);
+}
+BENCHMARK_CAPTURE(refine_four_points, frontal, RefineOptions{})
+    ->RangeMultiplier(2)
+    ->Range(1, 8)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(refine_four_points, circumcentre,
+                  RefineOptions{.placement = Placement::Circumcentre})
+    ->RangeMultiplier(2)
+    ->Range(1, 8)
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace surfmesh

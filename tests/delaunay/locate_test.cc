@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/delaunay/locate.hh"
+
+#include <gtest/gtest.h>
+
+#include "support/domain_meshes.hh"
+
+namespace surfmesh {
+namespace {
+
+using testing::random_points;
+
+/// The unit square with random points, inserted in an anisotropic metric, so that triangles are
+/// long.
+std::unique_ptr<DelaunayMesh> long_triangles(double aspect) {
+  auto delaunay = std::make_unique<DelaunayMesh>(Uv{0, 0}, Uv{1, 1});
+  const ConstantMetricRule rule{delaunay->uv_handle(), {1, 0, aspect * aspect}};
+  for (const Uv p : random_points(2000, 7)) delaunay->insert(p, FaceHandle(0), rule);
+  delaunay->shrink();
+  return delaunay;
+}
+
+bool contains(const DelaunayMesh& delaunay, FaceHandle fh, Uv p) {
+  const auto t = corners(delaunay.mesh(), fh, delaunay.uv_handle());
+  return orient2d(t[0], t[1], p) >= 0 && orient2d(t[1], t[2], p) >= 0 &&
+         orient2d(t[2], t[0], p) >= 0;
+}
+
+class Locate : public ::testing::TestWithParam<double> {};
+
+TEST_P(Locate, FindsTheTriangleFromAnywhere) {
+  const auto delaunay = long_triangles(GetParam());
+  FaceHandle start(0);
+  for (const Uv p : random_points(1000, 11)) {
+    const Location location = delaunay->locate(p, start);
+    EXPECT_EQ(location.kind, Location::Kind::Inside);
+    EXPECT_TRUE(contains(*delaunay, location.face, p));
+    start = location.face;
+  }
+}
+
+TEST_P(Locate, FindsVerticesAndTheirNumbers) {
+  const auto delaunay = long_triangles(GetParam());
+  for (int i = 0; i < static_cast<int>(delaunay->n_vertices()); i += 7) {
+    const Location location = delaunay->locate(delaunay->uv(VertexHandle(i)), FaceHandle(0));
+    EXPECT_EQ(location.kind, Location::Kind::OnVertex);
+    EXPECT_EQ(location.vertex, VertexHandle(i));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Aspects, Locate, ::testing::Values(1.0, 100.0, 10'000.0),
+                         [](const auto& test) {
+                           return std::to_string(static_cast<int>(test.param));
+                         });
+
+TEST(Location, IsOnTheEdgeExactly) {
+  DelaunayMesh delaunay({0, 0}, {1, 1});
+  const Location location = delaunay.locate({0.3, 0.3}, FaceHandle(0));
+  EXPECT_EQ(location.kind, Location::Kind::OnEdge);
+  EXPECT_FALSE(delaunay.is_constrained(delaunay.mesh().edge_handle(location.edge)));
+  EXPECT_EQ(delaunay.locate({0.3, std::nextafter(0.3, 1)}, FaceHandle(0)).kind,
+            Location::Kind::Inside);
+}
+
+TEST(Location, OutsideTellsTheOpenEdge) {
+  DelaunayMesh delaunay({0, 0}, {1, 1});
+  const Location location = delaunay.locate({0.5, -0.25}, FaceHandle(1));
+  EXPECT_EQ(location.kind, Location::Kind::Outside);
+  EXPECT_EQ(delaunay.uv(delaunay.mesh().to_vertex_handle(location.edge)).v, 0);
+  EXPECT_EQ(delaunay.uv(delaunay.mesh().from_vertex_handle(location.edge)).v, 0);
+}
+
+}  // namespace
+}  // namespace surfmesh
