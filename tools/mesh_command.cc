@@ -5,9 +5,8 @@
 
 #include <chrono>
 #include <ctime>
-#include <filesystem>
-#include <map>
 
+#include "output_paths.hh"
 #include "progress.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/io/output_file.hh"
@@ -18,9 +17,6 @@
 
 namespace surfmesh {
 namespace {
-
-namespace fs = std::filesystem;
-using Settings = std::vector<std::pair<std::string, std::string>>;
 
 /// Options of the pipeline that have a flag of their own, in the order of the help text.
 struct NamedOption {
@@ -51,26 +47,6 @@ double processor_seconds() {
   return seconds.count();
 }
 
-/// Try a setting on options of its own: the fault of a command line is told before any work.
-/// Returns the reason, empty if there is none.
-std::string fault_of(const std::string& name, const std::string& value) {
-  try {
-    PipelineOptions scratch;
-    set_option(scratch, name, value);
-    return {};
-  } catch (const Error& error) {
-    return error.what();
-  }
-}
-
-std::pair<std::string, std::string> split_setting(const std::string& text) {
-  const std::size_t mark = text.find('=');
-  if (mark == std::string::npos || mark == 0) {
-    throw CLI::ValidationError("--set", fmt::format("'{}' is not key=value", text));
-  }
-  return {text.substr(0, mark), text.substr(mark + 1)};
-}
-
 /// "max-elements" for "max_elements".
 std::string flag_of(std::string name) {
   for (char& c : name) c = c == '_' ? '-' : c;
@@ -87,24 +63,6 @@ std::string examples() {
       "Example:\n  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report knob.json\n"
       "Names for --set:\n  {}\n",
       names);
-}
-
-/// Throws   Io where no file of this path can be written
-void check_writable(const fs::path& path) {
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) {
-    throw Error(ErrorCode::Io, fmt::format("cannot write {}: it is a folder", path.string()));
-  }
-  if (!fs::is_directory(folder, ignored)) {
-    throw Error(ErrorCode::Io, fmt::format("cannot write {}: there is no folder {}", path.string(),
-                                           folder.string()));
-  }
-}
-
-bool is_same_file(const fs::path& a, const fs::path& b) {
-  std::error_code ignored;
-  return fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored);
 }
 
 void check_paths(const std::string& input, const std::string& output, const std::string& report) {
@@ -200,8 +158,8 @@ void MeshCommand::add_to(CLI::App& app) {
   command->footer(examples());
   add_files(*command);
   add_named_options(*command);
-  add_scheme(*command);
-  add_set(*command);
+  add_scheme(*command, scheme_);
+  add_set(*command, set_, "set any option by its name; beats the other flags and the model file");
 }
 
 void MeshCommand::add_files(CLI::App& command) {
@@ -228,34 +186,6 @@ void MeshCommand::add_named_options(CLI::App& command) {
         ->default_str(to_text(get_option(defaults, name)))
         ->check([name](const std::string& value) { return fault_of(name, value); });
   }
-}
-
-void MeshCommand::add_scheme(CLI::App& command) {
-  const std::map<std::string, Scheme> schemes = {{"auto", Scheme::Auto},
-                                                 {"catmark", Scheme::CatmullClark},
-                                                 {"loop", Scheme::Loop},
-                                                 {"bilinear", Scheme::Bilinear}};
-  command.add_option("--scheme", scheme_, "subdivision scheme of a cage")
-      ->transform(CLI::Transformer(schemes).description(""))
-      ->type_name("catmark|loop|bilinear|auto")
-      ->default_str("auto");
-}
-
-void MeshCommand::add_set(CLI::App& command) {
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--set",
-          [this](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) set_.push_back(split_setting(text));
-          },
-          "set any option by its name; beats the other flags and the model file")
-      ->type_name("key=value")
-      ->expected(1)
-      ->take_all()
-      ->check([](const std::string& text) {
-        const auto [name, value] = split_setting(text);
-        return fault_of(name, value);
-      });
 }
 
 int MeshCommand::run() const {

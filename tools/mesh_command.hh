@@ -3,9 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
-#include <utility>
-#include <vector>
 
+#include "settings.hh"
 #include "surfmesh/geometry/cage.hh"
 
 namespace surfmesh {
@@ -31,15 +30,12 @@ class MeshCommand {
  private:
   void add_files(CLI::App& command);
   void add_named_options(CLI::App& command);
-  void add_scheme(CLI::App& command);
-  void add_set(CLI::App& command);
 
   std::string input_;
   std::string output_;
   std::string report_;  ///< empty for none
-  /// Options of the pipeline in the order of their effect: named flags, then --set.
-  std::vector<std::pair<std::string, std::string>> named_;
-  std::vector<std::pair<std::string, std::string>> set_;
+  Settings named_;      ///< by flags of their own
+  Settings set_;        ///< by --set, which beats them
   Scheme scheme_ = Scheme::Auto;
   bool is_quiet_ = false;
 };

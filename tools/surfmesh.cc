@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <exception>
 
+#include "check_command.hh"
+#include "convert_command.hh"
 #include "mesh_command.hh"
 
 namespace {
@@ -19,11 +21,17 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   surfmesh::MeshCommand mesh;
   mesh.add_to(app);
+  surfmesh::CheckCommand check;
+  check.add_to(app);
+  surfmesh::ConvertCommand convert;
+  convert.add_to(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return exit_status(app, error);
   }
+  if (app.got_subcommand("check")) return check.run();
+  if (app.got_subcommand("convert")) return convert.run();
   return mesh.run();
 }
 

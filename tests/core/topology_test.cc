@@ -21,7 +21,8 @@ std::set<std::array<int, 3>> triangles_of(const Mesh& mesh) {
       v = mesh.from_vertex_handle(heh).idx();
       heh = mesh.next_halfedge_handle(heh);
     }
-    while (t[0] != *std::min_element(t.begin(), t.end())) std::rotate(t.begin(), t.begin() + 1, t.end());
+    while (t[0] != *std::min_element(t.begin(), t.end()))
+      std::rotate(t.begin(), t.begin() + 1, t.end());
     result.insert(t);
   }
   return result;
@@ -56,7 +57,8 @@ TEST(BuildTriangles, GluesOppositeSides) {
   TriMesh mesh;
   build_triangles(mesh, 5, kFan);
   EXPECT_EQ(mesh.n_edges(), 8u);
-  EXPECT_EQ(triangles_of(mesh), (std::set<std::array<int, 3>>{{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {0, 4, 3}}));
+  EXPECT_EQ(triangles_of(mesh),
+            (std::set<std::array<int, 3>>{{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {0, 4, 3}}));
   expect_linked(mesh);
 }
 
@@ -74,6 +76,51 @@ TEST(BuildTriangles, LeavesSidesOfEqualDirectionOpen) {
   TriMesh mesh;
   build_triangles(mesh, 5, {{0, 1, 2}, {0, 1, 3}});
   EXPECT_EQ(mesh.n_edges(), 6u);
+}
+
+FaceList faces_of(const std::vector<std::vector<int>>& faces) {
+  FaceList list;
+  for (const auto& face : faces) list.add(face);
+  return list;
+}
+
+TEST(BuildFaces, GluesPolygonsAndKeepsTheirFirstVertices) {
+  const std::vector<std::vector<int>> faces = {{0, 1, 2, 3}, {1, 4, 2}, {3, 2, 4, 5, 6}};
+  PolyMesh mesh;
+  build_faces(mesh, 7, faces_of(faces));
+  EXPECT_EQ(mesh.n_edges(), 9u);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    std::vector<int> vertices;
+    for (const VertexHandle vh : mesh.fv_range(FaceHandle(static_cast<int>(f)))) {
+      vertices.push_back(vh.idx());
+    }
+    EXPECT_EQ(vertices, faces[f]);
+  }
+  expect_linked(mesh);
+}
+
+TEST(BuildFaces, GivesTheTrianglesOfBuildTriangles) {
+  PolyMesh a, b;
+  build_triangles(a, 5, kFan);
+  build_faces(b, 5, faces_of({{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}));
+  EXPECT_EQ(triangles_of(a), triangles_of(b));
+  for (std::size_t i = 0; i < a.n_halfedges(); ++i) {
+    const HalfedgeHandle heh(static_cast<int>(i));
+    EXPECT_EQ(a.to_vertex_handle(heh), b.to_vertex_handle(heh));
+    EXPECT_EQ(a.next_halfedge_handle(heh), b.next_halfedge_handle(heh));
+  }
+}
+
+TEST(SeparateFans, DuplicatesVerticesOfPolygons) {
+  const SeparatedFaces fans =
+      separate_fans(7, faces_of({{0, 1, 2, 3}, {2, 4, 5, 6}}));  // touch in vertex 2
+  EXPECT_EQ(fans.old_vertex, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 2}));
+  EXPECT_EQ(fans.cut_edges, 0u);
+  EXPECT_EQ(fans.faces[1][0], 7);
+  const SeparatedFaces sheets =
+      separate_fans(8, faces_of({{0, 1, 2, 3}, {1, 0, 4, 5}, {0, 1, 6, 7}}));
+  EXPECT_EQ(sheets.cut_edges, 3u);
+  EXPECT_EQ(sheets.old_vertex.size(), 12u);
 }
 
 TEST(Flip, SwapsTheDiagonalAndKeepsThePropertyOfTheEdge) {
@@ -122,8 +169,9 @@ TEST_F(FillCavity, SplitsATriangle) {
   ElementPool pool(mesh_);
   fill_cavity(mesh_, pool, cavity, constrained_);
   pool.shrink();
-  EXPECT_EQ(triangles_of(mesh_), (std::set<std::array<int, 3>>{{0, 1, 5}, {1, 4, 5}, {0, 5, 4},
-                                                               {1, 2, 4}, {2, 3, 4}, {0, 4, 3}}));
+  EXPECT_EQ(triangles_of(mesh_),
+            (std::set<std::array<int, 3>>{
+                {0, 1, 5}, {1, 4, 5}, {0, 5, 4}, {1, 2, 4}, {2, 3, 4}, {0, 4, 3}}));
   expect_linked(mesh_);
 }
 
@@ -152,8 +200,8 @@ TEST_F(FillCavity, SplitsABoundaryEdgeAndKeepsItsConstraintOnBothParts) {
   ElementPool pool(mesh_);
   fill_cavity(mesh_, pool, cavity, constrained_);
   pool.shrink();
-  EXPECT_EQ(triangles_of(mesh_), (std::set<std::array<int, 3>>{{1, 4, 5}, {0, 5, 4}, {1, 2, 4},
-                                                               {2, 3, 4}, {0, 4, 3}}));
+  EXPECT_EQ(triangles_of(mesh_),
+            (std::set<std::array<int, 3>>{{1, 4, 5}, {0, 5, 4}, {1, 2, 4}, {2, 3, 4}, {0, 4, 3}}));
   EXPECT_EQ(mesh_.property(constrained_, mesh_.edge_handle(halfedge(0, 5))), 1);
   EXPECT_EQ(mesh_.property(constrained_, mesh_.edge_handle(halfedge(5, 1))), 1);
   EXPECT_EQ(mesh_.property(constrained_, mesh_.edge_handle(halfedge(5, 4))), 0);

@@ -30,6 +30,10 @@ std::string model(const std::string& in_patch, const std::string& in_root = "") 
 std::string source(const std::string& keys) { return model("\"sources\": [{" + keys + "}]"); }
 std::string sizing(const std::string& keys) { return model("", "\"sizing\": {" + keys + "}"); }
 
+std::string contours(const std::string& list) { return model("", "\"contours\": [" + list + "]"); }
+std::string contour(const std::string& keys) { return contours("{" + keys + "}"); }
+std::string cages(const std::string& keys) { return model("", "\"cages\": [{" + keys + "}]"); }
+
 Vec3 point(const ModelFile& file, std::size_t patch, Uv uv) {
   return file.patches[patch].surface->evaluate(uv, Order::Position).point;
 }
@@ -61,6 +65,53 @@ TEST(ReadModel, GivesSourcesTheIndexOfTheirPatch) {
   EXPECT_EQ(file.sources.everywhere.at(1).patch, 1);
 }
 
+TEST(ReadModel, ReadsContours) {
+  const std::string list = R"json("constants": {"r": 0.25}, "contours": [
+      {"name": "hole", "range": [0, "2*pi"],
+       "on": [{"patch": "p", "u": "1+r*cos(t)", "v": "r*sin(t)"}]},
+      {"name": "seam", "xyz": {"x": "t", "y": "r", "z": "0"}, "on": [{"patch": "p"}]}])json";
+  const ModelFile file =
+      read(model(R"("loops": [["p:v0", "p:u1", "-p:v1", "-p:u0"], ["-hole"]])", list));
+  ASSERT_EQ(file.contours.size(), 2u);
+  EXPECT_EQ(file.contours[0].name, "hole");
+  EXPECT_EQ(file.contours[0].origin, "/contours/0");
+  EXPECT_EQ(file.contours[0].range.to, 2 * std::numbers::pi);
+  EXPECT_NEAR(file.contours[0].on.at(0).curve->evaluate(0.25).v, 0.25, 1e-15);
+  EXPECT_EQ(file.contours[0].xyz, nullptr);
+  EXPECT_EQ(file.contours[1].xyz->evaluate(0.5), Vec3(0.5, 0.25, 0));
+  EXPECT_EQ(file.contours[1].on.at(0).curve, nullptr);
+}
+
+TEST(ReadModel, ReadsLoops) {
+  const PatchInput patch = read(model(R"("loops": [["p:v0", "-p:u1"], ["p:u0"]])")).patches[0];
+  EXPECT_EQ(patch.loops, (std::vector<std::vector<std::string>>{{"p:v0", "-p:u1"}, {"p:u0"}}));
+  EXPECT_EQ(patch.origin, "/patches/0");
+}
+
+TEST(ReadModel, ReadsCagesBesideTheFile) {
+  const ModelFile file = parse_model(
+      R"({"$schema": "surfmesh.schema.json", "cages": [
+          {"name": "a", "file": "x.obj", "scheme": "loop", "patches": "faces"},
+          {"name": "b", "file": "../y.off"}]})",
+      "some/where/a.json");
+  ASSERT_EQ(file.cages.size(), 2u);
+  EXPECT_EQ(file.cages[0].file, std::filesystem::path("some/where/x.obj"));
+  EXPECT_EQ(file.cages[0].scheme, Scheme::Loop);
+  EXPECT_EQ(file.cages[1].file, std::filesystem::path("some/where/../y.off"));
+  EXPECT_EQ(file.cages[1].scheme, Scheme::Auto);
+  EXPECT_TRUE(file.patches.empty());
+}
+
+TEST(ReadModel, ReadsSourcesOfGroups) {
+  const ModelFile file =
+      read(model("", R"("sources": [{"group": "wing", "size": [0.2, "1%"], "angle": 90}])"));
+  ASSERT_EQ(file.groups.size(), 1u);
+  EXPECT_EQ(file.groups[0].group, "wing");
+  EXPECT_EQ(file.groups[0].size.along.value, 0.2);
+  EXPECT_TRUE(file.groups[0].size.across.is_relative);
+  EXPECT_EQ(file.groups[0].origin, "/sources/0/group");
+}
+
 TEST(ReadModel, HandsOptionsOnAsText) {
   const ModelFile file =
       read(model("", R"("options": {"nodes": 40000, "interpolation": "auto", "a": [1, true]})"));
@@ -86,10 +137,10 @@ TEST(ReadModel, AcceptsWhatIsNotBuiltWhereItIsOff) {
 
 TEST(ReadModelFaults, OfWhatIsNotBuiltYet) {
   const std::string reason = ": this key is not built yet";
-  EXPECT_EQ(fault(model("", R"("cages": [{"name": "b"}])")), " /cages" + reason);
-  EXPECT_EQ(fault(model("", R"("contours": [{}])")), " /contours" + reason);
-  EXPECT_EQ(fault(model("", R"("sources": [{"near": [0, 0, 1]}])")), " /sources" + reason);
-  EXPECT_EQ(fault(model(R"("loops": [["p:u0"]])")), " /patches/0/loops" + reason);
+  EXPECT_EQ(fault(model("", R"("sources": [{"near": [0, 0, 1], "size": 1}])")),
+            " /sources/0/near" + reason);
+  EXPECT_EQ(fault(cages(R"("name": "b", "file": "b.obj", "patches": "blocks")")),
+            " /cages/0/patches: blocks are not built yet; there are faces and auto");
   EXPECT_EQ(fault(sizing(R"("sag": "0.1%")")), " /sizing/sag" + reason);
   EXPECT_EQ(fault(sizing(R"("proximity": 2)")), " /sizing/proximity" + reason);
   for (const std::string kind : {"along", "inside", "field", "table"}) {
@@ -211,6 +262,64 @@ TEST(ReadModelFaults, OfNames) {
             " /constants/pi: this name is not to be redefined");
   EXPECT_EQ(fault(model("", R"("constants": {"2a": 3})")),
             " /constants/2a: the name of a constant has letters, digits and _ only");
+}
+
+TEST(ReadModelFaults, OfContours) {
+  const std::string front = " /contours/0";
+  EXPECT_EQ(fault(contour("")), front + "/name: this key is missing");
+  EXPECT_EQ(fault(contour(R"("name": "a")")),
+            front + ": a contour needs xyz, or u and v on a patch");
+  EXPECT_EQ(fault(contour(R"("name": "a", "on": [{"patch": "p"}])")),
+            front + ": a contour needs xyz, or u and v on a patch");
+  EXPECT_EQ(fault(contour(R"("name": "a", "on": [{"patch": "p", "u": "t"}])")),
+            front + "/on/0/v: this key is missing");
+  EXPECT_EQ(fault(contour(R"("name": "a", "on": [{"patch": "q", "u": "t", "v": "t"}])")),
+            front + "/on/0/patch: there is no patch with formulas q, did you mean p?");
+  EXPECT_EQ(fault(contour(R"("name": "a", "range": [1, 0])")),
+            front + "/range: the second value must be larger than the first");
+  EXPECT_EQ(fault(contour(R"("name": "-a")")),
+            front + "/name: a name must not begin with -, which turns a contour in a loop");
+  EXPECT_EQ(fault(contour(R"("name": "a:b")")),
+            front + "/name: the name of a contour has no colon, which sides have");
+  EXPECT_EQ(fault(contour(R"("name": "a", "xyz": {"x": "t", "y": "0"})")),
+            front + "/xyz/z: this key is missing");
+  EXPECT_TRUE(fault(contour(R"("name": "a", "xyz": {"x": "t", "y": "u", "z": "0"})"))
+                  .starts_with(front + "/xyz: y: "));
+  const std::string one = R"({"name": "a", "xyz": {"x": "t", "y": "0", "z": "0"}})";
+  EXPECT_EQ(fault(contours(one + ", " + one)),
+            " /contours/1/name: there are two contours with the name a");
+}
+
+TEST(ReadModelFaults, OfLoops) {
+  EXPECT_EQ(fault(model(R"("loops": [[]])")), " /patches/0/loops/0: a loop must not be empty");
+  EXPECT_EQ(fault(model(R"("loops": [["p:v0", "-p:w1"]])")),
+            " /patches/0/loops/0/1: there is no contour p:w1, did you mean p:u1?");
+  EXPECT_EQ(fault(model(R"("loops": [["circle"]])")),
+            " /patches/0/loops/0/0: there is no contour circle");
+  EXPECT_EQ(fault(model(R"("loops": "p:v0")")), " /patches/0/loops: must be an array, not string");
+}
+
+TEST(ReadModelFaults, OfCages) {
+  EXPECT_EQ(fault(cages(R"("name": "b")")), " /cages/0/file: this key is missing");
+  EXPECT_EQ(fault(cages(R"("name": "p", "file": "b.obj")")),
+            " /cages/0/name: there are two patches or cages with the name p");
+  EXPECT_EQ(fault(cages(R"("name": "b", "file": "b.obj", "scheme": "cat")")),
+            " /cages/0/scheme: must be auto, catmark, loop or bilinear");
+  EXPECT_EQ(fault(cages(R"("name": "b", "file": "b.obj", "patches": "all")")),
+            " /cages/0/patches: must be faces, blocks or auto");
+  EXPECT_EQ(fault(cages(R"("name": "b", "fle": "b.obj")")),
+            " /cages/0/fle: unknown key, did you mean file?");
+}
+
+TEST(ReadModelFaults, OfSourcesOfGroups) {
+  const auto group = [](const std::string& keys) {
+    return fault(model("", "\"sources\": [{" + keys + "}]"));
+  };
+  EXPECT_EQ(group(R"("size": 1)"), " /sources/0: a source needs one of near, group");
+  EXPECT_EQ(group(R"("group": "a", "size": 0)"), " /sources/0/size: must be above 0");
+  EXPECT_EQ(group(R"("group": "a")"), " /sources/0/size: this key is missing");
+  EXPECT_EQ(group(R"("group": "a", "size": 1, "radius": 2)"),
+            " /sources/0/radius: a group has no radius");
 }
 
 TEST(ReadModelFaults, OfFiles) {

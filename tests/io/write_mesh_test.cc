@@ -66,23 +66,15 @@ TEST(WriteObj, IsPlainText) {
             "v -123456789.125 0.3333333333333333 1.7976931348623157e+308\ng wave\nf 1 2 3\n");
 }
 
-TEST(WriteObj, OrdersFacesByPatch) {
+TEST(WriteObj, NamesAllGroupsFirstWhereFacesAreNotInTheirOrder) {
   const TestFolder folder;
-  PolyMesh mesh = wavy_grid(4, 3);
-  attach_result_properties(mesh);
+  PolyMesh mesh = wavy_grid(1, 0);
+  const auto patch = attach(mesh, keys::face_patch, 2);
+  mesh.property(patch, FaceHandle(1)) = 0;
   write_mesh(mesh, folder / "a.obj", {"first", "", "third one"});
-  const Cage cage = read_cage(folder / "a.obj");
-  ASSERT_EQ(cage.groups.size(), 3u);
-  EXPECT_EQ(cage.groups[0].name, "first");
-  EXPECT_EQ(cage.groups[1].name, "patch1");
-  EXPECT_EQ(cage.groups[2].name, "third_one");
-  std::vector<std::vector<int>> of_patch0;
-  const auto patch = find(mesh, keys::face_patch);
-  for (const FaceHandle fh : mesh.faces()) {
-    if (mesh.property(patch, fh) == 0) of_patch0.push_back(turned(corners(mesh, fh.idx())));
-  }
-  ASSERT_EQ(cage.groups[0].faces.size(), of_patch0.size());
-  for (std::size_t i = 0; i < of_patch0.size(); ++i) EXPECT_EQ(turned(cage.faces[i]), of_patch0[i]);
+  const std::string text = read_text(folder / "a.obj");
+  EXPECT_EQ(text.substr(text.find("\ng")),
+            "\ng first\ng patch1\ng third_one\ng third_one\nf 1 2 4\ng first\nf 1 4 3\n");
 }
 
 TEST(WriteObj, MakesWordsOfAllNames) {
@@ -104,7 +96,7 @@ TEST(WriteObj, GroupsFacesWithoutPatch) {
   PolyMesh mesh = wavy_grid(1, 0);
   attach(mesh, keys::face_patch, -1);
   write_mesh(mesh, folder / "a.obj", {"x"});
-  EXPECT_EQ(read_cage(folder / "a.obj").groups.at(0).name, "none");
+  EXPECT_EQ(read_cage(folder / "a.obj").groups.at(0).name, "default");
 }
 
 TEST(WriteOff, ReadsBackExactly) {
@@ -132,7 +124,7 @@ TEST(WriteMesh, WritesTheSameBytesTwice) {
   const TestFolder folder;
   PolyMesh mesh = wavy_grid(5, 2);
   attach_result_properties(mesh);
-  for (const std::string ending : {".obj", ".off", ".om"}) {
+  for (const std::string ending : {".obj", ".off", ".ply", ".stl", ".om"}) {
     write_mesh(mesh, folder / ("a" + ending), {"p"});
     write_mesh(mesh, folder / ("b" + ending), {"p"});
     EXPECT_EQ(read_text(folder / ("a" + ending)), read_text(folder / ("b" + ending)));
@@ -141,24 +133,43 @@ TEST(WriteMesh, WritesTheSameBytesTwice) {
 
 TEST(WriteMesh, RefusesUnknownEndings) {
   EXPECT_EQ(error_of([] { write_mesh(PolyMesh(), "a.vtk", {}); }),
-            "invalid input: a.vtk: the ending of a mesh is .obj, .off or .om");
+            "invalid input: a.vtk: the ending of a mesh is .obj, .off, .ply, .stl or .om");
 }
 
 TEST(WriteMesh, RefusesPositionsThatAreNotFiniteAndLeavesTheOldFile) {
   const TestFolder folder;
-  for (const std::string name : {"a.obj", "a.off"}) {
+  for (const std::string name : {"a.obj", "a.off", "a.ply", "a.stl"}) {
     write_text(folder / name, "old");
     EXPECT_EQ(error_of([&] { write_mesh(one_triangle(kUnset), folder / name, {}); }),
               "geometry: the position of vertex 0 is (nan, -0, 1e+300)");
     EXPECT_EQ(read_text(folder / name), "old");
   }
-  EXPECT_EQ(folder.count(), 2);
+  EXPECT_EQ(folder.count(), 4);
+}
+
+TEST(WhatIsLost, TellsWhatAFormatCannotHold) {
+  using Lost = std::vector<std::string>;
+  PolyMesh mesh = wavy_grid(3, 2);
+  const std::string digits = "the digits of positions beyond single precision";
+  const std::string quads = "5 faces of more than three corners, which are split";
+  EXPECT_EQ(what_is_lost(mesh, "a.obj", {}), Lost());
+  EXPECT_EQ(what_is_lost(mesh, "a.stl", {}), (Lost{digits, quads}));
+  attach_result_properties(mesh);
+  const Lost corners = {"the parameters (u,v) of the corners", "the metric of the corners",
+                        "the contours of the edges"};
+  const Lost patch = {"the patches of the faces", corners[0], corners[1], corners[2]};
+  EXPECT_EQ(what_is_lost(mesh, "a.OBJ", {"x"}), corners);
+  EXPECT_EQ(what_is_lost(mesh, "a.ply", {"x y"}), corners);
+  EXPECT_EQ(what_is_lost(mesh, "a.off", {"x"}), patch);
+  EXPECT_EQ(what_is_lost(mesh, "a.om", {"x"}), Lost{"the names of the patches"});
+  EXPECT_EQ(what_is_lost(mesh, "a.om", {}), Lost());
+  EXPECT_EQ(what_is_lost(mesh, "a.obj", {"x y"}).size(), 4u);
 }
 
 TEST(WriteMesh, TellsThatADeviceIsFull) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   const TestFolder folder;
-  for (const std::string name : {"a.obj", "a.off", "a.om"}) {
+  for (const std::string name : {"a.obj", "a.off", "a.ply", "a.stl", "a.om"}) {
     std::filesystem::create_symlink("/dev/full", folder / name);
     const std::string path = (folder / name).string();
     EXPECT_EQ(error_of([&] { write_mesh(wavy_grid(40, 2), path, {}); }),

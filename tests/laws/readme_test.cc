@@ -47,7 +47,7 @@ TEST(Readme, ShowsShortExamples) {
 }
 
 TEST(Readme, NamesModelsAndScriptsThatExist) {
-  static const std::regex pattern(R"((models|tools)/\w+\.\w+)");
+  static const std::regex pattern(R"((models|tools)/\w+(\.\w+)+)");
   const std::string text = read("README.md");
   for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
     EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(SURFMESH_SOURCE_DIR) / match->str()))

@@ -65,6 +65,94 @@ TEST(LoadModel, HasNoSchemeForModelFiles) {
   EXPECT_NE(error.find("only cages have a subdivision scheme"), std::string::npos) << error;
 }
 
+/// A model file of cages of ours, with other keys at its root.
+std::string cages(const std::string& scheme, const std::string& in_root = "") {
+  return R"({"cages": [{"name": "a", "file": ")" + own_model("cube.obj").string() +
+         R"("}, {"name": "b", "file": ")" + own_model("cube.obj").string() + R"(", "scheme": ")" +
+         scheme + "\"}]" + in_root + "}";
+}
+
+TEST(LoadModel, ReadsSeveralCages) {
+  const TestFolder folder;
+  write_text(folder / "a.json", cages("bilinear"));
+  const Model model = load_model(folder / "a.json").model;
+  EXPECT_EQ(model.patches.size(), 12u);
+  EXPECT_EQ(model.patches[6].name, "b:f0");
+  EXPECT_EQ(model.contours[12].uses[0].patch, 6);
+  ASSERT_EQ(model.groups.size(), 2u);
+  EXPECT_EQ(model.groups[1].name, "b");
+  EXPECT_EQ(model.groups[1].patches.front(), 6);
+  // The vertices of the cube itself, not of its Catmull-Clark limit.
+  EXPECT_EQ(model.vertices.back().position.cwiseAbs(), Vec3(1, 1, 1));
+  EXPECT_LT(model.vertices.front().position.cwiseAbs().maxCoeff(), 0.9);
+}
+
+TEST(LoadModel, ReplacesTheSchemeOfCages) {
+  const TestFolder folder;
+  write_text(folder / "a.json", cages("catmark"));
+  const Model model = load_model(folder / "a.json", {.scheme = Scheme::Bilinear}).model;
+  EXPECT_EQ(model.vertices.front().position.cwiseAbs(), Vec3(1, 1, 1));
+}
+
+TEST(LoadModel, NamesThePlaceOfABadCage) {
+  const TestFolder folder;
+  const std::string place = (folder / "a.json").string() + ": /cages/";
+  write_text(folder / "a.json", cages("loop"));
+  EXPECT_TRUE(fault(folder / "a.json").starts_with("invalid input: " + place + "1/file: "));
+  write_text(folder / "a.json", R"({"cages": [{"name": "a", "file": "no.obj"}]})");
+  EXPECT_EQ(fault(folder / "a.json"), "io: " + place + "0/file: cannot read " +
+                                          (folder / "no.obj").string() + ": it does not exist");
+  write_text(folder / "a.json", R"({"cages": [{"name": "a", "file": "a.json"}]})");
+  EXPECT_NE(fault(folder / "a.json").find("the ending of a cage is .obj or .off"),
+            std::string::npos);
+}
+
+TEST(LoadModel, NamesThePlaceOfAnUnknownGroup) {
+  const TestFolder folder;
+  write_text(folder / "a.json",
+             model(R"("sources": [{"group": "p", "size": 1}, {"group": "q", "size": 1}])"));
+  EXPECT_EQ(fault(folder / "a.json"),
+            "invalid input: " + (folder / "a.json").string() +
+                ": /sources/1/group: there is no group or patch q, did you mean p?");
+}
+
+/// A model file of one patch that has loops besides its sides, and contours.
+std::string trimmed(const std::string& loops, const std::string& contours) {
+  return R"({"patches": [{"name": "p", "surface": {"z": "u*v"},
+             "domain": {"u": [0, 2], "v": [-1, 1]},
+             "loops": [["p:v0", "p:u1", "-p:v1", "-p:u0"])" +
+         loops + R"(]}], "contours": [)" + contours + "]}";
+}
+
+TEST(LoadModel, NamesThePlaceOfBadLoops) {
+  const TestFolder folder;
+  const std::string front = (folder / "a.json").string() + ": ";
+  const auto fault_of = [&](const std::string& loops, const std::string& contours) {
+    write_text(folder / "a.json", trimmed(loops, contours));
+    const std::string text = fault(folder / "a.json");
+    const std::size_t start = text.find(front);
+    return start == std::string::npos ? text : text.substr(start + front.size());
+  };
+  const std::string arc =
+      R"json({"name": "a", "range": [0, 3], "on": [{"patch": "p", "u": "1+cos(t)/2", "v": "sin(t)/2"}]})json";
+  EXPECT_TRUE(fault_of(R"(, ["-a"])", arc)
+                  .starts_with("/patches/0/loops/1: patch p: the loop does not close, the gap"));
+  const std::string high =
+      R"json({"name": "a", "xyz": {"x": "1+0.1*cos(2*pi*t)", "y": "0.1*sin(2*pi*t)", "z": "9"}})json";
+  EXPECT_TRUE(fault_of(R"(, ["-a"])", high)
+                  .starts_with("/contours/0: contour a on patch p: its distance from the patch"));
+  EXPECT_EQ(fault_of("", arc), "no error");
+}
+
+TEST(LoadModel, WarnsOfUnusedContours) {
+  const TestFolder folder;
+  write_text(folder / "a.json",
+             trimmed("", R"({"name": "a", "on": [{"patch": "p", "u": "t", "v": "0"}]})"));
+  const std::vector<std::string> warnings = load_model(folder / "a.json").model.warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0], "/contours/0: contour a: no loop names it, it is left out");
+}
+
 TEST(LoadModel, NamesTheFileOfACageThatCannotBeSubdivided) {
   const std::string error = fault(own_model("cube.obj"), {.scheme = Scheme::Loop});
   EXPECT_NE(error.find("cube.obj: "), std::string::npos) << error;

@@ -1,38 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "support/folders.hh"
+#include "support/program.hh"
 
 namespace surfmesh {
 namespace {
 
 using Json = nlohmann::json;
 
-std::string own_model(const std::string& name) {
-  return (std::filesystem::path(SURFMESH_SOURCE_DIR) / "models" / name).string();
-}
-
-/// Runs the program in an empty folder of its own.
-class MeshProgram : public ::testing::Test {
+class MeshProgram : public Program {
  protected:
-  /// Run `surfmesh <arguments>`; `before` stands before the program on the command line.
-  int run(const std::string& arguments, const std::string& before = "") {
-    const std::string command = "cd '" + folder_.path().string() + "' && " + before +
-                                " '" SURFMESH_PROGRAM "' " + arguments + " >stdout 2>stderr";
-    const int status = std::system(command.c_str());
-    out_ = read_text(folder_ / "stdout");
-    err_ = read_text(folder_ / "stderr");
-    std::filesystem::remove(folder_ / "stdout");
-    std::filesystem::remove(folder_ / "stderr");
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  }
-
   /// Run `surfmesh mesh <input> -o out.obj <options>` with a model of ours.
   int mesh(const std::string& model, const std::string& options = "") {
     return run("mesh '" + own_model(model) + "' -o out.obj " + options);
@@ -53,10 +34,6 @@ class MeshProgram : public ::testing::Test {
   }
 
   Json report() const { return Json::parse(read_text(folder_ / "report.json")); }
-
-  TestFolder folder_;
-  std::string out_;
-  std::string err_;
 };
 
 TEST_F(MeshProgram, HelpsWithDefaultsAndAnExample) {
@@ -90,7 +67,7 @@ TEST_F(MeshProgram, MeshesAModelFile) {
 }
 
 TEST_F(MeshProgram, WritesEveryFormat) {
-  for (const std::string ending : {".obj", ".OFF", ".om"}) {
+  for (const std::string ending : {".obj", ".OFF", ".ply", ".stl", ".om"}) {
     EXPECT_EQ(run("mesh '" + own_model("cube.obj") + "' -o a" + ending), 0) << err_;
     EXPECT_GT(std::filesystem::file_size(folder_ / ("a" + ending)), 1000u);
   }

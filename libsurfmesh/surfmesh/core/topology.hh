@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "surfmesh/core/face_set.hh"
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/core/properties.hh"
 
@@ -27,10 +28,7 @@ namespace surfmesh {
 class ElementPool {
  public:
   explicit ElementPool(TriMesh& mesh)
-      : mesh_(mesh),
-        vertices_(mesh.n_vertices()),
-        edges_(mesh.n_edges()),
-        faces_(mesh.n_faces()) {}
+      : mesh_(mesh), vertices_(mesh.n_vertices()), edges_(mesh.n_edges()), faces_(mesh.n_faces()) {}
 
   /// Make room for `count` more vertices in all (three edges and two faces each).
   void reserve(std::size_t count) {
@@ -77,6 +75,11 @@ template <class Mesh>
 void build_triangles(Mesh& mesh, std::size_t vertex_count,
                      const std::vector<std::array<int, 3>>& triangles);
 
+/// Build the connectivity of a mesh of faces of any size, as build_triangles does.
+///
+/// OpenMesh's ranges around a face begin at its first vertex.
+void build_faces(PolyMesh& mesh, std::size_t vertex_count, const FaceList& faces);
+
 /// Triangles in which every fan around a vertex has a vertex of its own.
 struct SeparatedFans {
   std::vector<std::array<int, 3>> triangles;
@@ -93,6 +96,17 @@ struct SeparatedFans {
 /// Cost     O(n log n)
 SeparatedFans separate_fans(std::size_t vertex_count,
                             const std::vector<std::array<int, 3>>& triangles);
+
+/// Faces in which every fan around a vertex has a vertex of its own; see SeparatedFans.
+struct SeparatedFaces {
+  FaceList faces;
+  std::vector<int> old_vertex;
+  std::size_t cut_edges = 0;
+};
+
+/// Do the same for faces of any size.
+/// Pre      no face has a vertex twice
+SeparatedFaces separate_fans(std::size_t vertex_count, const FaceList& faces);
 
 /// Swap the diagonal of the two triangles at an inner edge. The caller makes sure that the four
 /// points are in convex position and that the new edge does not exist.
@@ -154,8 +168,8 @@ class CavityElements {
 
   /// An edge between `from` and `to`; its first halfedge points to `to`.
   HalfedgeHandle connect(VertexHandle from, VertexHandle to) {
-    const EdgeHandle eh = edge_ < cavity_.inner_edges.size() ? cavity_.inner_edges[edge_++]
-                                                             : pool_.take_edge();
+    const EdgeHandle eh =
+        edge_ < cavity_.inner_edges.size() ? cavity_.inner_edges[edge_++] : pool_.take_edge();
     const HalfedgeHandle heh = mesh_.halfedge_handle(eh, 0);
     mesh_.set_vertex_handle(heh, to);
     mesh_.set_vertex_handle(mesh_.halfedge_handle(eh, 1), from);

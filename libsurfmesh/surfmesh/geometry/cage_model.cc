@@ -188,6 +188,7 @@ Model model_from_cage(const Cage& cage, const CageOptions& options) {
                 "no face of the cage has a limit surface: all are holes or, by the boundary rule "
                 "none, at the boundary");
   }
+  for (const Vec3& point : cage.points) model.box.extend(point);
   model.diagonal = diagonal(cage);
   if (cage.is_chaikin) warn_of_gaps(model);
   add_groups(cage, model);

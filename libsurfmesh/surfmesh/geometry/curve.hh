@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "surfmesh/core/values.hh"
+#include "surfmesh/geometry/surface.hh"
 
 namespace surfmesh {
 
@@ -38,6 +39,49 @@ class CallableCurve : public Curve {
 
  private:
   std::function<Uv(double)> function_;
+};
+
+/// A curve in space, over t in [0,1]. Immutable, safe from several threads.
+class SpaceCurve {
+ public:
+  virtual ~SpaceCurve() = default;
+
+  virtual Vec3 evaluate(double t) const = 0;
+};
+
+/// A curve in space given by a C++ function of t in [0,1].
+class CallableSpaceCurve : public SpaceCurve {
+ public:
+  explicit CallableSpaceCurve(std::function<Vec3(double)> function)
+      : function_(std::move(function)) {}
+
+  Vec3 evaluate(double t) const override { return function_(t); }
+
+ private:
+  std::function<Vec3(double)> function_;
+};
+
+/// The curve in space that a curve in the parameters of a surface is.
+class CurveOnSurface : public SpaceCurve {
+ public:
+  CurveOnSurface(std::shared_ptr<const Surface> surface, std::shared_ptr<const Curve> curve)
+      : surface_(std::move(surface)), curve_(std::move(curve)) {}
+
+  Vec3 evaluate(double t) const override {
+    return surface_->evaluate(curve_->evaluate(t), Order::Position).point;
+  }
+
+ private:
+  std::shared_ptr<const Surface> surface_;
+  std::shared_ptr<const Curve> curve_;
+};
+
+/// The range of the parameter in which its author has written a curve: in messages t is taken there.
+struct CurveRange {
+  double from = 0;
+  double to = 1;
+
+  double at(double t) const { return (1 - t) * from + t * to; }
 };
 
 }  // namespace surfmesh

@@ -9,6 +9,7 @@
 #include "surfmesh/geometry/match_pieces_detail.hh"
 #include "surfmesh/geometry/near_misses_detail.hh"
 #include "surfmesh/geometry/split_sides_detail.hh"
+#include "surfmesh/geometry/trim_patches_detail.hh"
 
 namespace surfmesh {
 namespace {
@@ -69,27 +70,54 @@ std::vector<LoopEntry> entries_of(const Parts& parts) {
   return result;
 }
 
-/// The outer loop of each patch: v0 and u1 along the growing parameter, v1 and u0 against it.
-std::vector<Loop> loops_of(const Parts& parts) {
-  std::vector<Loop> loops(parts.sides.size() / 4);
-  const std::vector<LoopEntry> entries = entries_of(parts);
-  std::size_t piece = 0;
-  for (std::size_t s = 0; s < parts.sides.size(); ++s) {
-    Loop chain;
-    for (; piece < entries.size() && parts.split.pieces[piece].side == static_cast<int>(s);
-         ++piece) {
-      chain.push_back(entries[piece]);
+/// The contour uses of every side in the direction of its growing parameter, by the side's name.
+SideChains chains_of(const Parts& parts) {
+  std::vector<bool> is_reversed(parts.split.pieces.size());
+  for (const MatchedCurve& curve : parts.curves) {
+    for (const MatchedPiece& matched : curve.pieces) {
+      is_reversed[static_cast<std::size_t>(matched.piece)] = matched.is_reversed;
     }
-    if (!parts.sides[s].is_forward) std::reverse(chain.begin(), chain.end());
-    loops[s / 4].insert(loops[s / 4].end(), chain.begin(), chain.end());
   }
-  return loops;
+  const std::vector<LoopEntry> entries = entries_of(parts);
+  SideChains chains;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::string& side = item(parts.sides, parts.split.pieces[i].side).name;
+    chains[side].push_back({entries[i], !is_reversed[i]});
+  }
+  return chains;
+}
+
+/// The outer loop of a whole patch: v0 and u1 along the growing parameter, v1 and u0 against it.
+Loop whole_loop(const std::string& patch, const SideChains& chains) {
+  Loop loop;
+  for (std::size_t k = 0; k < 4; ++k) {
+    std::vector<ChainLink> chain = chains.at(patch + ":" + kSideNames[k]);
+    if (k >= 2) std::reverse(chain.begin(), chain.end());
+    for (const ChainLink& link : chain) loop.push_back(link.entry);
+  }
+  return loop;
+}
+
+/// The sides that are part of the boundary: all of a patch without loops, else those that its loops
+/// name.
+std::vector<PatchSide> bounding_sides(const std::vector<PatchInput>& patches) {
+  std::vector<PatchSide> result;
+  for (PatchSide& side : sides_of(patches)) {
+    const auto& loops = item(patches, side.curve.line.patch).loops;
+    const bool is_named = std::any_of(loops.begin(), loops.end(), [&](const auto& loop) {
+      return std::any_of(loop.begin(), loop.end(), [&](const std::string& name) {
+        return contour_name_of(name) == side.name;
+      });
+    });
+    if (loops.empty() || is_named) result.push_back(std::move(side));
+  }
+  return result;
 }
 
 std::vector<std::string> warnings_of(const Parts& parts, const std::vector<Contour>& contours,
                                      const JoinLengths& lengths) {
   std::vector<ContourShape> shapes;
-  for (std::size_t c = 0; c < contours.size(); ++c) {
+  for (std::size_t c = 0; c < parts.curves.size(); ++c) {
     if (contours[c].is_degenerate) continue;
     shapes.push_back({contours[c].name, parts.curves[c].first, contours[c].uses.size() > 1});
   }
@@ -125,12 +153,14 @@ SideAddress find_side(const Model& model, std::string_view side_name) {
 
 }  // namespace
 
-Model model_from_patches(const std::vector<PatchInput>& patches) {
+Model model_from_patches(const std::vector<PatchInput>& patches,
+                         const std::vector<ContourInput>& contours) {
   check_patches(patches);
   Model model;
-  model.diagonal = measure_patches(patches);
-  Parts parts{sides_of(patches), {}, {}};
-  const JoinLengths lengths = join_lengths(parts.sides, model.diagonal);
+  model.box = measure_patches(patches);
+  model.diagonal = model.box.diagonal().norm();
+  Parts parts{bounding_sides(patches), {}, {}};
+  const JoinLengths lengths = join_lengths(model.box);
   parts.split = split_sides(parts.sides, lengths.join);
   parts.curves = match_pieces(parts.sides, parts.split.pieces, lengths.join);
   model.vertices.reserve(parts.split.vertices.size());
@@ -138,11 +168,15 @@ Model model_from_patches(const std::vector<PatchInput>& patches) {
   for (const MatchedCurve& curve : parts.curves) {
     model.contours.push_back(make_contour(parts, curve));
   }
-  std::vector<Loop> loops = loops_of(parts);
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    model.patches.push_back({patches[p].name, patches[p].surface, {std::move(loops[p])}, -1});
-  }
   model.warnings = warnings_of(parts, model.contours, lengths);
+  const SideChains chains = chains_of(parts);
+  for (const PatchInput& patch : patches) {
+    Patch& result = model.patches.emplace_back();
+    result.name = patch.name;
+    result.surface = patch.surface;
+    if (patch.loops.empty()) result.loops.push_back(whole_loop(patch.name, chains));
+  }
+  trim_patches(model, {patches, contours, chains, lengths.join});
   return model;
 }
 

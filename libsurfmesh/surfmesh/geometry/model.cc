@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <string_view>
 
 #include "surfmesh/core/error.hh"
 
@@ -53,6 +52,9 @@ Vec3 end_point(const Patch& patch, const ContourUse& use, bool at_end) {
 
 void check_loop(const Model& model, std::size_t patch_index, const Loop& loop) {
   const Patch& patch = model.patches[patch_index];
+  if (loop.empty()) {
+    throw Error(ErrorCode::InvalidInput, fmt::format("patch {}: a loop is empty", patch.name));
+  }
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const LoopEntry& next = loop[(i + 1) % loop.size()];
     const Vec3 end = end_point(patch, use_of(model, patch_index, loop[i]), true);
@@ -68,50 +70,39 @@ void check_loop(const Model& model, std::size_t patch_index, const Loop& loop) {
   }
 }
 
-void check_contour(const Model& model, const Contour& contour) {
-  const auto refuse = [&](std::string_view reason) {
-    throw Error(ErrorCode::InvalidInput, fmt::format("contour {}: {}", contour.name, reason));
-  };
-  if (!is_index(contour.start, model.vertices.size()) ||
-      !is_index(contour.end, model.vertices.size())) {
-    refuse("its end vertices do not exist");
-  }
-  if (contour.is_degenerate && contour.start != contour.end) {
-    refuse("it is degenerate, but has two vertices");
-  }
-  if (contour.uses.empty()) refuse("no patch uses it");
-  for (const ContourUse& use : contour.uses) check_use(model, contour, use);
-}
-
-void check_patch(const Model& model, std::size_t index) {
-  const Patch& patch = model.patches[index];
-  const auto refuse = [&](std::string_view reason) {
-    throw Error(ErrorCode::InvalidInput, fmt::format("patch {}{}", patch.name, reason));
-  };
-  if (!patch.surface) refuse(" has no surface");
-  if (patch.loops.empty()) refuse(" has no loop");
-  for (const Loop& loop : patch.loops) {
-    if (loop.empty()) refuse(": a loop is empty");
-    for (const LoopEntry& entry : loop) use_of(model, index, entry);
-  }
-}
-
 }  // namespace
 
-void check_structure(const Model& model) {
-  if (model.patches.empty()) throw Error(ErrorCode::InvalidInput, "the model has no patches");
-  for (const Contour& contour : model.contours) check_contour(model, contour);
-  for (std::size_t p = 0; p < model.patches.size(); ++p) check_patch(model, p);
-}
-
 void check(const Model& model) {
-  check_structure(model);
+  if (model.patches.empty()) throw Error(ErrorCode::InvalidInput, "the model has no patches");
   if (!(model.diagonal > 0 && std::isfinite(model.diagonal))) {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("the model's diagonal is {}: it has no extent", model.diagonal));
   }
+  for (const Contour& contour : model.contours) {
+    if (!is_index(contour.start, model.vertices.size()) ||
+        !is_index(contour.end, model.vertices.size())) {
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("contour {}: its end vertices do not exist", contour.name));
+    }
+    if (contour.is_degenerate && contour.start != contour.end) {
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("contour {} is degenerate, but has two vertices", contour.name));
+    }
+    if (contour.uses.empty()) {
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("contour {}: no patch uses it", contour.name));
+    }
+    for (const ContourUse& use : contour.uses) check_use(model, contour, use);
+  }
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
-    for (const Loop& loop : model.patches[p].loops) check_loop(model, p, loop);
+    const Patch& patch = model.patches[p];
+    if (!patch.surface) {
+      throw Error(ErrorCode::InvalidInput, fmt::format("patch {} has no surface", patch.name));
+    }
+    if (patch.loops.empty()) {
+      throw Error(ErrorCode::InvalidInput, fmt::format("patch {} has no loop", patch.name));
+    }
+    for (const Loop& loop : patch.loops) check_loop(model, p, loop);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <string>
 #include <vector>
@@ -69,17 +70,12 @@ struct Model {
   std::vector<Contour> contours;
   std::vector<Patch> patches;
   std::vector<Group> groups;
-  double diagonal = 0;                ///< of the bounding box: cage points, or samples of patches
+  Eigen::AlignedBox3d box;            ///< of the cage's points, or of samples of the patches
+  double diagonal = 0;                ///< of the box
   std::vector<std::string> warnings;  ///< of its construction, in plain English
 };
 
-/// Check that all indices exist, and that nothing is missing: surfaces, curves, loops, uses.
-///
-/// Throws   InvalidInput, naming the patch or contour
-/// Cost     O(contour uses)
-void check_structure(const Model& model);
-
-/// Check the structure, and that all loops close in space, to 1e-6 of the diagonal.
+/// Check the indices and that all loops close in space, to 1e-6 of the diagonal.
 ///
 /// Throws   InvalidInput or Geometry, naming the patch and the contour
 /// Cost     O(contour uses), two surface evaluations each

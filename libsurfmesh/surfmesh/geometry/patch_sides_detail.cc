@@ -33,16 +33,18 @@ constexpr double kGolden = 0.6180339887498949;
 
 constexpr int kPatchIntervals = 16;
 
-Box3 bounds(const Surface& surface) {
-  const Domain domain = surface.domain();
+Box3 bounds(const PatchInput& patch) try {
+  const Domain domain = patch.surface->domain();
   Box3 box;
   for (int i = 0; i <= kPatchIntervals; ++i) {
     for (int j = 0; j <= kPatchIntervals; ++j) {
       const Uv uv = domain.at(double(i) / kPatchIntervals, double(j) / kPatchIntervals);
-      box.extend(surface.evaluate(uv, Order::Position).point);
+      box.extend(patch.surface->evaluate(uv, Order::Position).point);
     }
   }
   return box;
+} catch (const Error& error) {
+  throw Error(error.code(), fmt::format("{}: {}", label(patch), error.what()));
 }
 
 /// Area by the rule of midpoints, which does not touch poles.
@@ -65,13 +67,13 @@ void check_domain(const PatchInput& patch) {
   const Domain d = patch.surface->domain();
   if (d.shape != Domain::Shape::Rectangle) {
     throw Error(ErrorCode::InvalidInput,
-                fmt::format("patch {}: its domain is not a rectangle", patch.name));
+                fmt::format("{}: its domain is not a rectangle", label(patch)));
   }
   const bool is_finite = std::isfinite(d.u1 - d.u0) && std::isfinite(d.v1 - d.v0);
   if (!is_finite || !(d.u0 < d.u1 && d.v0 < d.v1)) {
     throw Error(ErrorCode::InvalidInput,
-                fmt::format("patch {}: its domain u from {} to {}, v from {} to {} is empty",
-                            patch.name, d.u0, d.u1, d.v0, d.v1));
+                fmt::format("{}: its domain u from {} to {}, v from {} to {} is empty",
+                            label(patch), d.u0, d.u1, d.v0, d.v1));
   }
 }
 
@@ -132,21 +134,24 @@ void check_patches(const std::vector<PatchInput>& patches) {
   std::set<std::string_view> names;
   for (const PatchInput& patch : patches) {
     if (!names.insert(patch.name).second) {
-      throw Error(ErrorCode::InvalidInput,
-                  fmt::format("patch {}: its name is used twice", patch.name));
+      throw Error(ErrorCode::InvalidInput, fmt::format("{}: its name is used twice", label(patch)));
     }
     if (!patch.surface) {
-      throw Error(ErrorCode::InvalidInput, fmt::format("patch {} has no surface", patch.name));
+      throw Error(ErrorCode::InvalidInput, fmt::format("{} has no surface", label(patch)));
     }
     check_domain(patch);
   }
 }
 
-double measure_patches(const std::vector<PatchInput>& patches) {
+std::string label(const PatchInput& patch) {
+  return fmt::format("{}{}patch {}", patch.origin, patch.origin.empty() ? "" : ": ", patch.name);
+}
+
+Box3 measure_patches(const std::vector<PatchInput>& patches) {
   std::vector<double> extents;
   Box3 all;
   for (const PatchInput& patch : patches) {
-    const Box3 box = bounds(*patch.surface);
+    const Box3 box = bounds(patch);
     extents.push_back(box.diagonal().norm());
     all.extend(box);
   }
@@ -155,20 +160,17 @@ double measure_patches(const std::vector<PatchInput>& patches) {
     const double width = kJoinShare * diagonal;
     const bool is_point = !(extents[i] > width);
     if (is_point || !(area(*patches[i].surface) > width * extents[i])) {
-      throw Error(ErrorCode::Geometry, fmt::format("patch {}: its surface is a {}, without area",
-                                                   patches[i].name, is_point ? "point" : "line"));
+      throw Error(ErrorCode::Geometry, fmt::format("{}: its surface is a {}, without area",
+                                                   label(patches[i]), is_point ? "point" : "line"));
     }
   }
-  return diagonal;
+  return all;
 }
 
-JoinLengths join_lengths(const std::vector<PatchSide>& sides, double diagonal) {
-  double coordinate = 0;
-  for (const PatchSide& side : sides) {
-    for (const Vec3& point : side.curve.points) {
-      coordinate = std::max(coordinate, point.lpNorm<Eigen::Infinity>());
-    }
-  }
+JoinLengths join_lengths(const Box3& box) {
+  const double diagonal = box.diagonal().norm();
+  const double coordinate =
+      std::max(box.min().lpNorm<Eigen::Infinity>(), box.max().lpNorm<Eigen::Infinity>());
   return {std::max(kJoinShare * diagonal, kRounding * coordinate), kNearShare * diagonal};
 }
 

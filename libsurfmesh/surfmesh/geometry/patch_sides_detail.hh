@@ -71,13 +71,16 @@ inline constexpr const char* kSideNames[4] = {"v0", "u1", "v1", "u0"};
 /// Refuse what model_from_patches does not take: see its Throws.
 void check_patches(const std::vector<PatchInput>& patches);
 
-/// Diagonal of the bounding box of 17 x 17 samples of every patch.
+/// A patch for messages: "patch wing", after its origin if it has one.
+std::string label(const PatchInput& patch);
+
+/// The bounding box of 17 x 17 samples of every patch.
 ///
 /// Throws   Geometry for a patch that is a point or a line, as seen from the diagonal
-double measure_patches(const std::vector<PatchInput>& patches);
+Box3 measure_patches(const std::vector<PatchInput>& patches);
 
 /// The tolerances for a model of this diagonal.
-JoinLengths join_lengths(const std::vector<PatchSide>& sides, double diagonal);
+JoinLengths join_lengths(const Box3& box);
 
 /// All sides, four a patch in the order of kSideNames, without is_degenerate.
 std::vector<PatchSide> sides_of(const std::vector<PatchInput>& patches);

@@ -8,6 +8,8 @@
 #include <map>
 #include <numeric>
 
+#include "surfmesh/geometry/disjoint_sets_detail.hh"
+
 namespace surfmesh {
 namespace {
 
@@ -18,27 +20,6 @@ constexpr double kReachSteps = 2;
 /// A stretch of a side that starts and ends at a vertex is that vertex if it stays this near, in
 /// units of the tolerance: both ends may be off by one.
 constexpr double kCollapsed = 4;
-
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parents_(count) {
-    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
-  }
-
-  std::size_t find(std::size_t i) {
-    while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
-    return i;
-  }
-
-  /// The lower number represents the union.
-  void unite(std::size_t i, std::size_t j) {
-    const auto [low, high] = std::minmax({find(i), find(j)});
-    parents_[high] = low;
-  }
-
- private:
-  std::vector<std::size_t> parents_;
-};
 
 using Cell = std::array<std::int64_t, 3>;
 

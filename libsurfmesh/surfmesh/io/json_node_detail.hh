@@ -30,6 +30,8 @@ class JsonNode {
   [[noreturn]] void fail(std::string_view reason) const;
 
   const Json& json() const { return *json_; }
+  /// The JSON pointer of this value.
+  const std::string& pointer() const { return pointer_; }
 
   /// Fail unless this is an object with no other keys than these.
   void expect_keys(std::initializer_list<std::string_view> known) const;

@@ -39,15 +39,32 @@ void drop_equal_neighbours(std::vector<int>& corners) {
 
 }  // namespace
 
+CornerFault mend_corners(std::vector<int>& corners) {
+  if (corners.size() >= 3 && are_all_different(corners)) return CornerFault::None;
+  if (count_different(corners) < 3) return CornerFault::TooFew;
+  drop_equal_neighbours(corners);
+  return are_all_different(corners) ? CornerFault::TwiceInARow : CornerFault::Twice;
+}
+
+const char* text_of(CornerFault fault) {
+  switch (fault) {
+    case CornerFault::TwiceInARow:
+      return "a face has a vertex twice in a row, taken once";
+    case CornerFault::TooFew:
+      return "a face has fewer than three different vertices";
+    case CornerFault::Twice:
+      return "a face has a vertex twice, not in a row";
+    case CornerFault::None:
+      break;
+  }
+  return "";
+}
+
 void add_face(Cage& cage, std::vector<int>& corners, const TextScanner& scanner,
               WarningList& warnings) {
-  if (corners.size() < 3 || !are_all_different(corners)) {
-    if (count_different(corners) < 3)
-      scanner.fail("a face has fewer than three different vertices");
-    drop_equal_neighbours(corners);
-    if (!are_all_different(corners)) scanner.fail("a face has a vertex twice, not in a row");
-    warnings.add(scanner.line(), "a face has a vertex twice in a row, taken once");
-  }
+  const CornerFault fault = mend_corners(corners);
+  if (fault == CornerFault::TooFew || fault == CornerFault::Twice) scanner.fail(text_of(fault));
+  if (fault == CornerFault::TwiceInARow) warnings.add(scanner.line(), text_of(fault));
   cage.faces.push_back(corners);
 }
 

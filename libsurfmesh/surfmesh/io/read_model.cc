@@ -4,48 +4,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
-#include <numbers>
+#include <tuple>
 
-#include "surfmesh/control/parse_length.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/geometry/formula.hh"
 #include "surfmesh/geometry/formula_surface.hh"
 #include "surfmesh/io/input_file.hh"
 #include "surfmesh/io/json_node_detail.hh"
+#include "surfmesh/io/model_values_detail.hh"
+#include "surfmesh/io/read_parts_detail.hh"
 
 namespace surfmesh {
 namespace {
-
-using Constants = std::map<std::string, double>;
-
-/// Read a number, or a string with a constant expression.
-double number_or_expression(const JsonNode& node, const Constants& constants) {
-  if (!node.json().is_string()) return node.number();
-  try {
-    return evaluate_constant(node.text(), constants);
-  } catch (const Error& error) {
-    node.fail(error.what());
-  }
-}
-
-Length read_length(const JsonNode& node) {
-  Length length;
-  if (node.json().is_string()) {
-    try {
-      length = parse_length(node.text());
-    } catch (const Error& error) {
-      node.fail(error.what());
-    }
-    if (!length.is_relative) node.fail("a length in model units is a number, without quotes");
-  } else {
-    length = {node.number(), false};
-  }
-  if (!(length.value > 0) || !std::isfinite(length.value)) node.fail("must be above 0");
-  return length;
-}
 
 double read_at_least(const JsonNode& node, double least) {
   const double value = node.number();
@@ -75,17 +49,6 @@ Constants read_constants(const JsonNode& node) {
   return constants;
 }
 
-/// The two bounds of one parameter.
-std::pair<double, double> read_range(const JsonNode& node, const Constants& constants) {
-  const std::vector<JsonNode> bounds = node.elements(2);
-  const double from = number_or_expression(bounds[0], constants);
-  const double to = number_or_expression(bounds[1], constants);
-  if (!std::isfinite(from)) bounds[0].fail("must be finite");
-  if (!std::isfinite(to)) bounds[1].fail("must be finite");
-  if (!(from < to)) node.fail("the second value must be larger than the first");
-  return {from, to};
-}
-
 Domain read_domain(const JsonNode& node, const Constants& constants) {
   node.expect_keys({"u", "v"});
   Domain domain;
@@ -112,22 +75,6 @@ std::shared_ptr<const Surface> make_surface(const JsonNode& node, const SurfaceF
   }
 }
 
-Size read_size(const JsonNode& source) {
-  const JsonNode node = source.at("size");
-  Size size;
-  if (node.json().is_array()) {
-    const std::vector<JsonNode> lengths = node.elements(2);
-    size.along = read_length(lengths[0]);
-    size.across = read_length(lengths[1]);
-  } else {
-    size.along = size.across = read_length(node);
-  }
-  if (const auto angle = source.find("angle")) {
-    size.angle = angle->number() * std::numbers::pi / 180;
-  }
-  return size;
-}
-
 /// The patch that a source belongs to.
 struct PatchScope {
   int index;
@@ -146,24 +93,13 @@ Uv read_place(const JsonNode& node, const PatchScope& patch) {
   return uv;
 }
 
-/// The one key that tells what a source is.
-std::string kind_of(const JsonNode& source) {
-  std::string kind;
-  for (const char* key : {"everywhere", "at", "along", "inside", "field", "table"}) {
-    if (!source.has(key)) continue;
-    if (!kind.empty()) source.fail(fmt::format("a source cannot have both {} and {}", kind, key));
-    kind = key;
-  }
-  if (kind.empty()) {
-    source.fail("a source needs one of everywhere, at, along, inside, field, table");
-  }
-  return kind;
-}
+constexpr std::array<std::string_view, 6> kPatchSources = {"everywhere", "at",    "along",
+                                                           "inside",     "field", "table"};
 
 void read_source(const JsonNode& node, const PatchScope& patch, Sources& sources) {
   node.expect_keys({"everywhere", "at", "along", "inside", "field", "table", "size", "angle",
                     "radius", "outer", "precision"});
-  const std::string kind = kind_of(node);
+  const std::string kind = kind_of(node, kPatchSources);
   if (kind != "everywhere" && kind != "at") node.at(kind).fail("this key is not built yet");
   if (const auto radius = node.find("radius")) radius->expect_off({0});
   if (const auto outer = node.find("outer")) outer->expect_off({});
@@ -179,8 +115,7 @@ void read_source(const JsonNode& node, const PatchScope& patch, Sources& sources
 void read_patch(const JsonNode& node, const Constants& constants, ModelFile& model) {
   node.expect_keys({"name", "surface", "domain", "sources", "loops"});
   PatchInput patch;
-  patch.name = node.at("name").text();
-  if (patch.name.empty()) node.at("name").fail("must not be empty");
+  patch.name = read_name(node.at("name"));
   for (const PatchInput& other : model.patches) {
     if (other.name == patch.name) {
       node.at("name").fail(fmt::format("there are two patches with the name {}", patch.name));
@@ -190,7 +125,8 @@ void read_patch(const JsonNode& node, const Constants& constants, ModelFile& mod
   const SurfaceFormulas formulas = read_formulas(surface);
   const Domain domain = read_domain(node.at("domain"), constants);
   patch.surface = make_surface(surface, formulas, domain, constants);
-  if (const auto loops = node.find("loops")) loops->expect_off({});
+  if (const auto loops = node.find("loops")) patch.loops = read_loops(*loops);
+  patch.origin = node.pointer();
   if (const auto sources = node.find("sources")) {
     const PatchScope scope = {static_cast<int>(model.patches.size()), domain, constants};
     for (const JsonNode& source : sources->elements()) {
@@ -198,6 +134,27 @@ void read_patch(const JsonNode& node, const Constants& constants, ModelFile& mod
     }
   }
   model.patches.push_back(std::move(patch));
+}
+
+/// The patches; there must be some if there are no cages.
+void read_patches(const JsonNode& root, const Constants& constants, ModelFile& model) {
+  if (!model.cages.empty() && !root.has("patches")) return;
+  const JsonNode patches = root.at("patches");
+  for (const JsonNode& patch : patches.elements()) read_patch(patch, constants, model);
+  if (model.patches.empty() && model.cages.empty()) patches.fail("the model has no patches");
+}
+
+/// A source that belongs to no one patch.
+void read_space_source(const JsonNode& node, ModelFile& model) {
+  node.expect_keys({"near", "group", "size", "angle", "radius", "outer", "precision"});
+  const std::string kind = kind_of(node, std::array<std::string_view, 2>{"near", "group"});
+  if (kind == "near") node.at(kind).fail("this key is not built yet");
+  for (const char* key : {"radius", "outer"}) {
+    if (node.has(key)) node.at(key).fail("a group has no radius");
+  }
+  if (const auto precision = node.find("precision")) precision->expect_off({0.1});
+  const JsonNode group = node.at("group");
+  model.groups.push_back({group.text(), read_size(node), group.pointer()});
 }
 
 Sizing read_sizing(const JsonNode& node) {
@@ -231,16 +188,20 @@ Sizing read_sizing(const JsonNode& node) {
 ModelFile parse_model(std::string_view text, const std::string& name) {
   const Json json = parse_json(text, name);
   const JsonNode root(json, name);
-  root.expect_keys({"constants", "patches", "cages", "contours", "sources", "sizing", "options"});
-  for (const char* key : {"cages", "contours", "sources"}) {
-    if (const auto node = root.find(key)) node->expect_off({});
-  }
+  root.expect_keys(
+      {"$schema", "constants", "patches", "cages", "contours", "sources", "sizing", "options"});
   ModelFile model;
   Constants constants;
   if (const auto node = root.find("constants")) constants = read_constants(*node);
-  const JsonNode patches = root.at("patches");
-  for (const JsonNode& patch : patches.elements()) read_patch(patch, constants, model);
-  if (model.patches.empty()) patches.fail("the model has no patches");
+  if (const auto node = root.find("cages")) {
+    model.cages = read_cages(*node, std::filesystem::path(name).parent_path());
+  }
+  read_patches(root, constants, model);
+  if (const auto node = root.find("contours")) model.contours = read_contours(*node, constants);
+  check_names(root, model);
+  if (const auto node = root.find("sources")) {
+    for (const JsonNode& source : node->elements()) read_space_source(source, model);
+  }
   if (const auto node = root.find("sizing")) model.sizing = read_sizing(*node);
   if (const auto node = root.find("options")) {
     for (const auto& [key, value] : node->members()) {

@@ -8,14 +8,33 @@
 #include <vector>
 
 #include "surfmesh/control/sizing.hh"
+#include "surfmesh/geometry/cage.hh"
 #include "surfmesh/geometry/join_sides.hh"
 
 namespace surfmesh {
 
+/// A cage that a model file names.
+struct CageInput {
+  std::string name;
+  std::filesystem::path file;
+  Scheme scheme = Scheme::Auto;
+  std::string origin;  ///< JSON pointer
+};
+
+/// A source of sizes in all patches of a group.
+struct GroupSource {
+  std::string group;  ///< a group of a cage's file, a cage, or a patch
+  Size size;
+  std::string origin;  ///< JSON pointer
+};
+
 /// What a model file holds.
 struct ModelFile {
-  std::vector<PatchInput> patches;  ///< formula surfaces on rectangles
+  std::vector<PatchInput> patches;  ///< formula surfaces on rectangles, with their loops
+  std::vector<ContourInput> contours;
+  std::vector<CageInput> cages;
   Sources sources;                  ///< `patch` is an index into patches
+  std::vector<GroupSource> groups;  ///< sources of groups
   Sizing sizing;
   /// Names of options of the pipeline and their values as JSON text, in the order of the file.
   std::vector<std::pair<std::string, std::string>> options;
@@ -29,11 +48,13 @@ struct ModelFile {
 /// Throws   Io if the file cannot be read; InvalidInput as parse_model
 ModelFile read_model(const std::filesystem::path& path);
 
-/// Read a model from JSON text; `name` stands before the place in messages.
+/// Read a model from JSON text; `name` stands before the place in messages, and cages are relative
+/// to its folder. The files of cages are not looked at.
 ///
 /// Throws   InvalidInput: with name:line:column where the text is not JSON; with the JSON pointer
 ///          for an unknown, missing or doubled key, a value of the wrong type or outside of its
-///          range, a key that is not built yet
+///          range, a formula that cannot be read, a name that is not known or there twice, a key
+///          that is not built yet
 ModelFile parse_model(std::string_view text, const std::string& name);
 
 }  // namespace surfmesh

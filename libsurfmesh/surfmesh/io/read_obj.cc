@@ -35,8 +35,10 @@ std::uint64_t edge_key(int a, int b) {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, const std::string& name)
-      : scanner_(text, name, TextScanner::Joining::Backslash), warnings_(name) {}
+  ObjReader(std::string_view text, const std::string& name, ObjGroups groups)
+      : scanner_(text, name, TextScanner::Joining::Backslash),
+        warnings_(name),
+        keeps_all_groups_(groups == ObjGroups::All) {}
 
   Cage read();
 
@@ -61,6 +63,7 @@ class ObjReader {
   void check_ignored_indices(std::string_view indices) const;
   void read_group_names();
   void read_material();
+  std::size_t group_named(const std::string& name, bool is_material);
   void add_face_to_groups();
 
   void read_tag();
@@ -77,6 +80,7 @@ class ObjReader {
 
   TextScanner scanner_;
   WarningList warnings_;
+  bool keeps_all_groups_;
   Cage cage_;
   std::vector<int> corners_;  ///< of the face that is being read
   std::vector<Reference> later_vertices_;
@@ -166,26 +170,34 @@ void ObjReader::read_group_names() {
   }
   if (group_names_.empty()) group_names_.emplace_back("default");
   are_groups_current_ = false;
+  if (!keeps_all_groups_) return;
+  for (const std::string& name : group_names_) group_named(name, false);
 }
 
 void ObjReader::read_material() {
   material_ = scanner_.next_word();
   are_groups_current_ = false;
+  if (keeps_all_groups_ && !material_.empty()) group_named(material_, true);
+}
+
+/// The group of a name, made if there is none. A group of `g` and of `usemtl` is no material.
+std::size_t ObjReader::group_named(const std::string& name, bool is_material) {
+  const auto [entry, is_new] = group_of_name_.try_emplace(name, cage_.groups.size());
+  if (is_new) cage_.groups.push_back({name, {}, is_material});
+  if (!is_material) cage_.groups[entry->second].is_material = false;
+  return entry->second;
 }
 
 void ObjReader::add_face_to_groups() {
   if (!are_groups_current_) {
     active_groups_.clear();
-    std::vector<std::string> names = group_names_;
-    if (!material_.empty()) names.push_back(material_);
-    for (const std::string& name : names) {
-      const auto [entry, is_new] = group_of_name_.try_emplace(name, cage_.groups.size());
-      if (is_new) cage_.groups.push_back({name, {}});
-      if (std::find(active_groups_.begin(), active_groups_.end(), entry->second) ==
-          active_groups_.end()) {
-        active_groups_.push_back(entry->second);
+    const auto activate = [this](std::size_t group) {
+      if (std::find(active_groups_.begin(), active_groups_.end(), group) == active_groups_.end()) {
+        active_groups_.push_back(group);
       }
-    }
+    };
+    for (const std::string& name : group_names_) activate(group_named(name, false));
+    if (!material_.empty()) activate(group_named(material_, true));
     are_groups_current_ = true;
   }
   const int face = static_cast<int>(cage_.faces.size()) - 1;
@@ -321,8 +333,12 @@ void ObjReader::warn_of_missing_edges() {
 
 }  // namespace
 
+Cage parse_obj(std::string_view text, const std::string& name, ObjGroups groups) {
+  return ObjReader(text, name, groups).read();
+}
+
 Cage parse_obj(std::string_view text, const std::string& name) {
-  return ObjReader(text, name).read();
+  return parse_obj(text, name, ObjGroups::WithFaces);
 }
 
 }  // namespace surfmesh

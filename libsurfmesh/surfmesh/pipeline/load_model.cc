@@ -4,13 +4,17 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/geometry/append_model.hh"
 #include "surfmesh/geometry/join_sides.hh"
 #include "surfmesh/io/input_file.hh"
+#include "surfmesh/io/nearest_word.hh"
 #include "surfmesh/io/read_cage.hh"
 #include "surfmesh/io/read_model.hh"
 #include "surfmesh/pipeline/set_option.hh"
@@ -49,17 +53,73 @@ void set_file_option(PipelineOptions& options, const std::string& key, const std
   if (!json.is_null()) set_option(options, key, json.is_string() ? json.get<std::string>() : value);
 }
 
-ModelInput load_model_file(const std::filesystem::path& path) {
+/// Read the cages of a model file and add them to the model.
+void append_cages(const ModelFile& file, const std::string& name, Scheme scheme, Model& model) {
+  for (const CageInput& input : file.cages) {
+    const CageOptions options{.scheme = scheme == Scheme::Auto ? input.scheme : scheme};
+    Model cage;
+    at_place(fmt::format("{}: {}/file", name, input.origin),
+             [&] { cage = load_cage(input.file, options).model; });
+    Group& whole = cage.groups.emplace_back();
+    whole.name = input.name;
+    for (std::size_t p = 0; p < cage.patches.size(); ++p)
+      whole.patches.push_back(static_cast<int>(p));
+    append(model, std::move(cage), input.name + ":");
+  }
+}
+
+/// The patches of a group, a cage, or the patch of this name.
+std::set<int> patches_of(const Model& model, const std::string& name) {
+  std::set<int> result;
+  for (const Group& group : model.groups) {
+    if (group.name == name) result.insert(group.patches.begin(), group.patches.end());
+  }
+  for (std::size_t p = 0; p < model.patches.size(); ++p) {
+    if (model.patches[p].name == name) result.insert(static_cast<int>(p));
+  }
+  return result;
+}
+
+/// The group or formula patch that was probably meant.
+std::string suggestion(const ModelFile& file, const Model& model, const std::string& name) {
+  std::vector<std::string_view> words;
+  for (const Group& group : model.groups) words.push_back(group.name);
+  for (const PatchInput& patch : file.patches) words.push_back(patch.name);
+  const auto meant = nearest_word(name, words);
+  return meant ? fmt::format(", did you mean {}?", *meant) : "";
+}
+
+void add_group_sources(const ModelFile& file, const std::string& name, ModelInput& input) {
+  for (const GroupSource& source : file.groups) {
+    const std::set<int> patches = patches_of(input.model, source.group);
+    if (patches.empty()) {
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("{}: {}: there is no group or patch {}{}", name, source.origin,
+                              source.group, suggestion(file, input.model, source.group)));
+    }
+    for (const int patch : patches) input.sources.everywhere.push_back({patch, source.size});
+  }
+}
+
+ModelInput load_model_file(const std::filesystem::path& path, Scheme scheme) {
   const std::string name = path.string();
   const ModelFile file = read_model(path);
+  if (scheme != Scheme::Auto && file.cages.empty()) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("{}: only cages have a subdivision scheme", name));
+  }
   ModelInput input;
   input.options.sizing = file.sizing;
   for (const auto& [key, value] : file.options) {
     at_place(fmt::format("{}: /options/{}", name, key),
              [&, k = key, v = value] { set_file_option(input.options, k, v); });
   }
-  at_place(name, [&] { input.model = model_from_patches(file.patches); });
+  if (!file.patches.empty()) {
+    at_place(name, [&] { input.model = model_from_patches(file.patches, file.contours); });
+  }
+  append_cages(file, name, scheme, input.model);
   input.sources = file.sources;
+  add_group_sources(file, name, input);
   return input;
 }
 
@@ -73,11 +133,7 @@ ModelInput load_model(const std::filesystem::path& path, const CageOptions& cage
                 fmt::format("{}: the ending of a cage is .obj or .off, that of a model file .json",
                             path.string()));
   }
-  if (cage_options.scheme != Scheme::Auto) {
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("{}: only cages have a subdivision scheme", path.string()));
-  }
-  return load_model_file(path);
+  return load_model_file(path, cage_options.scheme);
 }
 
 }  // namespace surfmesh

@@ -20,8 +20,12 @@ struct ModelInput {
 /// Read a control cage (.obj, .off) or a model file (.json), chosen by the ending in upper or lower
 /// case.
 ///
-/// Throws   Io if the file cannot be read; InvalidInput for an unknown ending, a fault in the file
-///          (naming it and the place) or a scheme other than Auto for a model file; Geometry
+/// The model of a model file has its formula patches, then those of its cages, named
+/// <cage>:<patch>; each cage is a group, too. Contours are shared within a cage and among formula
+/// patches, not between these. A scheme other than Auto replaces that of all cages.
+///
+/// Throws   Io if a file cannot be read; InvalidInput for an unknown ending, a fault in a file
+///          (naming it and the place) or a scheme for a model file without cages; Geometry
 ModelInput load_model(const std::filesystem::path& path, const CageOptions& cage_options = {});
 
 }  // namespace surfmesh

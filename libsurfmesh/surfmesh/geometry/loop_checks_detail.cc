@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/geometry/loop_checks_detail.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace surfmesh {
+namespace {
+
+constexpr int kSamples = 64;
+
+/// A point may be outside of the domain by this share of its width: formulas round.
+constexpr double kOutside = 1e-9;
+
+/// Parts of segments that seem to cross, and how often these are divided: chords of a 262144th of
+/// a curve cross only where the curve does.
+constexpr int kParts = 8;
+constexpr int kMaxDivisions = 4;
+
+/// A part of a curve and its chord.
+struct Segment {
+  std::size_t loop = 0;
+  std::size_t position = 0;  ///< number of the segment in its loop
+  const LoopCurve* curve = nullptr;
+  double s0 = 0;
+  double s1 = 1;
+  Uv a;
+  Uv b;
+};
+
+std::vector<Segment> segments_of(const LoopCurve& curve, double s0, double s1, int count) {
+  std::vector<Segment> result;
+  Uv a = curve.at(s0);
+  for (int i = 1; i <= count; ++i) {
+    const double from = s0 + (s1 - s0) * (i - 1) / count;
+    const double to = i == count ? s1 : s0 + (s1 - s0) * i / count;
+    const Uv b = curve.at(to);
+    result.push_back({0, 0, &curve, from, to, a, b});
+    a = b;
+  }
+  return result;
+}
+
+std::vector<Segment> segments_of(const LoopCurves& loop) {
+  std::vector<Segment> result;
+  for (const LoopCurve& curve : loop) {
+    const std::vector<Segment> part = segments_of(curve, 0, 1, kSamples);
+    result.insert(result.end(), part.begin(), part.end());
+  }
+  return result;
+}
+
+/// True if the chords have a point in common that is an end of neither.
+bool is_crossing(const Segment& p, const Segment& q) {
+  const double a = cross(p.b - p.a, q.a - p.a), b = cross(p.b - p.a, q.b - p.a);
+  const double c = cross(q.b - q.a, p.a - q.a), d = cross(q.b - q.a, p.b - q.a);
+  return ((a < 0 && b > 0) || (a > 0 && b < 0)) && ((c < 0 && d > 0) || (c > 0 && d < 0));
+}
+
+/// The part of p that crosses q when both are divided again and again, or nothing.
+std::optional<Segment> true_crossing(const Segment& p, const Segment& q, int divisions) {
+  if (!is_crossing(p, q)) return std::nullopt;
+  if (divisions == 0) return p;
+  const std::vector<Segment> others = segments_of(*q.curve, q.s0, q.s1, kParts);
+  for (const Segment& part : segments_of(*p.curve, p.s0, p.s1, kParts)) {
+    for (const Segment& other : others) {
+      if (const auto found = true_crossing(part, other, divisions - 1)) return found;
+    }
+  }
+  return std::nullopt;
+}
+
+/// True if one segment follows the other in the same loop.
+bool are_neighbours(const Segment& p, const Segment& q, std::size_t count) {
+  if (p.loop != q.loop) return false;
+  const std::size_t step =
+      p.position > q.position ? p.position - q.position : q.position - p.position;
+  return step <= 1 || step + 1 == count;
+}
+
+std::vector<Segment> all_segments(const std::vector<LoopCurves>& loops) {
+  std::vector<Segment> result;
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    std::vector<Segment> part = segments_of(loops[l]);
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      part[i].loop = l;
+      part[i].position = i;
+    }
+    result.insert(result.end(), part.begin(), part.end());
+  }
+  std::stable_sort(result.begin(), result.end(), [](const Segment& p, const Segment& q) {
+    return std::min(p.a.u, p.b.u) < std::min(q.a.u, q.b.u);
+  });
+  return result;
+}
+
+}  // namespace
+
+double signed_area(const LoopCurves& loop) {
+  double area = 0;
+  const Uv origin = loop.front().at(0);
+  for (const Segment& segment : segments_of(loop)) {
+    area += cross(segment.a - origin, segment.b - origin);
+  }
+  return area;
+}
+
+std::optional<std::string> place_outside(const LoopCurves& loop, const Domain& domain) {
+  const double du = kOutside * (domain.u1 - domain.u0), dv = kOutside * (domain.v1 - domain.v0);
+  for (const Segment& segment : segments_of(loop)) {
+    const Uv p = segment.a;
+    const bool is_in = p.u >= domain.u0 - du && p.u <= domain.u1 + du && p.v >= domain.v0 - dv &&
+                       p.v <= domain.v1 + dv;
+    if (is_in) continue;
+    const LoopCurve& curve = *segment.curve;
+    const double t = curve.range.at(curve.is_along ? segment.s0 : 1 - segment.s0);
+    return fmt::format("contour {} at t = {:.6g}, (u,v) = ({:.6g}, {:.6g})", curve.name, t, p.u,
+                       p.v);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> crossing(const std::vector<LoopCurves>& loops) {
+  const std::vector<Segment> segments = all_segments(loops);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment& p = segments[i];
+    const double right = std::max(p.a.u, p.b.u);
+    for (std::size_t j = i + 1; j < segments.size(); ++j) {
+      const Segment& q = segments[j];
+      if (std::min(q.a.u, q.b.u) > right) break;
+      if (are_neighbours(p, q, kSamples * loops[p.loop].size())) continue;
+      const std::optional<Segment> found = true_crossing(p, q, kMaxDivisions);
+      if (!found) continue;
+      return fmt::format("contours {} and {} at (u,v) = ({:.6g}, {:.6g})", p.curve->name,
+                         q.curve->name, found->a.u, found->a.v);
+    }
+  }
+  return std::nullopt;
+}
+
+bool is_inside(const LoopCurves& loop, Uv point) {
+  bool result = false;
+  for (const Segment& segment : segments_of(loop)) {
+    const Uv a = segment.a, b = segment.b;
+    if ((a.v > point.v) == (b.v > point.v)) continue;
+    if (point.u < a.u + (point.v - a.v) / (b.v - a.v) * (b.u - a.u)) result = !result;
+  }
+  return result;
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "surfmesh/geometry/curve.hh"
+#include "surfmesh/geometry/surface.hh"
+
+namespace surfmesh {
+
+/// Find a curve in space in the parameters of a surface on which it lies.
+///
+/// The curve is followed from its start; where several places of the surface are its start (on a
+/// seam), from the first of them from which it can be followed inside of the domain. Every
+/// evaluation of the result projects the point anew, so the result is as smooth as the curve and
+/// the surface are.
+///
+/// `reach` is the distance from the surface that is too far; `range` is for messages.
+/// Error    a few roundings of the parameters, if the curve lies on the surface (test
+///          ProjectCurve.*)
+/// Cost     some thousand evaluations of the surface to make; an evaluation 2 to 4 of them, below
+///          2 µs for formulas
+/// Pre      the domain is a rectangle
+/// Throws   Geometry if the curve is not on the surface, with t and the greatest gap, or if it
+///          crosses a side of the domain, with t
+std::shared_ptr<const Curve> project_curve(std::shared_ptr<const Surface> surface,
+                                           std::shared_ptr<const SpaceCurve> curve, double reach,
+                                           const CurveRange& range = {});
+
+}  // namespace surfmesh

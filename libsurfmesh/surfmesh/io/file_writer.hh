@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <string_view>
+#include <vector>
+
+#include "surfmesh/core/mesh.hh"
+#include "surfmesh/io/output_file.hh"
+
+namespace surfmesh {
+
+/// Gathers text and numbers, and hands them on to a file in large pieces.
+class FileWriter {
+ public:
+  explicit FileWriter(OutputFile& file) : file_(file) {}
+
+  void text(std::string_view text) {
+    if (text.size() > buffer_.size() - size_) flush();
+    if (text.size() > buffer_.size()) return file_.write(text);
+    std::copy(text.begin(), text.end(), buffer_.begin() + static_cast<std::ptrdiff_t>(size_));
+    size_ += text.size();
+  }
+
+  /// The shortest digits that read back as the same number, with a character before them.
+  template <class Number>
+  void number(char before, Number value) {
+    if (buffer_.size() - size_ < kLongestNumber) flush();
+    buffer_[size_++] = before;
+    char* begin = buffer_.data() + size_;
+    size_ +=
+        static_cast<std::size_t>(std::to_chars(begin, begin + kLongestNumber, value).ptr - begin);
+  }
+
+  /// The bytes of a number, the lowest first.
+  template <class Number>
+  void bytes(Number value) {
+    auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(value);
+    if constexpr (std::endian::native != std::endian::little) std::reverse(raw.begin(), raw.end());
+    text({raw.data(), raw.size()});
+  }
+
+  void flush() {
+    file_.write({buffer_.data(), size_});
+    size_ = 0;
+  }
+
+ private:
+  /// More than the 24 characters of -2.2250738585072014e-308.
+  static constexpr std::size_t kLongestNumber = 32;
+
+  OutputFile& file_;
+  std::vector<char> buffer_ = std::vector<char>(std::size_t{1} << 18);
+  std::size_t size_ = 0;
+};
+
+/// Throws   Geometry, naming the vertex, if its position is not finite
+void check_finite(const OpenMesh::Vec3d& point, VertexHandle vh);
+
+/// Call `visit` with the index of each vertex of a face, the first one first.
+template <class Visitor>
+void for_each_corner(const PolyMesh& mesh, FaceHandle fh, Visitor visit) {
+  const HalfedgeHandle start = mesh.halfedge_handle(fh);
+  HalfedgeHandle heh = start;
+  do {
+    visit(mesh.to_vertex_handle(heh).idx());
+    heh = mesh.next_halfedge_handle(heh);
+  } while (heh != start);
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/pipeline/check_mesh.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string_view>
+#include <utility>
+
+#include "surfmesh/control/size_field.hh"
+#include "surfmesh/core/properties.hh"
+#include "surfmesh/metric/tensor.hh"
+
+namespace surfmesh {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+/// True if every corner has its (u,v) and every face its patch.
+bool has_parameters(const PolyMesh& mesh) {
+  const auto uv_of = find(mesh, keys::corner_uv);
+  if (!uv_of.is_valid() || !find(mesh, keys::face_patch).is_valid()) return false;
+  const auto corners = mesh.halfedges();
+  return std::all_of(corners.begin(), corners.end(), [&](HalfedgeHandle heh) {
+    const Uv uv = mesh.property(uv_of, heh);
+    return mesh.is_boundary(heh) || (std::isfinite(uv.u) && std::isfinite(uv.v));
+  });
+}
+
+std::vector<std::unique_ptr<SizeField>> size_fields(const ModelInput& input) {
+  std::vector<std::unique_ptr<SizeField>> fields;
+  for (std::size_t p = 0; p < input.model.patches.size(); ++p) {
+    std::vector<EverywhereSource> everywhere;
+    for (const EverywhereSource& source : input.sources.everywhere) {
+      if (source.patch == static_cast<int>(p)) everywhere.push_back(source);
+    }
+    fields.push_back(std::make_unique<SizeField>(
+        *input.model.patches[p].surface, input.options.sizing, everywhere, input.model.diagonal));
+  }
+  return fields;
+}
+
+/// Give the corners the metric of the exact sizes. Corners of one vertex with one patch and (u,v)
+/// are evaluated once.
+void attach_exact_metric(PolyMesh& mesh, const ModelInput& input) {
+  const auto fields = size_fields(input);
+  const auto uv_of = require(mesh, keys::corner_uv);
+  const auto patch_of = require(mesh, keys::face_patch);
+  detach(mesh, keys::corner_metric);
+  const auto metric_of = attach(mesh, keys::corner_metric);
+  for (const VertexHandle vh : mesh.vertices()) {
+    int patch = -1;
+    Uv uv;
+    Metric metric;
+    for (const HalfedgeHandle corner : mesh.vih_range(vh)) {
+      if (mesh.is_boundary(corner)) continue;
+      const int corner_patch = mesh.property(patch_of, mesh.face_handle(corner));
+      const Uv corner_uv = mesh.property(uv_of, corner);
+      if (patch != corner_patch || !(uv == corner_uv)) {
+        patch = corner_patch;
+        uv = corner_uv;
+        const SizeField::Sample sample = fields[static_cast<std::size_t>(patch)]->at(uv);
+        metric = metric_from_size(sample.form, sample.size);
+      }
+      mesh.property(metric_of, corner) = metric;
+    }
+  }
+}
+
+Json histogram_json(const std::vector<HistogramBin>& bins) {
+  Json json = Json::array();
+  for (const HistogramBin& bin : bins) {
+    json.push_back({{"from", bin.from}, {"to", bin.to}, {"count", bin.count}});
+  }
+  return json;
+}
+
+Json quality_json(const QualityStatistics& quality) {
+  return {{"min", quality.min}, {"mean", quality.mean}, {"below_0.3", quality.below_0_3}};
+}
+
+Json faults_json(const std::vector<MeshFault>& faults) {
+  Json json = Json::array();
+  for (const MeshFault& fault : faults) {
+    json.push_back({{"kind", fault.kind}, {"count", fault.count}, {"places", fault.places}});
+  }
+  return json;
+}
+
+Json counts_json(const FaceSetCheck& faces) {
+  return {{"vertices", faces.vertices},
+          {"edges", faces.edges},
+          {"triangles", faces.triangles},
+          {"quads", faces.quads},
+          {"polygons", faces.polygons},
+          {"boundary_edges", faces.boundary_edges},
+          {"boundary_loops", faces.boundary_loops},
+          {"components", faces.components},
+          {"euler", faces.euler}};
+}
+
+Json angles_json(const ShapeStatistics& shape) {
+  return {{"min", kDegrees * shape.min_angle},
+          {"max", kDegrees * shape.max_angle},
+          {"min_face", shape.min_angle_face},
+          {"max_face", shape.max_angle_face},
+          {"histogram", histogram_json(shape.angles)}};
+}
+
+Json fit_json(const ModelFit& fit) {
+  const EdgeStatistics& edges = fit.edges;
+  const SurfaceDistance& distance = fit.distance;
+  return {{"projected", fit.is_projected},
+          {"other_sizes", fit.has_other_sizes},
+          {"edges",
+           {{"count", edges.count},
+            {"mean", edges.mean},
+            {"stddev", edges.stddev},
+            {"min", edges.min},
+            {"max", edges.max},
+            {"unit_fraction", edges.unit_fraction},
+            {"histogram", histogram_json(edges.histogram)}}},
+          {"quality", quality_json(fit.quality)},
+          {"distance",
+           {{"max", distance.max},
+            {"mean", distance.mean},
+            {"max_face", distance.max_face},
+            {"max_at", {distance.max_at.x(), distance.max_at.y(), distance.max_at.z()}},
+            {"max_corner", distance.max_corner}}}};
+}
+
+/// Makes the lines of the text.
+class Lines {
+ public:
+  void add(std::string_view key, const std::string& value) {
+    text_ += fmt::format("{:<10}{}\n", key, value);
+  }
+
+  void add_faces(const FaceSetCheck& faces) {
+    add("mesh",
+        fmt::format("{} vertices, {} edges, {} triangles, {} quads, {} other faces", faces.vertices,
+                    faces.edges, faces.triangles, faces.quads, faces.polygons));
+    const std::string border = faces.is_closed
+                                   ? "closed"
+                                   : fmt::format("open: {} boundary edges in {} loops",
+                                                 faces.boundary_edges, faces.boundary_loops);
+    add("", fmt::format("{}, {}, {}", border, faces.is_manifold ? "manifold" : "not manifold",
+                        faces.is_oriented ? "oriented" : "not oriented"));
+    add("", fmt::format("{} components, Euler characteristic {}", faces.components, faces.euler));
+  }
+
+  void add_shape(const ShapeStatistics& shape) {
+    add("angles",
+        fmt::format("from {:.2f}° (face {}) to {:.2f}° (face {})", kDegrees * shape.min_angle,
+                    shape.min_angle_face, kDegrees * shape.max_angle, shape.max_angle_face));
+    add("lengths", fmt::format("from {:.4g} to {:.4g}, mean {:.4g}", shape.min_edge, shape.max_edge,
+                               shape.mean_edge));
+    if (shape.quality.count > 0) add("shape", quality_text(shape.quality));
+  }
+
+  void add_fit(const ModelFit& fit) {
+    add("model", fit.is_projected ? "the mesh has no (u,v), nearest points were taken"
+                                  : "by the (u,v) of the mesh");
+    if (fit.has_other_sizes) add("", "sizes without `at` and grade, which make it finer by right");
+    add("edges", fmt::format("mean {:.3f}, deviation {:.3f}, from {:.3f} to {:.3f}, {:.1f} % in "
+                             "[1/√2, √2]",
+                             fit.edges.mean, fit.edges.stddev, fit.edges.min, fit.edges.max,
+                             100 * fit.edges.unit_fraction));
+    if (fit.quality.count > 0) add("quality", quality_text(fit.quality));
+    add("distance",
+        fmt::format("greatest {:.3g} in face {} at {}, mean {:.3g}", fit.distance.max,
+                    fit.distance.max_face, place_text(fit.distance.max_at), fit.distance.mean));
+  }
+
+  void add_faults(const std::vector<MeshFault>& faults) {
+    if (faults.empty()) add("faults", "none");
+    for (const MeshFault& fault : faults) {
+      add("fault", fmt::format("{}: {}", fault.kind, fault.count));
+      for (const std::string& place : fault.places) add("", "  " + place);
+      if (fault.count > fault.places.size()) {
+        add("", fmt::format("  and {} more", fault.count - fault.places.size()));
+      }
+    }
+  }
+
+  std::string take() { return std::move(text_); }
+
+ private:
+  static std::string quality_text(const QualityStatistics& quality) {
+    return fmt::format("mean {:.3f}, least {:.3f}, {:.2f} % below 0.3", quality.mean, quality.min,
+                       100 * quality.below_0_3);
+  }
+
+  std::string text_;
+};
+
+}  // namespace
+
+MeshCheck check_mesh(const FaceSetFile& file) {
+  MeshCheck check;
+  check.faces = check_face_set(file.set);
+  check.shape = measure_shape(file.set);
+  check.warnings = file.warnings;
+  check.faults = check.faces.faults;
+  MeshFault degenerate{"degenerate_face", 0, {}};
+  for (const std::size_t face : file.degenerate_faces) {
+    degenerate.add(fmt::format("triangle {} of the file has two equal corners", face));
+  }
+  if (degenerate.count > 0) check.faults.push_back(std::move(degenerate));
+  return check;
+}
+
+ModelFit measure_fit(MeshFile& mesh, const ModelInput& input) {
+  ModelFit fit;
+  const SurfaceSearch search(input.model);
+  fit.is_projected = !has_parameters(mesh.mesh);
+  if (fit.is_projected) project_mesh(mesh.mesh, mesh.patch_names, input.model, search);
+  fit.distance = measure_distance(mesh.mesh, input.model, search, fit.is_projected);
+  fit.has_other_sizes = input.options.sizing.grade > 0 || !input.sources.at.empty();
+  attach_exact_metric(mesh.mesh, input);
+  fit.edges = measure_edges(mesh.mesh);
+  fit.quality = measure_quality(mesh.mesh);
+  return fit;
+}
+
+void add_fit(MeshCheck& check, ModelFit fit) {
+  const auto& faults = fit.distance.faults;
+  check.faults.insert(check.faults.end(), faults.begin(), faults.end());
+  check.fit = std::move(fit);
+}
+
+std::string to_json(const MeshCheck& check) {
+  const ShapeStatistics& shape = check.shape;
+  const Json json = {
+      {"mesh", check.mesh},
+      {"model", check.model.empty() ? Json() : Json(check.model)},
+      {"clean", check.faults.empty()},
+      {"faults", faults_json(check.faults)},
+      {"warnings", check.warnings},
+      {"counts", counts_json(check.faces)},
+      {"closed", check.faces.is_closed},
+      {"manifold", check.faces.is_manifold},
+      {"oriented", check.faces.is_oriented},
+      {"angles", angles_json(shape)},
+      {"edge_lengths",
+       {{"min", shape.min_edge}, {"mean", shape.mean_edge}, {"max", shape.max_edge}}},
+      {"shape", quality_json(shape.quality)},
+      {"fit", check.fit ? fit_json(*check.fit) : Json()}};
+  // Names of files need not be UTF-8: what is not becomes a replacement character.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string to_text(const MeshCheck& check) {
+  Lines lines;
+  lines.add_faces(check.faces);
+  lines.add_shape(check.shape);
+  if (check.fit) lines.add_fit(*check.fit);
+  lines.add_faults(check.faults);
+  return lines.take();
+}
+
+}  // namespace surfmesh

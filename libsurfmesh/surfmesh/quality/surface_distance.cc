@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/quality/surface_distance.hh"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "surfmesh/core/error.hh"
+#include "surfmesh/core/properties.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Corners farther from the surface than this share of the diagonal are no matter of rounding.
+constexpr double kOffSurface = 1e-6;
+
+/// Distances below this share of the diagonal need no second search.
+constexpr double kOnSurface = 1e-10;
+
+/// A name as it is in OBJ files, where blanks are not part of words.
+std::string as_word(std::string name) {
+  for (char& c : name) c = static_cast<unsigned char>(c) <= ' ' ? '_' : c;
+  return name;
+}
+
+/// The patches of a model that have the name, or are in the group of the name.
+std::vector<int> patches_named(const Model& model, const std::string& name) {
+  std::vector<int> patches;
+  for (std::size_t p = 0; p < model.patches.size(); ++p) {
+    if (as_word(model.patches[p].name) == as_word(name)) patches.push_back(static_cast<int>(p));
+  }
+  for (const Group& group : model.groups) {
+    if (!patches.empty() || as_word(group.name) != as_word(name)) continue;
+    patches = group.patches;
+  }
+  return patches;
+}
+
+Vec3 point_of(const PolyMesh& mesh, HalfedgeHandle heh) {
+  return to_eigen(mesh.point(mesh.to_vertex_handle(heh)));
+}
+
+std::vector<HalfedgeHandle> corners_of(const PolyMesh& mesh, FaceHandle fh) {
+  std::vector<HalfedgeHandle> corners;
+  const HalfedgeHandle start = mesh.halfedge_handle(fh);
+  HalfedgeHandle heh = start;
+  do {
+    corners.push_back(heh);
+    heh = mesh.next_halfedge_handle(heh);
+  } while (heh != start);
+  return corners;
+}
+
+Vec3 middle_of(const PolyMesh& mesh, const std::vector<HalfedgeHandle>& corners) {
+  Vec3 sum = Vec3::Zero();
+  for (const HalfedgeHandle heh : corners) sum += point_of(mesh, heh);
+  return sum / static_cast<double>(corners.size());
+}
+
+/// A corner of a face: from the face's middle, unless it is much nearer elsewhere on the patch.
+Uv project_corner(const Model& model, const SurfaceSearch& search, const Vec3& point,
+                  const NearPoint& middle) {
+  const Surface& surface = *model.patches[static_cast<std::size_t>(middle.patch)].surface;
+  const NearPoint near = project_to_surface(surface, point, middle.uv);
+  if (near.distance <= kOnSurface * model.diagonal) return near.uv;
+  const NearPoint other = search.nearest(point, {middle.patch});
+  return other.distance < 0.5 * near.distance ? other.uv : near.uv;
+}
+
+/// Measures the faces of a mesh one after the other.
+class DistanceMeter {
+ public:
+  DistanceMeter(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search,
+                bool is_projected)
+      : mesh_(mesh),
+        model_(model),
+        search_(search),
+        is_projected_(is_projected),
+        patch_of_(require(mesh, keys::face_patch)),
+        uv_of_(require(mesh, keys::corner_uv)),
+        facing_(mesh.n_faces(), 0),
+        side_of_(model.patches.size(), 0) {}
+
+  SurfaceDistance run() {
+    for (const FaceHandle fh : mesh_.faces()) measure(fh);
+    if (samples_ > 0) result_.mean = sum_ / static_cast<double>(samples_);
+    find_turned();
+    for (MeshFault* fault : {&turned_, &off_}) {
+      if (fault->count > 0) result_.faults.push_back(std::move(*fault));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  struct Corner {
+    Vec3 point;
+    Uv uv;
+  };
+
+  const Surface& surface_of(FaceHandle fh) const {
+    const int patch = mesh_.property(patch_of_, fh);
+    if (patch < 0 || static_cast<std::size_t>(patch) >= model_.patches.size()) {
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("face {} lies on patch {}, but the model has {} patches", fh.idx(),
+                              patch, model_.patches.size()));
+    }
+    return *model_.patches[static_cast<std::size_t>(patch)].surface;
+  }
+
+  void measure(FaceHandle fh) {
+    const Surface& surface = surface_of(fh);
+    std::vector<Corner> corners;
+    Vec3 normal = Vec3::Zero();
+    for (const HalfedgeHandle heh : corners_of(mesh_, fh)) {
+      corners.push_back({point_of(mesh_, heh), mesh_.property(uv_of_, heh)});
+      normal += measure_corner(surface, corners.back(), fh);
+    }
+    Vec3 area = Vec3::Zero();
+    for (std::size_t k = 2; k < corners.size(); ++k) {
+      const Corner &a = corners[0], &b = corners[k - 1], &c = corners[k];
+      area += (b.point - a.point).cross(c.point - a.point);
+      measure_samples(surface, {a, b, c}, fh);
+    }
+    const double facing = area.dot(normal);
+    facing_[static_cast<std::size_t>(fh.idx())] = facing;
+    side_of_[static_cast<std::size_t>(mesh_.property(patch_of_, fh))] +=
+        facing > 0 ? area.norm() : -area.norm();
+  }
+
+  /// Returns the normal of the surface there; zero where it has none.
+  Vec3 measure_corner(const Surface& surface, const Corner& corner, FaceHandle fh) {
+    const Jet jet = surface.evaluate(corner.uv, Order::First);
+    const double distance = (jet.point - corner.point).norm();
+    if (distance > result_.max_corner) {
+      result_.max_corner = distance;
+      result_.max_corner_face = static_cast<std::size_t>(fh.idx());
+    }
+    if (!is_projected_ && distance > kOffSurface * model_.diagonal) {
+      off_.add(
+          fmt::format("face {} at {}, by {:.3g}", fh.idx(), place_text(corner.point), distance));
+    }
+    return jet.du.cross(jet.dv).stableNormalized();
+  }
+
+  void measure_samples(const Surface& surface, const std::array<Corner, 3>& t, FaceHandle fh) {
+    constexpr double third = 1.0 / 3.0;
+    constexpr std::array<std::array<double, 3>, 4> weights = {
+        {{third, third, third}, {0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}}};
+    for (const auto& w : weights) {
+      const Vec3 point = w[0] * t[0].point + w[1] * t[1].point + w[2] * t[2].point;
+      const Uv guess = w[0] * t[0].uv + w[1] * t[1].uv + w[2] * t[2].uv;
+      NearPoint near = project_to_surface(surface, point, guess);
+      if (near.is_on_border && near.distance > kOnSurface * model_.diagonal) {
+        near.distance = std::min(near.distance, search_.nearest(point).distance);
+      }
+      sum_ += near.distance;
+      ++samples_;
+      if (near.distance <= result_.max) continue;
+      result_.max = near.distance;
+      result_.max_face = static_cast<std::size_t>(fh.idx());
+      result_.max_at = point;
+    }
+  }
+
+  void find_turned() {
+    for (const FaceHandle fh : mesh_.faces()) {
+      const double side = side_of_[static_cast<std::size_t>(mesh_.property(patch_of_, fh))];
+      const double facing = facing_[static_cast<std::size_t>(fh.idx())];
+      if (facing * (side < 0 ? -1 : 1) > 0) continue;
+      turned_.add(fmt::format("face {} at {}", fh.idx(),
+                              place_text(middle_of(mesh_, corners_of(mesh_, fh)))));
+    }
+  }
+
+  const PolyMesh& mesh_;
+  const Model& model_;
+  const SurfaceSearch& search_;
+  bool is_projected_;
+  decltype(keys::face_patch)::Handle patch_of_;
+  decltype(keys::corner_uv)::Handle uv_of_;
+  std::vector<double> facing_;   ///< above 0 for faces along the normal of the surface
+  std::vector<double> side_of_;  ///< of each patch, area along minus area against the normal
+  SurfaceDistance result_;
+  double sum_ = 0;
+  std::size_t samples_ = 0;
+  MeshFault turned_{"turned_face", 0, {}};
+  MeshFault off_{"corner_off_surface", 0, {}};
+};
+
+}  // namespace
+
+void project_mesh(PolyMesh& mesh, const std::vector<std::string>& patch_names, const Model& model,
+                  const SurfaceSearch& search) {
+  std::vector<std::vector<int>> allowed;
+  for (const std::string& name : patch_names) allowed.push_back(patches_named(model, name));
+  const bool has_patches = find(mesh, keys::face_patch).is_valid();
+  const auto patch_of = has_patches ? find(mesh, keys::face_patch) : attach(mesh, keys::face_patch);
+  detach(mesh, keys::corner_uv);
+  const auto uv_of = attach(mesh, keys::corner_uv);
+  const std::vector<int> all;
+  for (const FaceHandle fh : mesh.faces()) {
+    const int group = has_patches ? mesh.property(patch_of, fh) : -1;
+    const bool has_name = group >= 0 && static_cast<std::size_t>(group) < allowed.size();
+    const std::vector<HalfedgeHandle> corners = corners_of(mesh, fh);
+    const NearPoint middle = search.nearest(
+        middle_of(mesh, corners), has_name ? allowed[static_cast<std::size_t>(group)] : all);
+    mesh.property(patch_of, fh) = middle.patch;
+    for (const HalfedgeHandle heh : corners) {
+      mesh.property(uv_of, heh) = project_corner(model, search, point_of(mesh, heh), middle);
+    }
+  }
+}
+
+SurfaceDistance measure_distance(const PolyMesh& mesh, const Model& model,
+                                 const SurfaceSearch& search, bool is_projected) {
+  return DistanceMeter(mesh, model, search, is_projected).run();
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "surfmesh/core/mesh.hh"
+#include "surfmesh/geometry/model.hh"
+#include "surfmesh/quality/face_set_check.hh"
+#include "surfmesh/quality/surface_search.hh"
+
+namespace surfmesh {
+
+/// Give the corners of a mesh the patches and parameters of the nearest points of a model.
+///
+/// The patch of a face is that of the point nearest to its middle, among the patches that have the
+/// name of the face's group, or are in the model's group of that name; among all where no patch
+/// or group has this name. Its corners are projected from there, so that a face at a seam stays on
+/// one side of it.
+///
+/// Reads    surf:patch (face; optional), with its names
+/// Writes   surf:patch (face), surf:uv (halfedge)
+/// Cost     about 10 surface evaluations a corner
+void project_mesh(PolyMesh& mesh, const std::vector<std::string>& patch_names, const Model& model,
+                  const SurfaceSearch& search);
+
+/// How far a mesh is from the surface. Lengths in model units.
+struct SurfaceDistance {
+  double max = 0;   ///< of samples inside the elements and at the middles of their sides
+  double mean = 0;  ///< of the samples
+  std::size_t max_face = 0;
+  Vec3 max_at = Vec3::Zero();
+  double max_corner = 0;  ///< of the vertices from the surface at their parameters
+  std::size_t max_corner_face = 0;
+  /// turned_face: against the normal of the surface, seen from the side on which most of its patch
+  /// is; corner_off_surface: farther than 1e-6 of the diagonal from the surface at its (u,v), for
+  /// a mesh with (u,v) of its own.
+  std::vector<MeshFault> faults;
+};
+
+/// Measure the distance of a mesh from its surface, and find turned elements.
+///
+/// Reads    surf:patch (face), surf:uv (halfedge)
+/// Error    a lower bound of the greatest distance: four samples a triangle
+/// Cost     about 15 surface evaluations a triangle
+/// Throws   MissingProperty; InvalidInput for a patch that the model does not have
+SurfaceDistance measure_distance(const PolyMesh& mesh, const Model& model,
+                                 const SurfaceSearch& search, bool is_projected);
+
+}  // namespace surfmesh

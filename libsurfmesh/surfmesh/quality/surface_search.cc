@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/quality/surface_search.hh"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace surfmesh {
+namespace {
+
+/// The search ends when a step is below this share of the domain.
+constexpr double kSmallestStep = 1e-12;
+constexpr int kMostSteps = 40;
+
+/// Damping of singular directions, as a share of the greater one: at a pole one parameter does not
+/// move the point.
+constexpr double kDamping = 1e-13;
+
+/// Nearness to the border, in shares of the domain, that counts as lying on it.
+constexpr double kBorder = 1e-12;
+
+constexpr std::size_t kCandidates = 8;
+constexpr int kLeastSamples = 8, kMostSamples = 320;  // along a side of a patch
+constexpr double kAllSamples = 1e5;
+
+/// The half plane n·(s,t) ≤ c of shares of the domain.
+struct Border {
+  double s;
+  double t;
+  double c;
+};
+
+constexpr std::array<Border, 4> kRectangle = {{{-1, 0, 0}, {1, 0, 1}, {0, -1, 0}, {0, 1, 1}}};
+constexpr std::array<Border, 3> kTriangle = {{{-1, 0, 0}, {0, -1, 0}, {1, 1, 1}}};
+
+/// Descends on one surface, in shares (s,t) of its domain.
+class Descent {
+ public:
+  Descent(const Surface& surface, const Vec3& point)
+      : surface_(surface), point_(point), domain_(surface.domain()) {
+    if (domain_.shape == Domain::Shape::Triangle) {
+      borders_.assign(kTriangle.begin(), kTriangle.end());
+    } else {
+      borders_.assign(kRectangle.begin(), kRectangle.end());
+    }
+  }
+
+  NearPoint run(Uv guess) {
+    start(guess);
+    double share = 1;
+    for (int i = 0; i < kMostSteps && distance_ > 0; ++i) {
+      const Uv step = share * allowed_step();
+      if (std::abs(step.u) + std::abs(step.v) < kSmallestStep) break;
+      share = try_step(step) ? std::min(1.0, 4 * share) : 0.25 * share;
+    }
+    NearPoint result{-1, domain_.at(at_.u, at_.v), distance_, false};
+    for (const Border& border : borders_) result.is_on_border |= is_on(border);
+    return result;
+  }
+
+ private:
+  bool is_on(const Border& border) const {
+    return border.s * at_.u + border.t * at_.v >= border.c - kBorder;
+  }
+
+  void start(Uv guess) {
+    at_ = {std::clamp((guess.u - domain_.u0) / (domain_.u1 - domain_.u0), 0.0, 1.0),
+           std::clamp((guess.v - domain_.v0) / (domain_.v1 - domain_.v0), 0.0, 1.0)};
+    const double sum = at_.u + at_.v;
+    if (domain_.shape == Domain::Shape::Triangle && sum > 1) at_ = {at_.u / sum, at_.v / sum};
+    jet_ = surface_.evaluate(domain_.at(at_.u, at_.v), Order::First);
+    distance_ = (point_ - jet_.point).norm();
+  }
+
+  /// The step to the minimum of the distance from the tangent plane, along the border if the
+  /// border is in the way; 0 in a corner.
+  Uv allowed_step() const {
+    const Vec3 ds = (domain_.u1 - domain_.u0) * jet_.du, dt = (domain_.v1 - domain_.v0) * jet_.dv;
+    const Vec3 way = point_ - jet_.point;
+    const double gs = ds.dot(way), gt = dt.dot(way);
+    const double damping = kDamping * (ds.squaredNorm() + dt.squaredNorm());
+    const double a = ds.squaredNorm() + damping, b = ds.dot(dt), c = dt.squaredNorm() + damping;
+    const double determinant = a * c - b * b;
+    if (!(determinant > 0)) return {0, 0};
+    Uv step{(c * gs - b * gt) / determinant, (a * gt - b * gs) / determinant};
+    bool is_along = false;
+    for (const Border& border : borders_) {
+      if (!is_on(border) || border.s * step.u + border.t * step.v <= 0) continue;
+      if (is_along) return {0, 0};
+      const double p = -border.t, q = border.s;  // along the border
+      const double length = (p * gs + q * gt) / (p * p * a + 2 * p * q * b + q * q * c);
+      step = {length * p, length * q};
+      is_along = true;
+    }
+    return is_along && leaves(step) ? Uv{0, 0} : step;
+  }
+
+  bool leaves(Uv step) const {
+    return std::any_of(borders_.begin(), borders_.end(), [&](const Border& border) {
+      return is_on(border) && border.s * step.u + border.t * step.v > kBorder;
+    });
+  }
+
+  /// Go, up to the border at most; back if it is not nearer.
+  bool try_step(Uv step) {
+    double share = 1;
+    for (const Border& border : borders_) {
+      const double slope = border.s * step.u + border.t * step.v;
+      const double room = border.c - border.s * at_.u - border.t * at_.v;
+      if (slope > 0 && slope * share > room) share = std::max(room, 0.0) / slope;
+    }
+    const Uv next{std::clamp(at_.u + share * step.u, 0.0, 1.0),
+                  std::clamp(at_.v + share * step.v, 0.0, 1.0)};
+    const Jet jet = surface_.evaluate(domain_.at(next.u, next.v), Order::First);
+    const double distance = (point_ - jet.point).norm();
+    if (!(distance < distance_)) return false;
+    at_ = next;
+    jet_ = jet;
+    distance_ = distance;
+    return true;
+  }
+
+  const Surface& surface_;
+  const Vec3& point_;
+  Domain domain_;
+  std::vector<Border> borders_;
+  Uv at_;
+  Jet jet_;
+  double distance_ = 0;
+};
+
+}  // namespace
+
+NearPoint project_to_surface(const Surface& surface, const Vec3& point, Uv guess) {
+  return Descent(surface, point).run(guess);
+}
+
+/// The samples that are nearest to a point, in order.
+struct SurfaceSearch::Candidates {
+  const Vec3& point;
+  const std::vector<int>& patches;
+  std::array<std::pair<double, const Sample*>, kCandidates> best;
+  std::size_t count = 0;
+
+  double reach() const {
+    return count < kCandidates ? std::numeric_limits<double>::infinity() : best.back().first;
+  }
+
+  void offer(const Sample& sample) {
+    if (!patches.empty() &&
+        std::find(patches.begin(), patches.end(), sample.patch) == patches.end()) {
+      return;
+    }
+    const double distance = (sample.point - point).squaredNorm();
+    if (distance >= reach()) return;
+    std::size_t i = count < kCandidates ? count++ : kCandidates - 1;
+    for (; i > 0 && best[i - 1].first > distance; --i) best[i] = best[i - 1];
+    best[i] = {distance, &sample};
+  }
+};
+
+SurfaceSearch::SurfaceSearch(const Model& model) : model_(model) {
+  const double share =
+      kAllSamples / static_cast<double>(std::max<std::size_t>(1, model.patches.size()));
+  const int count = std::clamp(static_cast<int>(std::sqrt(share)), kLeastSamples, kMostSamples);
+  for (std::size_t p = 0; p < model.patches.size(); ++p) add_samples(static_cast<int>(p), count);
+  sort_tree(0, samples_.size(), 0);
+}
+
+void SurfaceSearch::add_samples(int patch, int count) {
+  const Surface& surface = *model_.patches[static_cast<std::size_t>(patch)].surface;
+  const Domain domain = surface.domain();
+  for (int j = 0; j <= count; ++j) {
+    for (int i = 0; i <= count; ++i) {
+      if (domain.shape == Domain::Shape::Triangle && i + j > count) continue;
+      const Uv uv = domain.at(static_cast<double>(i) / count, static_cast<double>(j) / count);
+      samples_.push_back({surface.evaluate(uv, Order::Position).point, uv, patch});
+    }
+  }
+}
+
+void SurfaceSearch::sort_tree(std::size_t first, std::size_t end, int axis) {
+  if (end - first < 2) return;
+  const std::size_t middle = (first + end) / 2;
+  const auto begin = samples_.begin();
+  std::nth_element(
+      begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(middle),
+      begin + static_cast<std::ptrdiff_t>(end),
+      [axis](const Sample& a, const Sample& b) { return a.point[axis] < b.point[axis]; });
+  sort_tree(first, middle, (axis + 1) % 3);
+  sort_tree(middle + 1, end, (axis + 1) % 3);
+}
+
+void SurfaceSearch::search(std::size_t first, std::size_t end, int axis,
+                           Candidates& candidates) const {
+  if (first >= end) return;
+  const std::size_t middle = (first + end) / 2;
+  candidates.offer(samples_[middle]);
+  const double beyond = candidates.point[axis] - samples_[middle].point[axis];
+  const int next = (axis + 1) % 3;
+  if (beyond < 0) {
+    search(first, middle, next, candidates);
+    if (beyond * beyond < candidates.reach()) search(middle + 1, end, next, candidates);
+  } else {
+    search(middle + 1, end, next, candidates);
+    if (beyond * beyond < candidates.reach()) search(first, middle, next, candidates);
+  }
+}
+
+NearPoint SurfaceSearch::nearest(const Vec3& point, const std::vector<int>& patches) const {
+  Candidates candidates{point, patches, {}};
+  search(0, samples_.size(), 0, candidates);
+  NearPoint best;
+  std::array<int, kCandidates> tried;
+  for (std::size_t i = 0; i < candidates.count; ++i) {
+    const Sample& sample = *candidates.best[i].second;
+    const auto end = tried.begin() + static_cast<std::ptrdiff_t>(i);
+    const bool is_new = std::find(tried.begin(), end, sample.patch) == end;
+    tried[i] = sample.patch;
+    if (!is_new && i > 1) continue;
+    NearPoint found = project_to_surface(
+        *model_.patches[static_cast<std::size_t>(sample.patch)].surface, point, sample.uv);
+    found.patch = sample.patch;
+    if (found.distance < best.distance) best = found;
+  }
+  return best;
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "support/errors.hh"
+#include "support/expect_valid.hh"
+#include "support/folders.hh"
+#include "surfmesh/core/properties.hh"
+#include "surfmesh/pipeline/load_model.hh"
+#include "surfmesh/pipeline/mesh_model.hh"
+#include "surfmesh/pipeline/set_option.hh"
+
+namespace surfmesh {
+namespace {
+
+const std::filesystem::path kModels = std::filesystem::path(SURFMESH_SOURCE_DIR) / "models";
+
+/// The mesh of a model file, which must be proper and without complaints.
+MeshResult mesh_cleanly(const std::filesystem::path& path) {
+  const ModelInput input = load_model(path);
+  MeshResult result = mesh_model(input.model, input.sources, input.options);
+  testing::expect_valid(result.mesh);
+  EXPECT_EQ(result.report.warnings, std::vector<std::string>{}) << path;
+  EXPECT_EQ(result.report.shortfalls, std::vector<std::string>{}) << path;
+  EXPECT_GT(result.report.quality.min, 0.1) << path;
+  return result;
+}
+
+/// Greatest distance of a corner from its surface at its parameters, in units of the diagonal.
+double greatest_gap(const Model& model, const PolyMesh& mesh) {
+  const auto patch_of = require(mesh, keys::face_patch);
+  const auto uv_of = require(mesh, keys::corner_uv);
+  double gap = 0;
+  for (const auto face : mesh.faces()) {
+    const auto patch = static_cast<std::size_t>(mesh.property(patch_of, face));
+    for (const auto corner : face.halfedges()) {
+      const Uv uv = mesh.property(uv_of, corner);
+      const Vec3 there = model.patches[patch].surface->evaluate(uv, Order::Position).point;
+      gap = std::max(gap, (to_eigen(mesh.point(corner.to())) - there).norm());
+    }
+  }
+  return gap / model.diagonal;
+}
+
+struct Example {
+  std::string name;
+  long euler;
+  std::size_t components;
+};
+
+class ExampleModels : public ::testing::TestWithParam<Example> {};
+
+TEST_P(ExampleModels, MeshCleanly) {
+  const auto path = kModels / GetParam().name;
+  const MeshResult result = mesh_cleanly(path);
+  EXPECT_EQ(result.report.mesh.euler, GetParam().euler);
+  EXPECT_EQ(measure_topology(result.mesh).components, GetParam().components);
+  EXPECT_LT(greatest_gap(load_model(path).model, result.mesh), 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ExampleModels,
+    ::testing::Values(Example{"perforated.json", -1, 1}, Example{"window.json", -1, 1},
+                      Example{"pipes.json", -1, 1}, Example{"pipe_on_plate.json", 0, 1},
+                      Example{"knob_on_plate.json", 3, 2}),
+    [](const auto& test) { return test.param.name.substr(0, test.param.name.find('.')); });
+
+/// The half plane of this angle (radians) about the z axis, which ends at the contour `rim`.
+nlohmann::json wing(const std::string& angle) {
+  const std::string name = "w" + angle;
+  return {{"name", name},
+          {"surface", {{"x", "u*cos(" + angle + ")"}, {"y", "u*sin(" + angle + ")"}, {"z", "v"}}},
+          {"domain", {{"u", {0, 1}}, {"v", {0, 1}}}},
+          {"loops", {{name + ":v0", name + ":u1", "-" + name + ":v1", "-rim"}}}};
+}
+
+/// Three half planes at a contour given in space.
+std::string three_wings() {
+  const nlohmann::json rim = {{"name", "rim"}, {"xyz", {{"x", "0"}, {"y", "0"}, {"z", "t"}}}};
+  return nlohmann::json{{"patches", {wing("0"), wing("2"), wing("4")}},
+                        {"contours", nlohmann::json::array({rim})},
+                        {"sizing", {{"hmax", 0.2}}}}
+      .dump();
+}
+
+TEST(ContoursOfThreePatches, HaveTheSameNodesOnAll) {
+  const TestFolder folder;
+  write_text(folder / "a.json", three_wings());
+  const ModelInput input = load_model(folder / "a.json");
+  const MeshResult result = mesh_model(input.model, input.sources, input.options);
+  testing::expect_valid(result.mesh);
+  EXPECT_EQ(result.report.shortfalls.size(), 0u);
+  std::set<double> heights;
+  std::size_t count = 0;
+  for (const auto vertex : result.mesh.vertices()) {
+    const Vec3 point = to_eigen(result.mesh.point(vertex));
+    if (std::hypot(point.x(), point.y()) > 1e-9) continue;
+    heights.insert(point.z());
+    ++count;
+  }
+  EXPECT_GT(heights.size(), 4u);
+  // A half-edge mesh has each node as often as there are sheets.
+  EXPECT_EQ(count % heights.size(), 0u);
+}
+
+TEST(ModelSources, ReachTheGroupsOfCages) {
+  const ModelInput input = load_model(kModels / "knob_on_plate.json");
+  std::set<std::string> names;
+  for (const EverywhereSource& source : input.sources.everywhere) {
+    names.insert(input.model.patches.at(static_cast<std::size_t>(source.patch)).name);
+  }
+  EXPECT_GT(names.size(), 4u);
+  EXPECT_TRUE(names.contains("plate"));
+  for (const std::string& name : names) {
+    EXPECT_TRUE(name.starts_with("knob:f") || name == "plate") << name;
+  }
+}
+
+nlohmann::json schema() {
+  return nlohmann::json::parse(read_text(kModels / "surfmesh.schema.json"));
+}
+
+/// Keys of an object that the schema does not know. `rule` is the schema of the object.
+void expect_known(const nlohmann::json& value, nlohmann::json rule, const nlohmann::json& root,
+                  const std::string& place) {
+  while (rule.contains("$ref")) {
+    const std::string pointer = rule["$ref"].get<std::string>().substr(1);
+    rule = root.at(nlohmann::json::json_pointer(pointer));
+  }
+  if (value.is_array() && rule.contains("items")) {
+    for (const auto& item : value) expect_known(item, rule["items"], root, place + "/*");
+  }
+  if (!value.is_object() || !rule.contains("properties")) return;
+  for (const auto& [key, item] : value.items()) {
+    const bool is_known = rule["properties"].contains(key);
+    EXPECT_TRUE(is_known || rule.contains("additionalProperties")) << place << '/' << key;
+    if (is_known) {
+      expect_known(item, rule["properties"][key], root, place + '/' + key);
+    } else {
+      EXPECT_NE(rule["additionalProperties"], false) << place << '/' << key;
+    }
+  }
+}
+
+TEST(Schema, KnowsTheKeysOfAllModels) {
+  const nlohmann::json root = schema();
+  for (const auto& entry : std::filesystem::directory_iterator(kModels)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() != ".json" || name == "surfmesh.schema.json") continue;
+    expect_known(nlohmann::json::parse(read_text(entry.path())), root, root, name);
+  }
+}
+
+TEST(Schema, HasTheKeysThatTheReaderKnows) {
+  const nlohmann::json properties = schema()["properties"];
+  for (const char* key :
+       {"constants", "patches", "cages", "contours", "sources", "sizing", "options", "$schema"}) {
+    EXPECT_TRUE(properties.contains(key)) << key;
+  }
+  for (const std::string_view name : option_names()) {
+    const char* place = is_sizing_option(name) ? "sizing" : "options";
+    EXPECT_TRUE(properties[place]["properties"].contains(name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace surfmesh

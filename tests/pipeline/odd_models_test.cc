@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Models that once went wrong, named for what they showed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/errors.hh"
+#include "support/expect_valid.hh"
+#include "support/models.hh"
+#include "surfmesh/core/validate.hh"
+#include "surfmesh/geometry/callable_surface.hh"
+#include "surfmesh/geometry/formula_surface.hh"
+#include "surfmesh/pipeline/mesh_model.hh"
+
+namespace surfmesh {
+namespace {
+
+using testing::model_of;
+
+Model formula(SurfaceFormulas formulas, Domain domain = {}) {
+  return model_of({std::make_shared<FormulaSurface>(formulas, domain)});
+}
+
+TEST(OddModel, ThatIsUndefinedBeyondItsSideIsNotAskedThere) {
+  PipelineOptions options;
+  options.sizing.curvature = 0;
+  options.sizing.hmax = {0.004, true};
+  const Model model = formula({"u+5*v", "v", "0.05*sin(35*u+3*v)+0*log(u+0.001)"});
+  const MeshResult result = mesh_model(model, {}, options);
+  testing::expect_valid(result.mesh);
+  EXPECT_GT(result.report.quality.min, 0.3);
+}
+
+TEST(OddModel, WithoutATangentPlaneInTheMiddleIsMeshed) {
+  const Model model = formula({"(u^2+v^2)*u", "(u^2+v^2)*v", "0"}, {-1, 1, -1, 1});
+  testing::expect_valid(mesh_model(model).mesh);
+}
+
+TEST(OddModel, WithoutATangentPlaneAlongALineIsMeshed) {
+  const Model model = formula({"u^3", "v", "sin(3*v)"}, {-1, 1, 0, 1});
+  testing::expect_valid(mesh_model(model).mesh);
+}
+
+TEST(OddModel, WithTwoPointSidesInARowHasOnePole) {
+  const Model model = formula({"u*v*cos(v)", "u*v*sin(v)", "u^2*v"});
+  const MeshResult result = mesh_model(model);
+  testing::expect_valid(result.mesh);
+  EXPECT_EQ(result.report.mesh.euler, 1);
+}
+
+TEST(OddModel, WithAUseOfNoPatchIsRefused) {
+  Model model = testing::unit_square();
+  model.contours[0].uses.push_back({7, model.contours[0].uses[0].curve});
+  EXPECT_NE(error_of([&] { mesh_model(model); }).find("patch 7 of 1"), std::string::npos);
+}
+
+TEST(OddModel, WithAUseWithoutACurveIsRefused) {
+  Model model = testing::unit_square();
+  model.contours[0].uses.push_back({0, nullptr});
+  EXPECT_NE(error_of([&] { mesh_model(model); }).find("no curve"), std::string::npos);
+}
+
+TEST(OddModel, WithASourceOfNoPatchIsRefused) {
+  Sources sources;
+  sources.at.push_back({5, {0.5, 0.5}, {{0.1, false}, {0.1, false}, 0}});
+  const std::string error = error_of([&] { mesh_model(testing::unit_square(), sources); });
+  EXPECT_NE(error.find("patch 5 of 1"), std::string::npos) << error;
+}
+
+TEST(OddModel, WithoutExtentIsRefused) {
+  Model model = testing::unit_square();
+  model.diagonal = 0;
+  EXPECT_NE(error_of([&] { mesh_model(model); }).find("no extent"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace surfmesh

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/quality/surface_distance.hh"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/errors.hh"
+#include "support/meshes.hh"
+#include "support/models.hh"
+#include "surfmesh/core/properties.hh"
+
+namespace surfmesh {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// A closed mesh of quads on the torus, n by n, from its parameters but without any.
+PolyMesh torus_mesh(const Surface& torus, int n) {
+  std::vector<Vec3> points;
+  std::vector<std::vector<int>> faces;
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      points.push_back(torus.evaluate({2 * kPi * i / n, 2 * kPi * j / n}, Order::Position).point);
+      const int right = (i + 1) % n, up = (j + 1) % n;
+      faces.push_back({j * n + i, j * n + right, up * n + right, up * n + i});
+    }
+  }
+  return testing::mesh_of(points, faces);
+}
+
+/// Greatest difference of u or v within a face.
+double greatest_step(const PolyMesh& mesh) {
+  const auto uv_of = require(mesh, keys::corner_uv);
+  double greatest = 0;
+  for (const HalfedgeHandle heh : mesh.halfedges()) {
+    const Uv a = mesh.property(uv_of, heh);
+    const Uv b = mesh.property(uv_of, mesh.next_halfedge_handle(heh));
+    greatest = std::max({greatest, std::abs(a.u - b.u), std::abs(a.v - b.v)});
+  }
+  return greatest;
+}
+
+TEST(ProjectMesh, KeepsFacesOnOneSideOfASeam) {
+  const Model model = testing::model_of({testing::torus()});
+  PolyMesh mesh = torus_mesh(*model.patches[0].surface, 24);
+  project_mesh(mesh, {}, model, SurfaceSearch(model));
+  EXPECT_NEAR(greatest_step(mesh), 2 * kPi / 24, 1e-6);
+}
+
+TEST(ProjectMesh, GoesByTheNamesOfPatchesAndGroups) {
+  Model model = testing::model_of({testing::rectangle(0, 0, 1, 1), testing::rectangle(0, 0, 1, 1)});
+  model.groups.push_back({"the wing", {1}});
+  for (const auto& [name, patch] :
+       std::vector<std::pair<std::string, int>>{{"p0", 0}, {"p1", 1}, {"the_wing", 1}}) {
+    PolyMesh mesh = testing::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+    attach(mesh, keys::face_patch, 0);
+    project_mesh(mesh, {name}, model, SurfaceSearch(model));
+    EXPECT_EQ(mesh.property(find(mesh, keys::face_patch), FaceHandle(0)), patch) << name;
+  }
+}
+
+TEST(MeasureDistance, FallsWithTheSquareOfTheElements) {
+  const Model model = testing::model_of({testing::torus()});
+  const SurfaceSearch search(model);
+  double before = 0;
+  for (const int n : {16, 32, 64}) {
+    PolyMesh mesh = torus_mesh(*model.patches[0].surface, n);
+    project_mesh(mesh, {}, model, search);
+    const SurfaceDistance distance = measure_distance(mesh, model, search, true);
+    EXPECT_TRUE(distance.faults.empty());
+    EXPECT_LT(distance.max_corner, 1e-9);
+    EXPECT_LT(distance.mean, distance.max);
+    if (before > 0) {
+      EXPECT_NEAR(before / distance.max, 4, 0.4);
+    }
+    before = distance.max;
+  }
+}
+
+TEST(MeasureDistance, FindsTurnedFacesAndCornersOffTheSurface) {
+  const Model model = testing::model_of({testing::rectangle(0, 0, 4, 4)});
+  const SurfaceSearch search(model);
+  PolyMesh mesh = testing::plane_grid(4, 4);
+  EXPECT_TRUE(measure_distance(mesh, model, search, false).faults.empty());
+  mesh.set_point(VertexHandle(6), {2.5, 2.5, 0});
+  const SurfaceDistance bad = measure_distance(mesh, model, search, false);
+  ASSERT_EQ(bad.faults.size(), 2u);
+  EXPECT_EQ(bad.faults[0].kind, "turned_face");
+  EXPECT_EQ(bad.faults[1].kind, "corner_off_surface");
+  EXPECT_EQ(bad.faults[1].count, 6u);
+  EXPECT_NEAR(bad.max_corner, 1.5 * std::numbers::sqrt2, 1e-12);
+}
+
+TEST(MeasureDistance, TakesPatchesThatAreTurnedAsAWhole) {
+  const Model model = testing::model_of({testing::rectangle(0, 0, 1, 1)});
+  PolyMesh mesh = testing::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 2, 1}});
+  testing::attach_plane_properties(mesh);
+  EXPECT_TRUE(measure_distance(mesh, model, SurfaceSearch(model), false).faults.empty());
+}
+
+TEST(MeasureDistance, RefusesPatchesThatTheModelDoesNotHave) {
+  const Model model = testing::model_of({testing::rectangle(0, 0, 1, 1)});
+  PolyMesh mesh = testing::plane_grid(1, 1);
+  mesh.property(find(mesh, keys::face_patch), FaceHandle(1)) = 3;
+  EXPECT_EQ(error_of([&] { measure_distance(mesh, model, SurfaceSearch(model), false); }),
+            "invalid input: face 1 lies on patch 3, but the model has 1 patches");
+}
+
+}  // namespace
+}  // namespace surfmesh

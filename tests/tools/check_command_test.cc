@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/program.hh"
+
+namespace surfmesh {
+namespace {
+
+using Json = nlohmann::json;
+
+class CheckProgram : public Program {
+ protected:
+  Json check(int status, const std::string& arguments) {
+    EXPECT_EQ(run("check --json " + arguments), status) << err_;
+    return Json::parse(out_);
+  }
+
+  void mesh(const std::string& model, const std::string& options = "") {
+    EXPECT_EQ(run("mesh '" + own_model(model) + "' -o a.om --quiet " + options), 0) << err_;
+  }
+};
+
+TEST_F(CheckProgram, FindsNothingWrongWithOurMeshes) {
+  for (const std::string model : {"knob.obj", "vault.obj", "icosahedron.off", "sphere.json",
+                                  "torus.json", "cylinder.json", "plate.json"}) {
+    mesh(model);
+    const Json json = check(0, "a.om --model '" + own_model(model) + "'");
+    EXPECT_TRUE(json["clean"]) << model;
+    EXPECT_TRUE(json["manifold"] && json["oriented"]) << model;
+    EXPECT_FALSE(json["fit"]["projected"]) << model;
+    EXPECT_LT(json["fit"]["distance"]["max_corner"], 1e-6) << model;
+  }
+}
+
+TEST_F(CheckProgram, ProjectsMeshesWithoutParameters) {
+  for (const std::string model : {"knob.obj", "sphere.json", "torus.json", "cylinder.json"}) {
+    mesh(model);
+    EXPECT_EQ(run("convert a.om a.obj --quiet"), 0);
+    const std::string of_model = " --model '" + own_model(model) + "'";
+    const Json own = check(0, "a.om" + of_model)["fit"];
+    const Json projected = check(0, "a.obj" + of_model)["fit"];
+    EXPECT_TRUE(projected["projected"]);
+    EXPECT_NEAR(projected["edges"]["mean"], own["edges"]["mean"], 2e-3) << model;
+    EXPECT_NEAR(projected["quality"]["mean"], own["quality"]["mean"], 2e-3) << model;
+    EXPECT_NEAR(projected["distance"]["max"], own["distance"]["max"], 1e-4) << model;
+  }
+}
+
+TEST_F(CheckProgram, MeasuresInTheSizesAskedFor) {
+  mesh("torus.json", "--set grade=0");
+  const std::string arguments = "a.om --model '" + own_model("torus.json") + "'";
+  const double mean = check(0, arguments)["fit"]["edges"]["mean"];
+  EXPECT_NEAR(mean, 1, 0.05);
+  EXPECT_NEAR(check(0, arguments + " --set curvature=0.125")["fit"]["edges"]["mean"], 2 * mean,
+              1e-2);
+}
+
+TEST_F(CheckProgram, HasTheDocumentedKeys) {
+  mesh("plate.json");
+  const Json json = check(0, "a.om");
+  for (const char* key : {"mesh", "model", "clean", "faults", "warnings", "counts", "closed",
+                          "manifold", "oriented", "angles", "edge_lengths", "shape", "fit"}) {
+    EXPECT_TRUE(json.contains(key)) << key;
+  }
+  EXPECT_TRUE(json["fit"].is_null());
+  EXPECT_EQ(json["counts"]["boundary_loops"], 1);
+  EXPECT_EQ(json["counts"]["euler"], 1);
+  EXPECT_EQ(json["angles"]["histogram"].size(), 18u);
+}
+
+TEST_F(CheckProgram, TellsFaultsAndTheirPlaces) {
+  write_text(folder_ / "a.obj",
+             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 1 2 4\nf 1 2 4\n");
+  const Json json = check(3, "a.obj");
+  EXPECT_FALSE(json["clean"]);
+  std::vector<std::string> kinds;
+  for (const Json& fault : json["faults"]) kinds.push_back(fault["kind"]);
+  EXPECT_EQ(kinds,
+            (std::vector<std::string>{"non_manifold_edge", "turned_neighbour", "duplicate_face",
+                                      "duplicate_vertex", "unused_vertex"}));
+  EXPECT_TRUE(says("fault: non_manifold_edge: 1, the first: edge 0-1 at (0.5, 0, 0), of 3 faces"))
+      << err_;
+  EXPECT_EQ(run("check a.obj"), 3);
+  EXPECT_TRUE(says("duplicate_vertex: 1\n            vertices 2 and 4 at (1, 1, 0)")) << out_;
+}
+
+TEST_F(CheckProgram, TellsDegenerateTrianglesOfStl) {
+  write_text(folder_ / "a.stl",
+             "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+             "endfacet\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 0\nendloop\n"
+             "endfacet\nendsolid\n");
+  const Json json = check(3, "a.stl");
+  EXPECT_EQ(json["faults"][0]["kind"], "degenerate_face");
+  EXPECT_EQ(json["faults"][0]["places"][0], "triangle 1 of the file has two equal corners");
+}
+
+TEST_F(CheckProgram, TellsMeshesOfAnotherModel) {
+  mesh("cylinder.json");
+  EXPECT_EQ(run("check a.om --model '" + own_model("wave.json") + "'"), 1);
+  EXPECT_TRUE(says("lies on patch 1, but the model has 1 patches")) << err_;
+  mesh("wave.json", "--hmax 2");
+  const Json json = check(3, "a.om --model '" + own_model("plate.json") + "'");
+  EXPECT_FALSE(json["clean"]);
+}
+
+TEST_F(CheckProgram, TellsErrors) {
+  EXPECT_EQ(run("check none.obj"), 1);
+  EXPECT_TRUE(says("error: cannot read none.obj: it does not exist")) << err_;
+  EXPECT_EQ(run("check none.step"), 1);
+  EXPECT_TRUE(says("the ending of a mesh is")) << err_;
+  EXPECT_EQ(run("check"), 2);
+  EXPECT_EQ(run("check a.obj --set hmin=1"), 2);
+  EXPECT_TRUE(says("--set requires --model")) << err_;
+  EXPECT_EQ(run("check --help"), 0);
+  EXPECT_TRUE(says("Example:"));
+}
+
+}  // namespace
+}  // namespace surfmesh

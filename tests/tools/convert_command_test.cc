@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "support/program.hh"
+
+namespace surfmesh {
+namespace {
+
+using ConvertProgram = Program;
+
+TEST_F(ConvertProgram, KeepsWhatBothFormatsHold) {
+  write_text(folder_ / "a.obj",
+             "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\ng left\nf 1 2 3\ng right\nf 1 3 4\n");
+  EXPECT_EQ(run("convert a.obj a.ply"), 0) << err_;
+  EXPECT_EQ(out_, "a.ply: 4 vertices, 2 faces\n");
+  EXPECT_EQ(err_, "");
+  EXPECT_EQ(run("convert a.ply b.obj --quiet"), 0) << err_;
+  EXPECT_EQ(out_ + err_, "");
+  EXPECT_EQ(
+      read_text(folder_ / "b.obj"),
+      "# surfmesh\nv 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\ng left\nf 1 2 3\ng right\nf 1 3 4\n");
+}
+
+TEST_F(ConvertProgram, ConvertsBetweenAllFormats) {
+  EXPECT_EQ(run("mesh '" + own_model("knob.obj") + "' -o a.om --quiet"), 0) << err_;
+  std::string before = "a.om";
+  int count = 0;
+  for (const char* ending : {"ply", "obj", "off", "om", "stl", "ply", "stl", "off", "ply"}) {
+    std::string name = std::to_string(count++);
+    name.append(".").append(ending);
+    EXPECT_EQ(run("convert " + before + " " + name), 0) << err_;
+    EXPECT_TRUE(says("3209 vertices, 6414 faces")) << out_;
+    before = name;
+  }
+}
+
+TEST_F(ConvertProgram, WarnsOfWhatIsLost) {
+  EXPECT_EQ(run("mesh '" + own_model("cylinder.json") + "' -o a.om --quiet"), 0) << err_;
+  EXPECT_EQ(run("convert a.om a.off"), 0);
+  EXPECT_TRUE(says("warning: a.off does not hold the patches of the faces")) << err_;
+  EXPECT_TRUE(says("a.off does not hold the parameters (u,v) of the corners")) << err_;
+  EXPECT_TRUE(says("a.off does not hold the metric of the corners")) << err_;
+}
+
+TEST_F(ConvertProgram, WarnsOfWhatIsMended) {
+  write_text(folder_ / "a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 1 0 1\nf 1 2 3\nf 1 2 4\n");
+  EXPECT_EQ(run("convert a.obj a.off"), 0);
+  EXPECT_TRUE(says("warning: a.obj: the faces do not make a manifold mesh: 2 sides")) << err_;
+}
+
+TEST_F(ConvertProgram, TellsErrors) {
+  EXPECT_EQ(run("convert a.obj b.off"), 1);
+  EXPECT_TRUE(says("error: cannot read a.obj: it does not exist")) << err_;
+  EXPECT_EQ(run("convert a.obj b.step"), 1);
+  EXPECT_TRUE(says("b.step: the ending of a mesh is")) << err_;
+  EXPECT_EQ(run("convert a.obj no/b.off"), 1);
+  EXPECT_TRUE(says("there is no folder no")) << err_;
+  write_text(folder_ / "a.obj", "v 0 0 0\nf 1 2 3\n");
+  EXPECT_EQ(run("convert a.obj a.obj"), 1);
+  EXPECT_TRUE(says("a.obj is the input, it is not overwritten")) << err_;
+  EXPECT_EQ(run("convert a.obj b.off"), 1);
+  EXPECT_TRUE(says("error: a.obj:2: vertex index 2")) << err_;
+  EXPECT_EQ(folder_.count(), 1);
+  EXPECT_EQ(run("convert a.obj"), 2);
+}
+
+}  // namespace
+}  // namespace surfmesh

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/program.hh"
+
+namespace surfmesh {
+namespace {
+
+/// The lines in the code blocks of a document that call the program.
+std::vector<std::string> command_lines(const std::string& document) {
+  std::istringstream text(read_text(std::filesystem::path(SURFMESH_SOURCE_DIR) / document));
+  std::vector<std::string> lines;
+  bool is_code = false;
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("```")) is_code = !is_code;
+    if (is_code && line.starts_with("surfmesh ")) lines.push_back(line.substr(0, line.find('#')));
+  }
+  return lines;
+}
+
+using Readme = Program;
+
+/// In order and in one folder: a line may use what those before it wrote.
+TEST_F(Readme, HasCommandLinesThatWork) {
+  std::filesystem::create_directory_symlink(std::filesystem::path(SURFMESH_SOURCE_DIR) / "models",
+                                            folder_ / "models");
+  const std::vector<std::string> lines = command_lines("README.md");
+  EXPECT_GE(lines.size(), 8u);
+  for (const std::string& line : lines) {
+    EXPECT_EQ(shell("'" SURFMESH_PROGRAM "'" + line.substr(8)), 0) << line << '\n' << err_;
+  }
+}
+
+}  // namespace
+}  // namespace surfmesh

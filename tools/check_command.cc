@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check_command.hh"
+
+#include <fmt/format.h>
+
+#include "mesh_command.hh"
+#include "surfmesh/core/error.hh"
+#include "surfmesh/io/input_file.hh"
+#include "surfmesh/io/write_mesh.hh"
+#include "surfmesh/pipeline/check_mesh.hh"
+#include "surfmesh/pipeline/set_option.hh"
+
+namespace surfmesh {
+namespace {
+
+constexpr const char* kFooter =
+    "Faults (exit status 3) by their kinds in the JSON text:\n"
+    "  non_manifold_edge, non_manifold_vertex, turned_neighbour (faces that pass their edge in "
+    "the\n"
+    "  same direction), degenerate_face, duplicate_face, duplicate_vertex, unused_vertex;\n"
+    "  with --model: turned_face (against the normal of the surface), corner_off_surface "
+    "(vertices\n"
+    "  that are not where their (u,v) are)\n"
+    "Keys of the JSON text: mesh, model, clean, faults, warnings, counts, closed, manifold,\n"
+    "  oriented, angles (degrees), edge_lengths, shape, fit (null without --model)\n"
+    "Example:\n  surfmesh check knob.om --model knob.obj --json\n";
+
+ModelInput read_model_with(const std::string& path, Scheme scheme, const Settings& settings) {
+  ModelInput input = load_model(path, {.scheme = scheme});
+  for (const auto& [name, value] : settings) set_option(input.options, name, value);
+  return input;
+}
+
+}  // namespace
+
+void CheckCommand::add_to(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "check", "Tell what a mesh is like, what is wrong with it, and how it fits its model.");
+  command->footer(kFooter);
+  command->add_option("MESH", mesh_, "mesh to check: .obj, .off, .ply, .stl or .om")
+      ->required()
+      ->type_name("");
+  CLI::Option* model =
+      command->add_option("--model", model_, "what it is a mesh of: cage or model file")
+          ->type_name("INPUT");
+  add_scheme(*command, scheme_);
+  add_set(*command, set_, "set an option of the sizes that the mesh is measured in");
+  for (const char* name : {"--scheme", "--set"}) command->get_option(name)->needs(model);
+  command->add_flag("--json", is_json_, "print JSON text");
+}
+
+int CheckCommand::check() const {
+  check_mesh_ending(mesh_);
+  ModelInput input;
+  if (!model_.empty()) input = read_model_with(model_, scheme_, set_);
+  MeshCheck check;
+  MeshFile mesh;
+  if (lower_case_ending(mesh_) == ".om") {
+    mesh = read_mesh(mesh_);
+    check = check_mesh({face_set_of(mesh.mesh), {}, {}, {}});
+  } else {
+    FaceSetFile file = read_face_set(mesh_);
+    check = check_mesh(file);
+    if (!model_.empty()) mesh = mesh_from(std::move(file), mesh_);
+  }
+  check.mesh = mesh_;
+  check.model = model_;
+  if (!model_.empty()) {
+    const auto& warnings = input.model.warnings;
+    check.warnings.insert(check.warnings.end(), warnings.begin(), warnings.end());
+    add_fit(check, measure_fit(mesh, input));
+  }
+  fmt::print("{}", is_json_ ? to_json(check) : to_text(check));
+  for (const std::string& warning : check.warnings) {
+    fmt::print(stderr, "surfmesh: warning: {}\n", warning);
+  }
+  for (const MeshFault& fault : check.faults) {
+    fmt::print(stderr, "surfmesh: fault: {}: {}, the first: {}\n", fault.kind, fault.count,
+               fault.places.front());
+  }
+  return check.faults.empty() ? kDone : kFellShort;
+}
+
+int CheckCommand::run() const {
+  try {
+    return check();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "surfmesh: error: {}\n", error.what());
+    return kFailed;
+  }
+}
+
+}  // namespace surfmesh

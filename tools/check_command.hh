@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "settings.hh"
+
+namespace surfmesh {
+
+/// `surfmesh check`: tell what a mesh is like, what is wrong with it, and how it fits its model.
+class CheckCommand {
+ public:
+  /// Add the subcommand to the program. The object must outlive the parsing.
+  void add_to(CLI::App& app);
+
+  /// Do what the parsed arguments say. Returns an exit status; prints its errors itself.
+  int run() const;
+
+ private:
+  int check() const;
+
+  std::string mesh_;
+  std::string model_;  ///< empty for none
+  Settings set_;
+  Scheme scheme_ = Scheme::Auto;
+  bool is_json_ = false;
+};
+
+}  // namespace surfmesh

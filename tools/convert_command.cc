@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "convert_command.hh"
+
+#include <fmt/format.h>
+
+#include "mesh_command.hh"
+#include "output_paths.hh"
+#include "surfmesh/core/error.hh"
+#include "surfmesh/io/read_mesh.hh"
+#include "surfmesh/io/write_mesh.hh"
+
+namespace surfmesh {
+namespace {
+
+constexpr const char* kFooter =
+    "Groups of .obj, `patch` of .ply and solids of .stl are the patches of the faces. What the\n"
+    "format of OUT cannot hold is told in warnings.\n"
+    "Example:\n  surfmesh convert knob.om knob.ply\n";
+
+}  // namespace
+
+void ConvertCommand::add_to(CLI::App& app) {
+  CLI::App* command =
+      app.add_subcommand("convert", "Write a mesh in another format, chosen by the ending.");
+  command->footer(kFooter);
+  const char* endings = ".obj, .off, .ply, .stl or .om";
+  command->add_option("IN", input_, fmt::format("mesh to read: {}", endings))
+      ->required()
+      ->type_name("");
+  command->add_option("OUT", output_, fmt::format("mesh to write: {}", endings))
+      ->required()
+      ->type_name("");
+  command->add_flag("--quiet", is_quiet_, "print warnings and errors only");
+}
+
+void ConvertCommand::convert() const {
+  check_mesh_ending(output_);
+  check_writable(output_);
+  if (is_same_file(input_, output_)) {
+    throw Error(ErrorCode::Io, fmt::format("{} is the input, it is not overwritten", output_));
+  }
+  const MeshFile file = read_mesh(input_);
+  write_mesh(file.mesh, output_, file.patch_names);
+  if (!is_quiet_) {
+    fmt::print("{}: {} vertices, {} faces\n", output_, file.mesh.n_vertices(), file.mesh.n_faces());
+  }
+  for (const std::string& warning : file.warnings) {
+    fmt::print(stderr, "surfmesh: warning: {}\n", warning);
+  }
+  for (const std::string& lost : what_is_lost(file.mesh, output_, file.patch_names)) {
+    fmt::print(stderr, "surfmesh: warning: {} does not hold {}\n", output_, lost);
+  }
+}
+
+int ConvertCommand::run() const {
+  try {
+    convert();
+    return kDone;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "surfmesh: error: {}\n", error.what());
+    return kFailed;
+  }
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace surfmesh {
+
+/// `surfmesh convert`: read a mesh in one format and write it in another.
+class ConvertCommand {
+ public:
+  /// Add the subcommand to the program. The object must outlive the parsing.
+  void add_to(CLI::App& app);
+
+  /// Do what the parsed arguments say. Returns an exit status; prints its errors itself.
+  int run() const;
+
+ private:
+  void convert() const;
+
+  std::string input_;
+  std::string output_;
+  bool is_quiet_ = false;
+};
+
+}  // namespace surfmesh
