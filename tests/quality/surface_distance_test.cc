@@ -43,7 +43,7 @@ double greatest_step(const PolyMesh& mesh) {
 }
 
 TEST(ProjectMesh, KeepsFacesOnOneSideOfASeam) {
-  const Model model = testing::model_of({testing::torus()});
+  const Model model = testing::model_of({testing::whole_torus()});
   PolyMesh mesh = torus_mesh(*model.patches[0].surface, 24);
   project_mesh(mesh, {}, model, SurfaceSearch(model));
   EXPECT_NEAR(greatest_step(mesh), 2 * kPi / 24, 1e-6);
@@ -62,7 +62,7 @@ TEST(ProjectMesh, GoesByTheNamesOfPatchesAndGroups) {
 }
 
 TEST(MeasureDistance, FallsWithTheSquareOfTheElements) {
-  const Model model = testing::model_of({testing::torus()});
+  const Model model = testing::model_of({testing::whole_torus()});
   const SurfaceSearch search(model);
   double before = 0;
   for (const int n : {16, 32, 64}) {

@@ -13,11 +13,11 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-TEST(ProjectToSurface, FindsTheFootOnASphere) {
+TEST(FindNearPoint, FindsTheFootOnASphere) {
   const auto sphere = testing::sphere();
   for (const double radius : {0.3, 0.99, 1.0, 1.7}) {
     const Vec3 point = radius * Vec3(0.48, 0.6, 0.64);
-    const NearPoint near = project_to_surface(*sphere, point, {1.2, 0.4});
+    const NearPoint near = find_near_point(*sphere, point, {1.2, 0.4});
     EXPECT_NEAR(near.distance, std::abs(radius - 1), 1e-12);
     EXPECT_NEAR(near.uv.u, std::atan2(0.6, 0.48), 1e-6);
     EXPECT_NEAR(near.uv.v, std::asin(0.64), 1e-6);
@@ -25,39 +25,39 @@ TEST(ProjectToSurface, FindsTheFootOnASphere) {
   }
 }
 
-TEST(ProjectToSurface, GoesIntoPoles) {
-  const NearPoint near = project_to_surface(*testing::sphere(), {0, 0, 1.5}, {1, 1.1});
+TEST(FindNearPoint, GoesIntoPoles) {
+  const NearPoint near = find_near_point(*testing::sphere(), {0, 0, 1.5}, {1, 1.1});
   EXPECT_NEAR(near.distance, 0.5, 1e-12);
   EXPECT_NEAR(near.uv.v, kPi / 2, 1e-6);
 }
 
-TEST(ProjectToSurface, SlidesAlongTheBorder) {
+TEST(FindNearPoint, SlidesAlongTheBorder) {
   const auto plane = testing::rectangle(0, 0, 1, 1);
-  const NearPoint side = project_to_surface(*plane, {2, 0.7, 0}, {0.2, 0.1});
+  const NearPoint side = find_near_point(*plane, {2, 0.7, 0}, {0.2, 0.1});
   EXPECT_NEAR(side.distance, 1, 1e-12);
   EXPECT_NEAR(side.uv.v, 0.7, 1e-9);
   EXPECT_TRUE(side.is_on_border);
-  const NearPoint corner = project_to_surface(*plane, {2, -1, 0}, {0.2, 0.5});
+  const NearPoint corner = find_near_point(*plane, {2, -1, 0}, {0.2, 0.5});
   EXPECT_NEAR(corner.distance, std::sqrt(2), 1e-12);
 }
 
-TEST(ProjectToSurface, SlidesAlongTheDiagonalOfATriangle) {
+TEST(FindNearPoint, SlidesAlongTheDiagonalOfATriangle) {
   const test::PlanePatch plane(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(),
                                Domain{0, 1, 0, 1, Domain::Shape::Triangle});
-  const NearPoint near = project_to_surface(plane, {1, 1, 0}, {0.8, 0.1});
+  const NearPoint near = find_near_point(plane, {1, 1, 0}, {0.8, 0.1});
   EXPECT_NEAR(near.distance, std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(near.uv.u, 0.5, 1e-9);
 }
 
-TEST(ProjectToSurface, StaysOnItsSideOfASeam) {
-  const auto torus = testing::torus();
+TEST(FindNearPoint, StaysOnItsSideOfASeam) {
+  const auto torus = testing::whole_torus();
   const Vec3 point = torus->evaluate({0, 1}, Order::Position).point;
-  EXPECT_NEAR(project_to_surface(*torus, point, {0.1, 1}).uv.u, 0, 1e-9);
-  EXPECT_NEAR(project_to_surface(*torus, point, {2 * kPi - 0.1, 1}).uv.u, 2 * kPi, 1e-9);
+  EXPECT_NEAR(find_near_point(*torus, point, {0.1, 1}).uv.u, 0, 1e-9);
+  EXPECT_NEAR(find_near_point(*torus, point, {2 * kPi - 0.1, 1}).uv.u, 2 * kPi, 1e-9);
 }
 
 TEST(SurfaceSearch, FindsPointsOfATorusFromAside) {
-  const Model model = testing::model_of({testing::torus()});
+  const Model model = testing::model_of({testing::whole_torus()});
   const SurfaceSearch search(model);
   for (int i = 0; i < 200; ++i) {
     const double u = std::fmod(0.7548776662 * i, 1) * 2 * kPi,

@@ -64,7 +64,7 @@ Vec3 middle_of(const PolyMesh& mesh, const std::vector<HalfedgeHandle>& corners)
 Uv project_corner(const Model& model, const SurfaceSearch& search, const Vec3& point,
                   const NearPoint& middle) {
   const Surface& surface = *model.patches[static_cast<std::size_t>(middle.patch)].surface;
-  const NearPoint near = project_to_surface(surface, point, middle.uv);
+  const NearPoint near = find_near_point(surface, point, middle.uv);
   if (near.distance <= kOnSurface * model.diagonal) return near.uv;
   const NearPoint other = search.nearest(point, {middle.patch});
   return other.distance < 0.5 * near.distance ? other.uv : near.uv;
@@ -152,7 +152,7 @@ class DistanceMeter {
     for (const auto& w : weights) {
       const Vec3 point = w[0] * t[0].point + w[1] * t[1].point + w[2] * t[2].point;
       const Uv guess = w[0] * t[0].uv + w[1] * t[1].uv + w[2] * t[2].uv;
-      NearPoint near = project_to_surface(surface, point, guess);
+      NearPoint near = find_near_point(surface, point, guess);
       if (near.is_on_border && near.distance > kOnSurface * model_.diagonal) {
         near.distance = std::min(near.distance, search_.nearest(point).distance);
       }

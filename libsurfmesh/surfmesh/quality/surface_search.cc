@@ -131,7 +131,7 @@ class Descent {
 
 }  // namespace
 
-NearPoint project_to_surface(const Surface& surface, const Vec3& point, Uv guess) {
+NearPoint find_near_point(const Surface& surface, const Vec3& point, Uv guess) {
   return Descent(surface, point).run(guess);
 }
 
@@ -218,7 +218,7 @@ NearPoint SurfaceSearch::nearest(const Vec3& point, const std::vector<int>& patc
     const bool is_new = std::find(tried.begin(), end, sample.patch) == end;
     tried[i] = sample.patch;
     if (!is_new && i > 1) continue;
-    NearPoint found = project_to_surface(
+    NearPoint found = find_near_point(
         *model_.patches[static_cast<std::size_t>(sample.patch)].surface, point, sample.uv);
     found.patch = sample.patch;
     if (found.distance < best.distance) best = found;

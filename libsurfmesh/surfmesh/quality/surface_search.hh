@@ -25,7 +25,7 @@ struct NearPoint {
 /// Error    at distance d of a surface of curvature k each step leaves d k of the way to the
 ///          minimum, until it is below 1e-12 of the domain; 40 steps at most
 /// Cost     2 to 5 evaluations of first order for a guess nearby
-NearPoint project_to_surface(const Surface& surface, const Vec3& point, Uv guess);
+NearPoint find_near_point(const Surface& surface, const Vec3& point, Uv guess);
 
 /// Finds the nearest points on all patches of a model: samples of the patches lead to a guess.
 class SurfaceSearch {
