@@ -18,7 +18,8 @@ struct PatchSources {
 /// Make the control space of one patch from all sources of sizes.
 ///
 /// Nodes are chosen so that the control space represents the area sources; where it does not hold
-/// their ∫√det M to 2 % on an independent sample, it is made again with a finer precision. Nodes of
+/// their ∫√det M to 1.5 % on an independent sample, it is made again with a finer precision, six
+/// times at most; what is reached then is taken. Nodes of
 /// `at` take the minimum with the area sources; without any of these the only other nodes are the
 /// corners, with the size of the nearest `at`. Gradation comes last.
 ///
