@@ -20,7 +20,11 @@ Report example() {
   report.mesh = {3, 1, 0, 1, false, 1};
   report.edges.histogram = {{0, 0.25, 7}};
   report.quality.below_0_3 = 0.5;
-  report.control = {10, 20, {1, 2, 3, 4, 5}};
+  report.control.nodes = 10;
+  report.control.triangles = 20;
+  report.control.classes = {3, 10, 7};
+  report.control.queries.boundary.triangle = 4;
+  report.control.queries.refine = {1, 2, 3, 5, 6, 7};
   report.seconds.wall = 1.5;
   report.triangles_per_second = 1000;
   return report;
@@ -53,10 +57,12 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
                   "assemble", "write", "total", "wall"}));
 }
 
-TEST(ReportJson, CountsAllAnswersAsInterpolatedInTriangles) {
+TEST(ReportJson, CountsQuestionsByStageAndAnswersByKind) {
   const Json control = Json::parse(to_json(example()))["control"];
-  EXPECT_EQ(control["classes"], Json::parse(R"({"s": 0, "t": 20, "o": 0})"));
-  EXPECT_EQ(control["answers"], Json::parse(R"({"s": 0, "t": 15, "o": 0, "reused": 0})"));
+  EXPECT_EQ(control["classes"], Json::parse(R"({"s": 3, "t": 10, "o": 7})"));
+  EXPECT_EQ(control["answers"], Json::parse(R"({"s": 1, "t": 6, "o": 3, "grid": 5, "extended": 6, "reused": 7})"));
+  EXPECT_EQ(control["queries"]["boundary"], 4);
+  EXPECT_EQ(control["queries"]["refine"], 24);
   EXPECT_EQ(keys_of(control["queries"]),
             (Keys{"boundary", "triangulate", "refine", "improve", "quad"}));
 }

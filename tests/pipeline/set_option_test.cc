@@ -58,7 +58,7 @@ TEST(SetOption, ReachesTheStages) {
   set_option(options, "smoothing", "5");
   EXPECT_EQ(options.sizing.hmin.value, 0.001);
   EXPECT_TRUE(options.sizing.hmin.is_relative);
-  EXPECT_EQ(options.control.regular, 100);
+  EXPECT_EQ(options.control.nodes.regular, 100);
   EXPECT_EQ(options.refine.placement, Placement::Circumcentre);
   EXPECT_EQ(options.refine.kernel, Kernel::Swap);
   EXPECT_EQ(options.improve.sweeps, 5);
@@ -68,9 +68,7 @@ TEST(SetOption, AcceptsTheOffValuesOfWhatIsNotBuilt) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"sag", "off"},       {"sag", "0"},           {"contour_curvature", "true"},
       {"proximity", "1"},   {"proximity", "0"},     {"features", "false"},
-      {"control", "mesh"},  {"interpolation", "t"}, {"interpolation", "auto"},
-      {"epsilon", "0.1"},   {"blend", "linear"},    {"inner_nodes", "false"},
-      {"reuse", "0"},       {"patches", "faces"},   {"patches", "auto"},
+      {"patches", "faces"}, {"patches", "auto"},
       {"quads", "false"},   {"threads", "8"},       {"threads", "all"},
       {"smoothing", "best"}};
   for (const auto& [name, value] : cases) EXPECT_EQ(fault(name, value), "no error") << name;
@@ -78,13 +76,30 @@ TEST(SetOption, AcceptsTheOffValuesOfWhatIsNotBuilt) {
 
 TEST(SetOption, SaysWhatIsNotBuiltYet) {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"sag", "0.1%"},        {"proximity", "3"},    {"control", "grid"}, {"interpolation", "s"},
-      {"interpolation", "o"}, {"epsilon", "0.2"},    {"blend", "log"},    {"inner_nodes", "true"},
-      {"reuse", "0.5"},       {"patches", "blocks"}, {"quads", "true"}};
+      {"sag", "0.1%"}, {"proximity", "3"}, {"patches", "blocks"}, {"quads", "true"}};
   for (const auto& [name, value] : cases) {
     const std::string front = "invalid option: " + name + " = " + value + " is not built yet; ";
     EXPECT_TRUE(fault(name, value).starts_with(front)) << fault(name, value);
   }
+}
+
+TEST(SetOption, SetsHowControlSpacesAreMadeAndAsked) {
+  PipelineOptions options;
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"control", "grid"}, {"interpolation", "o"}, {"epsilon", "0.2"},     {"blend", "log"},
+      {"reuse", "0.5"},    {"lookup", "vertices"}, {"inner_nodes", "true"}};
+  for (const auto& [name, value] : cases) {
+    set_option(options, name, value);
+    EXPECT_EQ(to_text(get_option(options, name)), value) << name;
+  }
+  const ControlOptions& control = options.control;
+  EXPECT_EQ(control.kind, ControlKind::Grid);
+  EXPECT_EQ(control.space.interpolation, Interpolation::Circles);
+  EXPECT_EQ(control.space.epsilon, 0.2);
+  EXPECT_EQ(control.space.blend, Blend::Logarithmic);
+  EXPECT_EQ(control.space.reuse, 0.5);
+  EXPECT_EQ(control.space.lookup, DiscLookup::Vertices);
+  EXPECT_TRUE(control.inner_nodes);
 }
 
 TEST(SetOption, RefusesValuesOutOfTheirRange) {
@@ -93,7 +108,8 @@ TEST(SetOption, RefusesValuesOutOfTheirRange) {
       {"hmin", "0"},         {"hmin", "-1%"},      {"hmax", "inf"},     {"stretch", "0.9"},
       {"grade", "0.5"},      {"nodes", "3"},       {"nodes", "4.5"},    {"precision", "0"},
       {"placement", "best"}, {"kernel", "Cavity"}, {"smoothing", "-1"}, {"threads", "0"},
-      {"max_elements", "0"}, {"quads", "yes"},     {"control", "none"}, {"nodes", "1e300"}};
+      {"max_elements", "0"}, {"quads", "yes"},     {"control", "none"}, {"nodes", "1e300"},
+      {"epsilon", "0"},      {"reuse", "-0.1"},    {"lookup", "disk"},  {"interpolation", "x"}};
   for (const auto& [name, value] : cases) {
     const std::string front = "invalid option: " + name + " = " + value + " is outside its range: ";
     EXPECT_TRUE(fault(name, value).starts_with(front)) << fault(name, value);

@@ -47,7 +47,9 @@ class ControlMesh : public ControlSpace {
     Interpolation interpolation = Interpolation::Triangle;
   };
 
-  /// A regular grid of triangles to start from.
+  /// A regular grid of triangles to start from. A quadtree was tried: with 80,000 triangles its
+  /// descent alone costs as much as a whole query, and it gains nothing where nodes are a thousand
+  /// times denser in places.
   struct SeedGrid {
     Uv lower;
     double cells_per_u = 0;

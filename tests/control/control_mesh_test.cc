@@ -5,13 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
-#include <random>
 #include <thread>
 
+#include "support/control_nodes.hh"
 #include "support/errors.hh"
 #include "support/expect_valid.hh"
-#include "support/tensors.hh"
 #include "support/waves.hh"
 #include "surfmesh/metric/conformity.hh"
 #include "surfmesh/metric/gradation.hh"
@@ -20,64 +18,18 @@ namespace surfmesh {
 namespace {
 
 using testing::expect_near;
+using testing::grid;
+using testing::kFlat;
+using testing::node;
+using testing::place;
+using testing::query;
+using testing::random_points;
+using testing::with_corners;
 
-constexpr FirstFormFactor kFlat{1, 0, 1};
 constexpr double kGradationTolerance = 1e-3;
 
-ControlNode node(Uv uv, const SizeTensor& size, const FirstFormFactor& form = kFlat) {
-  return {uv, Vec3(uv.u, uv.v, 0), form, size, {}};
-}
-
-/// n × n nodes of the plane.
-std::vector<ControlNode> grid(const Domain& domain, int n,
-                              const std::function<SizeTensor(Uv)>& size) {
-  std::vector<ControlNode> nodes;
-  for (int j = 0; j < n; ++j) {
-    for (int i = 0; i < n; ++i) {
-      const Uv uv = domain.at(double(i) / (n - 1), double(j) / (n - 1));
-      nodes.push_back(node(uv, size(uv)));
-    }
-  }
-  return nodes;
-}
-
-/// The four corners of a domain and what else is given.
-std::vector<ControlNode> with_corners(const Domain& domain, const SizeTensor& size,
-                                      const std::vector<ControlNode>& others) {
-  std::vector<ControlNode> nodes = others;
-  for (int i = 0; i < 4; ++i) nodes.push_back(node(domain.corner(i), size));
-  return nodes;
-}
-
-std::vector<Uv> random_points(const Domain& domain, int count, unsigned seed = 1) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(0, 1);
-  std::vector<Uv> points;
-  for (int i = 0; i < count; ++i) {
-    const double s = uniform(random);
-    points.push_back(domain.at(s, uniform(random)));
-  }
-  return points;
-}
-
-/// Nodes at random places of the unit square with random sizes.
 ControlMesh random_space(int count, double grade = 0) {
-  const auto sizes = testing::random_sizes(count, 10);
-  const auto points = random_points({}, count);
-  std::vector<ControlNode> nodes = with_corners({}, isotropic(0.01), {});
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    nodes.push_back(node(points[i], scaled(sizes[i], 0.01)));
-  }
-  return ControlMesh({}, nodes, {.grade = grade});
-}
-
-SurfacePoint place(Uv uv, const FirstFormFactor& form = kFlat) {
-  return {uv, Vec3(uv.u, uv.v, 0), form};
-}
-
-SizeTensor query(const ControlMesh& control, Uv uv, const FirstFormFactor& form = kFlat) {
-  ControlSpace::Hint hint;
-  return control.size(place(uv, form), hint);
+  return ControlMesh({}, testing::random_nodes(count), {.grade = grade});
 }
 
 SizeTensor size_at(const ControlMesh& control, VertexHandle vh) {
@@ -88,7 +40,7 @@ Uv uv_at(const ControlMesh& control, VertexHandle vh) {
   return control.mesh().property(require(control.mesh(), keys::vertex_uv), vh);
 }
 
-TEST(ControlSpace, HasAValidMesh) {
+TEST(ControlMesh, HasAValidMesh) {
   const ControlMesh control = random_space(1000);
   testing::expect_valid(control.mesh());
   const std::size_t vertices = control.mesh().n_vertices();
@@ -96,7 +48,7 @@ TEST(ControlSpace, HasAValidMesh) {
   EXPECT_EQ(vertices + control.mesh().n_faces(), control.mesh().n_edges() + 1);
 }
 
-TEST(ControlSpace, ReproducesAConstantFieldExactly) {
+TEST(ControlMesh, ReproducesAConstantFieldExactly) {
   const SizeTensor size = size_tensor(0.3, 0.07, 0.4);
   const ControlMesh control({}, grid({}, 7, [&](Uv) { return size; }), {});
   ControlSpace::Hint hint;
@@ -105,14 +57,14 @@ TEST(ControlSpace, ReproducesAConstantFieldExactly) {
   }
 }
 
-TEST(ControlSpace, GivesTheTensorOfANodeAtItsPosition) {
+TEST(ControlMesh, GivesTheTensorOfANodeAtItsPosition) {
   const ControlMesh control = random_space(500);
   for (const VertexHandle vh : control.mesh().vertices()) {
     EXPECT_EQ(query(control, uv_at(control, vh)), size_at(control, vh));
   }
 }
 
-TEST(ControlSpace, StaysWithinTheSizesOfItsNodes) {
+TEST(ControlMesh, StaysWithinTheSizesOfItsNodes) {
   const ControlMesh control = random_space(500);
   double least = 1, largest = 0;
   for (const VertexHandle vh : control.mesh().vertices()) {
@@ -126,7 +78,7 @@ TEST(ControlSpace, StaysWithinTheSizesOfItsNodes) {
   }
 }
 
-TEST(ControlSpace, WeighsByTheInverseSquaresOfDistances) {
+TEST(ControlMesh, WeighsByTheInverseSquaresOfDistances) {
   const Domain domain{};
   const ControlMesh control(
       domain, with_corners(domain, isotropic(1), {node({0.5, 0.5}, isotropic(2))}), {});
@@ -135,7 +87,7 @@ TEST(ControlSpace, WeighsByTheInverseSquaresOfDistances) {
   EXPECT_NEAR(query(control, {0.5, 0.25}).h11, expected, 1e-14);
 }
 
-TEST(ControlSpace, TakesDistancesThroughTheFirstForm) {
+TEST(ControlMesh, TakesDistancesThroughTheFirstForm) {
   const Domain domain{};
   const ControlMesh control(
       domain, with_corners(domain, isotropic(1), {node({0.5, 0.5}, isotropic(2))}), {});
@@ -144,7 +96,7 @@ TEST(ControlSpace, TakesDistancesThroughTheFirstForm) {
   EXPECT_NEAR(query(control, {0.5, 0.25}, {10, 0, 1}).h11, expected, 1e-14);
 }
 
-TEST(ControlSpace, TurnsSizesIntoTheMetric) {
+TEST(ControlMesh, TurnsSizesIntoTheMetric) {
   const ControlMesh control = random_space(100);
   ControlSpace::Hint hint;
   const FirstFormFactor form{2, 0.5, 3};
@@ -152,7 +104,7 @@ TEST(ControlSpace, TurnsSizesIntoTheMetric) {
   EXPECT_EQ(control.metric(place({0.3, 0.6}, form), hint), expected);
 }
 
-TEST(ControlSpace, ConvergesToASmoothField) {
+TEST(ControlMesh, ConvergesToASmoothField) {
   const auto exact = [](Uv uv) { return isotropic(0.01 + 0.005 * std::sin(3 * uv.u + 2 * uv.v)); };
   std::array<double, 2> errors{};
   for (std::size_t k = 0; k < 2; ++k) {
@@ -166,7 +118,7 @@ TEST(ControlSpace, ConvergesToASmoothField) {
 
 // --- near nodes ---
 
-TEST(ControlSpace, MakesOneOfNearNodesWithTheMinimumOfBoth) {
+TEST(ControlMesh, MakesOneOfNearNodesWithTheMinimumOfBoth) {
   const Domain domain{};
   const auto nodes = with_corners(
       domain, isotropic(1), {node({0.5, 0.5}, {0.2, 0, 0.4}), node({0.5, 0.51}, {0.4, 0, 0.2})});
@@ -175,14 +127,14 @@ TEST(ControlSpace, MakesOneOfNearNodesWithTheMinimumOfBoth) {
   expect_near(query(control, uv_at(control, VertexHandle(4))), isotropic(0.2), 1e-9);
 }
 
-TEST(ControlSpace, KeepsNodesThatAreATenthOfTheSizeApart) {
+TEST(ControlMesh, KeepsNodesThatAreATenthOfTheSizeApart) {
   const Domain domain{};
   const auto nodes = with_corners(
       domain, isotropic(1), {node({0.5, 0.5}, isotropic(0.2)), node({0.5, 0.521}, isotropic(0.2))});
   EXPECT_EQ(ControlMesh(domain, nodes, {}).mesh().n_vertices(), 6U);
 }
 
-TEST(ControlSpace, MakesOneOfNodesAtOnePosition) {
+TEST(ControlMesh, MakesOneOfNodesAtOnePosition) {
   const Domain domain{};
   const auto nodes = with_corners(
       domain, isotropic(1), {node({0.5, 0.5}, {0.2, 0, 0.4}), node({0.5, 0.5}, {0.4, 0, 0.2})});
@@ -191,7 +143,7 @@ TEST(ControlSpace, MakesOneOfNodesAtOnePosition) {
   expect_near(query(control, {0.5, 0.5}), isotropic(0.2), 1e-9);
 }
 
-TEST(ControlSpace, TakesTheMinimumOfNodesAtOneCorner) {
+TEST(ControlMesh, TakesTheMinimumOfNodesAtOneCorner) {
   const Domain domain{};
   const auto nodes = with_corners(domain, isotropic(1), {node({1, 1}, isotropic(0.2))});
   const ControlMesh control(domain, nodes, {});
@@ -199,7 +151,7 @@ TEST(ControlSpace, TakesTheMinimumOfNodesAtOneCorner) {
   EXPECT_EQ(query(control, {0, 0}), isotropic(1));
 }
 
-TEST(ControlSpace, KeepsTheCornersOfAPatchMuchSmallerThanItsElements) {
+TEST(ControlMesh, KeepsTheCornersOfAPatchMuchSmallerThanItsElements) {
   const Domain domain{0, 1e-3, 0, 1e-3};
   const auto nodes = grid(domain, 5, [](Uv) { return isotropic(1); });
   const ControlMesh control(domain, nodes, {});
@@ -356,7 +308,7 @@ TEST(Query, AtAPoleTakesANodeOfThePole) {
   EXPECT_EQ(query(control, {0.4, 1}, {0, 1, 0}), isotropic(0.1));
 }
 
-TEST(ControlSpace, RefusesANodeOutsideTheDomainByItsPlace) {
+TEST(ControlMesh, RefusesANodeOutsideTheDomainByItsPlace) {
   const Domain domain{};
   const auto nodes = with_corners(domain, isotropic(1), {node({0.5, 1.25}, isotropic(1))});
   const std::string error = error_of([&] { ControlMesh(domain, nodes, {}); });
@@ -364,7 +316,7 @@ TEST(ControlSpace, RefusesANodeOutsideTheDomainByItsPlace) {
   EXPECT_NE(error.find("(0.5, 1.25)"), std::string::npos) << error;
 }
 
-TEST(ControlSpace, TakesNodesInAnyOrder) {
+TEST(ControlMesh, TakesNodesInAnyOrder) {
   auto nodes = grid({}, 9, [](Uv uv) { return isotropic(0.05 + 0.1 * uv.u * uv.v); });
   const ControlMesh control({}, nodes, {.grade = 1.5});
   std::reverse(nodes.begin(), nodes.end());
