@@ -40,7 +40,7 @@ class ModelBuilder {
     for (int i = 0; i < vertices.size(); ++i) {
       add_vertex(vertices[i], *patch.surface, domain.corner(i));
     }
-    Loop loop;
+    PatchLoop loop;
     for (int i = 0; i < vertices.size(); ++i) {
       const int next = (i + 1) % vertices.size();
       const Side side = {vertices[i], vertices[next], domain.corner(i), domain.corner(next)};

@@ -410,7 +410,7 @@ void Trimmer::finish(int index, std::vector<Steps>& loops) {
           fmt::format("{}: the loop runs the wrong way round; it is turned", loop_label(index, l)));
       std::reverse(loops[l].begin(), loops[l].end());
     }
-    Loop& loop = model_.patches[static_cast<std::size_t>(index)].loops.emplace_back();
+    PatchLoop& loop = model_.patches[static_cast<std::size_t>(index)].loops.emplace_back();
     for (const Step& step : loops[l]) {
       contour(step.entry.contour).uses[static_cast<std::size_t>(step.entry.use)].is_forward =
           step.is_along != is_turned;
