@@ -150,7 +150,8 @@ TEST(LoadModel, WarnsOfUnusedContours) {
              trimmed("", R"({"name": "a", "on": [{"patch": "p", "u": "t", "v": "0"}]})"));
   const std::vector<std::string> warnings = load_model(folder / "a.json").model.warnings;
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0], "/contours/0: contour a: no loop names it, it is left out");
+  EXPECT_EQ(warnings[0], (folder / "a.json").string() +
+                             ": /contours/0: contour a: no loop names it, it is left out");
 }
 
 TEST(LoadModel, NamesTheFileOfACageThatCannotBeSubdivided) {

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
 
 namespace surfmesh {
 namespace {
@@ -18,6 +21,9 @@ constexpr double kOutside = 1e-9;
 /// a curve cross only where the curve does.
 constexpr int kParts = 8;
 constexpr int kMaxDivisions = 4;
+
+/// A curve is nearer to its chord than this share of the chord's length, but at sharp bends.
+constexpr double kBulge = 0.2;
 
 /// A part of a curve and its chord.
 struct Segment {
@@ -72,12 +78,12 @@ std::optional<Segment> true_crossing(const Segment& p, const Segment& q, int div
   return std::nullopt;
 }
 
-/// True if one segment follows the other in the same loop.
-bool are_neighbours(const Segment& p, const Segment& q, std::size_t count) {
+/// True if the segments are at most `reach` segments apart in the same loop of `count`.
+bool are_neighbours(const Segment& p, const Segment& q, std::size_t count, std::size_t reach = 1) {
   if (p.loop != q.loop) return false;
   const std::size_t step =
       p.position > q.position ? p.position - q.position : q.position - p.position;
-  return step <= 1 || step + 1 == count;
+  return step <= reach || step + reach >= count;
 }
 
 std::vector<Segment> all_segments(const std::vector<LoopCurves>& loops) {
@@ -94,6 +100,79 @@ std::vector<Segment> all_segments(const std::vector<LoopCurves>& loops) {
     return std::min(p.a.u, p.b.u) < std::min(q.a.u, q.b.u);
   });
   return result;
+}
+
+/// Lengths in units of the extent of all loops in u and in v.
+class Scale {
+ public:
+  explicit Scale(const std::vector<Segment>& segments) {
+    for (const Segment& s : segments) {
+      low_ = {std::min(low_.u, s.a.u), std::min(low_.v, s.a.v)};
+      high_ = {std::max(high_.u, s.a.u), std::max(high_.v, s.a.v)};
+    }
+  }
+
+  double width() const { return high_.u - low_.u; }
+  Uv unit(Uv step) const { return {step.u / width(), step.v / (high_.v - low_.v)}; }
+  double length(Uv step) const { return std::hypot(unit(step).u, unit(step).v); }
+  double length(const Segment& s) const { return length(s.b - s.a); }
+
+  /// The point of a chord that is nearest to p.
+  Uv foot(Uv p, const Segment& s) const {
+    const Uv chord = unit(s.b - s.a), step = unit(p - s.a);
+    const double square = chord.u * chord.u + chord.v * chord.v;
+    const double share = square > 0 ? (step.u * chord.u + step.v * chord.v) / square : 0;
+    return lerp(s.a, s.b, std::clamp(share, 0.0, 1.0));
+  }
+
+  /// The nearest points of two chords that do not cross.
+  std::pair<Uv, Uv> nearest(const Segment& p, const Segment& q) const {
+    const std::pair<Uv, Uv> candidates[] = {{p.a, foot(p.a, q)},
+                                            {p.b, foot(p.b, q)},
+                                            {foot(q.a, p), q.a},
+                                            {foot(q.b, p), q.b}};
+    return *std::min_element(std::begin(candidates), std::end(candidates),
+                             [this](const auto& x, const auto& y) {
+                               return length(x.second - x.first) < length(y.second - y.first);
+                             });
+  }
+
+  /// Distance of two chords.
+  double distance(const Segment& p, const Segment& q) const {
+    if (is_crossing(p, q)) return 0;
+    const auto [a, b] = nearest(p, q);
+    return length(b - a);
+  }
+
+ private:
+  Uv low_{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Uv high_{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+};
+
+/// The nearest parts of two segments after some divisions, if they are nearer than `share`.
+std::optional<std::pair<Segment, Segment>> near_pair(const Scale& scale, Segment p, Segment q,
+                                                     double share) {
+  for (int divisions = 0;; ++divisions) {
+    const double bulge = kBulge * (scale.length(p) + scale.length(q));
+    const double distance = scale.distance(p, q);
+    if (distance > share + bulge) return std::nullopt;
+    if (divisions == kMaxDivisions) break;
+    double least = std::numeric_limits<double>::infinity();
+    Segment nearest_p, nearest_q;
+    const std::vector<Segment> others = segments_of(*q.curve, q.s0, q.s1, kParts);
+    for (const Segment& part : segments_of(*p.curve, p.s0, p.s1, kParts)) {
+      for (const Segment& other : others) {
+        const double gap = scale.distance(part, other);
+        if (!(gap < least)) continue;
+        least = gap;
+        nearest_p = part;
+        nearest_q = other;
+      }
+    }
+    p = nearest_p;
+    q = nearest_q;
+  }
+  return std::pair(p, q);
 }
 
 }  // namespace
@@ -138,6 +217,37 @@ std::optional<std::string> crossing(const std::vector<LoopCurves>& loops) {
     }
   }
   return std::nullopt;
+}
+
+std::vector<NearParts> near_parts(const std::vector<LoopCurves>& loops, double share) {
+  const std::vector<Segment> segments = all_segments(loops);
+  const Scale scale(segments);
+  double longest = 0;
+  for (const Segment& s : segments) longest = std::max(longest, scale.length(s));
+  using CurveNumber = std::pair<std::size_t, std::size_t>;  // loop, place in the loop
+  std::map<std::pair<CurveNumber, CurveNumber>, std::pair<double, NearParts>> nearest;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment& p = segments[i];
+    const double reach = (share + 2 * kBulge * longest) * scale.width();
+    const double right = std::max(p.a.u, p.b.u) + reach;
+    for (std::size_t j = i + 1; j < segments.size(); ++j) {
+      const Segment& q = segments[j];
+      if (std::min(q.a.u, q.b.u) > right) break;
+      if (are_neighbours(p, q, kSamples * loops[p.loop].size(), kSamples / 4)) continue;
+      const auto pair = near_pair(scale, p, q, share);
+      if (!pair) continue;
+      const double gap = scale.distance(pair->first, pair->second);
+      const auto [at_p, at_q] = scale.nearest(pair->first, pair->second);
+      const NearParts parts{p.curve->name, q.curve->name, at_p, at_q};
+      const CurveNumber a(p.loop, p.position / kSamples), b(q.loop, q.position / kSamples);
+      const std::pair key(std::min(a, b), std::max(a, b));
+      const auto [entry, is_new] = nearest.try_emplace(key, gap, parts);
+      if (!is_new && gap < entry->second.first) entry->second = {gap, parts};
+    }
+  }
+  std::vector<NearParts> result;
+  for (const auto& [curves, found] : nearest) result.push_back(found.second);
+  return result;
 }
 
 bool is_inside(const LoopCurves& loop, Uv point) {

@@ -76,7 +76,8 @@ void check(const Model& model) {
   if (model.patches.empty()) throw Error(ErrorCode::InvalidInput, "the model has no patches");
   if (!(model.diagonal > 0 && std::isfinite(model.diagonal))) {
     throw Error(ErrorCode::InvalidInput,
-                fmt::format("the model's diagonal is {}: it has no extent", model.diagonal));
+                fmt::format("the model's diagonal is {}: {}", model.diagonal,
+                            model.diagonal > 0 ? "it is too large" : "it has no extent"));
   }
   for (const Contour& contour : model.contours) {
     if (!is_index(contour.start, model.vertices.size()) ||
