@@ -37,7 +37,8 @@ constexpr NamedOption kNamedOptions[] = {
     {kSizes, "hmax", "H", "upper bound of all sizes"},
     {kSizes, "stretch", "R", "greatest ratio of the two sizes from curvature"},
     {kSizes, "grade", "G", "sizes grow by at most ln G per unit of length; 0 is off"},
-    {kControl, "nodes", "auto|N", "control nodes: chosen to the precision, or N regular ones a patch"},
+    {kControl, "nodes", "auto|N",
+     "control nodes: chosen to the precision, or N regular ones a patch"},
     {kControl, "precision", "P", "conformity of the control space with the sizes asked for"},
     {kMeshing, "placement", "frontal|circumcentre", "where new nodes go"},
     {kMeshing, "threads", "N", "any number is accepted; for now the work is done by one"},
@@ -66,7 +67,8 @@ std::string examples() {
     names += name;
   }
   return fmt::format(
-      "Examples:\n  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report knob.json\n"
+      "Examples:\n  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report "
+      "knob.json\n"
       "  surfmesh mesh wave.json -o wave.obj --nodes 40000 --set smoothing=4 --quiet\n"
       "Names for --set:\n  {}\n",
       names);
@@ -174,7 +176,8 @@ void MeshCommand::add_files(CLI::App& command) {
   command.add_option("INPUT", input_, "control cage (.obj, .off) or model file (.json)")
       ->required()
       ->type_name("");
-  command.add_option("-o,--output", output_, "mesh to write: .obj, .off, .ply, .stl or .om (lossless)")
+  command
+      .add_option("-o,--output", output_, "mesh to write: .obj, .off, .ply, .stl or .om (lossless)")
       ->required()
       ->type_name("FILE");
   command.add_option("--report", report_, "write the report as JSON")->type_name("FILE.json");

@@ -59,7 +59,8 @@ std::string usage_fault(const CLI::App& app, const CLI::ParseError& error) {
 
 std::string help_line(const CLI::App& app) {
   const CLI::App& command = innermost(app);
-  return &command == &app ? "surfmesh --help" : fmt::format("surfmesh {} --help", command.get_name());
+  return &command == &app ? "surfmesh --help"
+                          : fmt::format("surfmesh {} --help", command.get_name());
 }
 
 }  // namespace surfmesh

@@ -60,7 +60,8 @@ TEST(LoopNearParts, AreFoundAlongTheWholeLoop) {
 
 TEST(LoopNearParts, AreFoundInOneLoop) {
   const auto dumbbell = [](double waist) {
-    return LoopCurves{{"dumbbell", std::make_shared<CallableCurve>([=](double t) {
+    return LoopCurves{{"dumbbell",
+                       std::make_shared<CallableCurve>([=](double t) {
                          const double c = std::cos(2 * pi * t + 0.1);
                          return Uv{c, (waist + c * c) * std::sin(2 * pi * t + 0.1)};
                        }),
@@ -80,7 +81,8 @@ TEST(LoopNearParts, AreNotFoundAtCornersAndCusps) {
 
 TEST(LoopNearParts, DoNotDependOnTheScaleOfTheParameters) {
   const auto stretched = [](double u) {
-    return LoopCurves{{"circle", std::make_shared<CallableCurve>([=](double t) {
+    return LoopCurves{{"circle",
+                       std::make_shared<CallableCurve>([=](double t) {
                          return Uv{1e6 * (u + std::cos(2 * pi * t)), 1e-3 * std::sin(2 * pi * t)};
                        }),
                        true,

@@ -19,12 +19,11 @@ int main() try {
     const double angle = -2 * std::numbers::pi * t;  // clockwise: the plate is on the left
     return surfmesh::Uv{1 + 0.5 * std::cos(angle), 1 + 0.5 * std::sin(angle)};
   });
-  const surfmesh::Model model =
-      surfmesh::model_from_patches({{.name = "plate",
-                                     .surface = surfmesh::make_callable_surface({0, 4, 0, 3}, bent),
-                                     .loops = {{"plate:v0", "cut", "-plate:u0"}, {"hole"}}}},
-                                   {{.name = "cut", .xyz = nullptr, .on = {{"plate", cut}}},
-                                    {.name = "hole", .xyz = nullptr, .on = {{"plate", circle}}}});
+  const surfmesh::Model model = surfmesh::model_from_patches(
+      {{.name = "plate",
+        .surface = surfmesh::make_callable_surface({0, 4, 0, 3}, bent),
+        .loops = {{"plate:v0", "cut", "-plate:u0"}, {"hole"}}}},
+      {{.name = "cut", .on = {{"plate", cut}}}, {.name = "hole", .on = {{"plate", circle}}}});
 
   surfmesh::PipelineOptions options;
   options.sizing.hmax = {0.15, false};

@@ -45,7 +45,10 @@ std::string contour(const std::string& name, const std::string& u, const std::st
          R"(", "v": ")" + v + "\"}]}";
 }
 
-const std::string kRubbish("\x7f" "ELF\x02\x00\x01\xff\xfe\x80\x00\x13", 12);
+const std::string kRubbish(
+    "\x7f"
+    "ELF\x02\x00\x01\xff\xfe\x80\x00\x13",
+    12);
 
 class BadInputs : public Program, public ::testing::WithParamInterface<BadInput> {};
 
@@ -78,14 +81,11 @@ INSTANTIATE_TEST_SUITE_P(
                  "a.off:3: a coordinate is 'inf', which is not finite"},
         BadInput{"TwoDifferentVertices", "a.obj", kPoints + "f 1 2 2\n",
                  "a.obj:5: a face has fewer than three different vertices"},
-        BadInput{"CutShort", "a.off", kOff,
-                 "a.off:7: the file ends after 0 of 1 faces"},
+        BadInput{"CutShort", "a.off", kOff, "a.off:7: the file ends after 0 of 1 faces"},
         BadInput{"CutShortInAVertex", "a.obj", "v 0 0 0\nv 1 0",
                  "a.obj:2: a vertex needs three coordinates"},
-        BadInput{"RubbishObj", "a.obj", kRubbish,
-                 "a.obj:1: a NUL byte, this is not a text file"},
-        BadInput{"RubbishOff", "a.off", kRubbish,
-                 "a.off:1: a NUL byte, this is not a text file"},
+        BadInput{"RubbishObj", "a.obj", kRubbish, "a.obj:1: a NUL byte, this is not a text file"},
+        BadInput{"RubbishOff", "a.off", kRubbish, "a.off:1: a NUL byte, this is not a text file"},
         BadInput{"Empty", "a.off", "", "a.off: the file is empty"},
         BadInput{"UnknownEnding", "a.stp", kPoints,
                  "a.stp: the ending of a cage is .obj or .off, that of a model file .json"},
@@ -100,8 +100,9 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_F(BadInputs, LoopCagesWithQuadsAreRefused) {
   write_text(folder_ / "a.obj", kPoints + "f 1 2 3\nf 1 2 3 4\n");
   EXPECT_EQ(run("mesh a.obj -o out.obj --scheme loop"), 1);
-  EXPECT_EQ(err_,
-            "surfmesh: error: a.obj: face 1 has 4 vertices: the Loop scheme knows triangles only\n");
+  EXPECT_EQ(
+      err_,
+      "surfmesh: error: a.obj: face 1 has 4 vertices: the Loop scheme knows triangles only\n");
 }
 
 TEST_F(BadInputs, FoldersThatDoNotExistAreNamed) {
@@ -116,8 +117,9 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         BadInput{"NotJson", "a.json", "solid a\n",
                  "a.json:1:1: syntax error while parsing value - invalid literal; last read: 's'"},
-        BadInput{"Rubbish", "a.json", kRubbish,
-                 "a.json:1:1: syntax error while parsing value - invalid literal; last read: '\x7F'"},
+        BadInput{
+            "Rubbish", "a.json", kRubbish,
+            "a.json:1:1: syntax error while parsing value - invalid literal; last read: '\x7F'"},
         BadInput{"CutShort", "a.json", "{\"patches\": [\n",
                  "a.json:2:1: syntax error while parsing value - unexpected end of input; expected "
                  "'[', '{', or a literal"},
@@ -133,7 +135,8 @@ INSTANTIATE_TEST_SUITE_P(
                  patch("\"z\": \"0\"", "", R"(, "sources": [{"everywhere": true, "size": -1}])"),
                  "a.json: /patches/0/sources/0/size: must be above 0"},
         BadInput{"SizeNan", "a.json", R"({"sizing": {"hmax": NaN}})",
-                 "a.json:1:21: syntax error while parsing value - invalid literal; last read: '\"hmax\": N'"},
+                 "a.json:1:21: syntax error while parsing value - invalid literal; last read: "
+                 "'\"hmax\": N'"},
         BadInput{"HminAboveHmax", "a.json",
                  patch("\"z\": \"0\"", "", "", R"("sizing": {"hmin": 2, "hmax": 1})"),
                  "a.json: /sizing/hmax: hmin must not be above hmax"}),
@@ -224,11 +227,13 @@ INSTANTIATE_TEST_SUITE_P(
                  R"({"patches": [
                      {"name": "p", "surface": {"z": "0"}, "domain": {"u": [0, 1], "v": [0, 1]}},
                      {"name": "q", "surface": {"z": "0"}, "domain": {"u": [1.00001, 2], "v": [0, 1]}}]})",
-                 "a.json: contours p:u1 and q:u0 are not joined: the gap between them is 1e-05, more than "
+                 "a.json: contours p:u1 and q:u0 are not joined: the gap between them is 1e-05, "
+                 "more than "
                  "2.24e-09"},
-        BadInput{"LoopsThatNearlyMeet", "a.json",
-                 square(R"(, ["-a"])", contour("a", "0.49999+0.5*cos(t)", "0.5*sin(t)")),
-                 "a.json: /patches/0: patch p: contours a and p:u1 nearly meet at (u,v) = (0.99999, "},
+        BadInput{
+            "LoopsThatNearlyMeet", "a.json",
+            square(R"(, ["-a"])", contour("a", "0.49999+0.5*cos(t)", "0.5*sin(t)")),
+            "a.json: /patches/0: patch p: contours a and p:u1 nearly meet at (u,v) = (0.99999, "},
         BadInput{"LoopsTheWrongWayRound", "a.json",
                  square(R"(, ["a"])", contour("a", "0.5*cos(t)", "0.5*sin(t)")),
                  "a.json: /patches/0/loops/1: patch p: the loop runs the wrong way round; it is "

@@ -127,10 +127,8 @@ class Scale {
 
   /// The nearest points of two chords that do not cross.
   std::pair<Uv, Uv> nearest(const Segment& p, const Segment& q) const {
-    const std::pair<Uv, Uv> candidates[] = {{p.a, foot(p.a, q)},
-                                            {p.b, foot(p.b, q)},
-                                            {foot(q.a, p), q.a},
-                                            {foot(q.b, p), q.b}};
+    const std::pair<Uv, Uv> candidates[] = {
+        {p.a, foot(p.a, q)}, {p.b, foot(p.b, q)}, {foot(q.a, p), q.a}, {foot(q.b, p), q.b}};
     return *std::min_element(std::begin(candidates), std::end(candidates),
                              [this](const auto& x, const auto& y) {
                                return length(x.second - x.first) < length(y.second - y.first);

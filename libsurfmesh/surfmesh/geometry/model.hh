@@ -50,7 +50,7 @@ struct Patch {
   std::string name;
   std::shared_ptr<const Surface> surface;
   std::vector<PatchLoop> loops;  ///< the outer loop first, then the holes
-  int cage_face = -1;       ///< face of the cage that the patch is (a part of)
+  int cage_face = -1;            ///< face of the cage that the patch is (a part of)
 };
 
 /// A named set of patches (OBJ `g`, `usemtl`).

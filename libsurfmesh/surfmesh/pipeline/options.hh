@@ -12,11 +12,11 @@ namespace surfmesh {
 
 /// The options of all stages.
 struct PipelineOptions {
-  Sizing sizing;
-  ControlNodeOptions control;
-  BoundaryOptions boundary;
-  RefineOptions refine;
-  ImproveOptions improve;
+  Sizing sizing = {};
+  ControlNodeOptions control = {};
+  BoundaryOptions boundary = {};
+  RefineOptions refine = {};
+  ImproveOptions improve = {};
   Observer* observer = nullptr;  ///< told of the progress; not owned, null for none
 };
 
