@@ -9,8 +9,9 @@ namespace surfmesh {
 
 /// An order of insertion in which neighbours in the list are neighbours in the plane.
 ///
-/// Biased randomised insertion order: rounds of doubling size, each along a Hilbert curve. Random
-/// order makes insertion 40 times slower, one Hilbert curve 10 to 15 %. Deterministic.
+/// Biased randomised insertion order: rounds each eight times as large as the one before, along a
+/// Hilbert curve. Random order makes insertion 40 times slower, one Hilbert curve 10 to 15 %.
+/// Deterministic.
 ///
 /// Returns  indices into `points`
 /// Cost     O(n log n), about 100 ns a point
