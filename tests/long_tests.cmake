@@ -37,7 +37,8 @@ foreach(stage IN LISTS sanitized)
       ENVIRONMENT TEST_TMPDIR=${PROJECT_BINARY_DIR}/sanitize)
   endif()
 endforeach()
+list(JOIN sanitized_targets "," sanitized_targets)  # a list would become several arguments
 surfmesh_add_building_test(Sanitize.Build "sanitize;long"
-  ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} "-DTARGETS=${sanitized_targets}"
+  ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D TARGETS=${sanitized_targets}
   -P ${CMAKE_CURRENT_SOURCE_DIR}/sanitize.cmake)
 set_tests_properties(Sanitize.Build PROPERTIES FIXTURES_SETUP sanitize)
