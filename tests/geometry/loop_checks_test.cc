@@ -79,6 +79,13 @@ TEST(LoopNearParts, AreNotFoundAtCornersAndCusps) {
   EXPECT_TRUE(near_parts({{{"star", star, true, {}}}}, 1e-4).empty());
 }
 
+TEST(LoopNearParts, AreNotFoundWhereThereIsNoExtent) {
+  const auto spike = std::make_shared<CallableCurve>([](double t) {
+    return Uv{std::cos(2 * pi * t), 0};
+  });
+  EXPECT_TRUE(near_parts({{{"spike", spike, true, {}}}}, 1e-4).empty());
+}
+
 TEST(LoopNearParts, DoNotDependOnTheScaleOfTheParameters) {
   const auto stretched = [](double u) {
     return LoopCurves{{"circle",

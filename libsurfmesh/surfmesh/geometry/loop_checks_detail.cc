@@ -117,6 +117,11 @@ class Scale {
   double length(Uv step) const { return std::hypot(unit(step).u, unit(step).v); }
   double length(const Segment& s) const { return length(s.b - s.a); }
 
+  /// True if all of p has a v that is larger than all of q's by more than `reach`.
+  bool is_above(const Segment& p, const Segment& q, double reach) const {
+    return std::min(p.a.v, p.b.v) > std::max(q.a.v, q.b.v) + reach * (high_.v - low_.v);
+  }
+
   /// The point of a chord that is nearest to p.
   Uv foot(Uv p, const Segment& s) const {
     const Uv chord = unit(s.b - s.a), step = unit(p - s.a);
@@ -147,30 +152,36 @@ class Scale {
   Uv high_{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 };
 
-/// The nearest parts of two segments after some divisions, if they are nearer than `share`.
-std::optional<std::pair<Segment, Segment>> near_pair(const Scale& scale, Segment p, Segment q,
-                                                     double share) {
-  for (int divisions = 0;; ++divisions) {
-    const double bulge = kBulge * (scale.length(p) + scale.length(q));
-    const double distance = scale.distance(p, q);
-    if (distance > share + bulge) return std::nullopt;
-    if (divisions == kMaxDivisions) break;
-    double least = std::numeric_limits<double>::infinity();
-    Segment nearest_p, nearest_q;
-    const std::vector<Segment> others = segments_of(*q.curve, q.s0, q.s1, kParts);
-    for (const Segment& part : segments_of(*p.curve, p.s0, p.s1, kParts)) {
-      for (const Segment& other : others) {
-        const double gap = scale.distance(part, other);
-        if (!(gap < least)) continue;
-        least = gap;
-        nearest_p = part;
-        nearest_q = other;
-      }
+using SegmentPair = std::pair<Segment, Segment>;
+
+/// Divide two segments; the two parts that are nearest to each other.
+SegmentPair nearest_parts(const Scale& scale, const Segment& p, const Segment& q) {
+  const std::vector<Segment> parts = segments_of(*p.curve, p.s0, p.s1, kParts);
+  const std::vector<Segment> others = segments_of(*q.curve, q.s0, q.s1, kParts);
+  SegmentPair nearest(parts.front(), others.front());
+  double least = std::numeric_limits<double>::infinity();
+  for (const Segment& part : parts) {
+    for (const Segment& other : others) {
+      const double distance = scale.distance(part, other);
+      if (!(distance < least)) continue;
+      least = distance;
+      nearest = {part, other};
     }
-    p = nearest_p;
-    q = nearest_q;
   }
-  return std::pair(p, q);
+  return nearest;
+}
+
+/// The nearest parts of two segments after some divisions, if they are nearer than `share`.
+std::optional<SegmentPair> near_pair(const Scale& scale, const Segment& p, const Segment& q,
+                                     double share) {
+  SegmentPair pair(p, q);
+  for (int divisions = 0;; ++divisions) {
+    const double bulge = kBulge * (scale.length(pair.first) + scale.length(pair.second));
+    // Also where curves are not finite or have no extent.
+    if (!(scale.distance(pair.first, pair.second) <= share + bulge)) return std::nullopt;
+    if (divisions == kMaxDivisions) return pair;
+    pair = nearest_parts(scale, pair.first, pair.second);
+  }
 }
 
 }  // namespace
@@ -226,11 +237,12 @@ std::vector<NearParts> near_parts(const std::vector<LoopCurves>& loops, double s
   std::map<std::pair<CurveNumber, CurveNumber>, std::pair<double, NearParts>> nearest;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& p = segments[i];
-    const double reach = (share + 2 * kBulge * longest) * scale.width();
-    const double right = std::max(p.a.u, p.b.u) + reach;
+    const double reach = share + kBulge * (scale.length(p) + longest);
+    const double right = std::max(p.a.u, p.b.u) + reach * scale.width();
     for (std::size_t j = i + 1; j < segments.size(); ++j) {
       const Segment& q = segments[j];
       if (std::min(q.a.u, q.b.u) > right) break;
+      if (scale.is_above(p, q, reach) || scale.is_above(q, p, reach)) continue;
       if (are_neighbours(p, q, kSamples * loops[p.loop].size(), kSamples / 4)) continue;
       const auto pair = near_pair(scale, p, q, share);
       if (!pair) continue;
