@@ -110,10 +110,10 @@ TEST(LoadModel, NamesThePlaceOfABadCage) {
 TEST(LoadModel, NamesThePlaceOfAnUnknownGroup) {
   const TestFolder folder;
   write_text(folder / "a.json",
-             model(R"("sources": [{"group": "p", "size": 1}, {"group": "q", "size": 1}])"));
+             model(R"("sources": [{"group": "p", "size": 1}, {"group": "pq", "size": 1}])"));
   EXPECT_EQ(fault(folder / "a.json"),
             "invalid input: " + (folder / "a.json").string() +
-                ": /sources/1/group: there is no group or patch q, did you mean p?");
+                ": /sources/1/group: there is no group or patch pq, did you mean p?");
 }
 
 /// A model file of one patch that has loops besides its sides, and contours.

@@ -39,7 +39,7 @@ std::optional<std::string_view> nearest_word(std::string_view word,
   for (const std::string_view candidate : known) {
     const std::size_t distance = edit_distance(word, candidate);
     if (distance > std::max<std::size_t>(1, candidate.size() / 3)) continue;
-    if (distance >= candidate.size()) continue;  // no letter is the same
+    if (distance >= std::max(word.size(), candidate.size())) continue;  // no letter is the same
     if (nearest && distance >= least) continue;
     nearest = candidate;
     least = distance;
