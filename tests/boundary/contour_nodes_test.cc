@@ -241,7 +241,7 @@ TEST(ContourNodes, AreTheSameEveryTime) {
 
 TEST(ContourNodes, TellTheQueriesTheyCost) {
   const Model model = model_of({testing::rectangle(0, 0, 1, 1)});
-  const std::size_t queries = place(model, 0.01).report.queries;
+  const std::size_t queries = place(model, 0.01).report.queries.total();
   EXPECT_GE(queries, 400U);
   EXPECT_LE(queries, 8 * 400U);
 }

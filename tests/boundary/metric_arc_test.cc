@@ -142,8 +142,8 @@ TEST(MetricArc, IsTheSameAtAnyScaleOfTheParameters) {
 
 TEST(MetricArc, AsksForTheMetricAtFourToEightPlacesAUnit) {
   const MetricArc longer(kAlongU, isotropic_field(0.001));
-  EXPECT_LE(static_cast<double>(longer.stations()), 8 * longer.length());
-  EXPECT_LE(MetricArc(kAlongU, isotropic_field(100)).stations(), 17U);
+  EXPECT_LE(static_cast<double>(longer.queries().total()), 8 * longer.length());
+  EXPECT_LE(MetricArc(kAlongU, isotropic_field(100)).queries().total(), 17U);
 }
 
 TEST(MetricArc, EndsOnALineOfInfiniteLength) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surfmesh/control/control_space.hh"
+#include "surfmesh/control/control_mesh.hh"
 
 #include <gtest/gtest.h>
 
@@ -61,31 +61,35 @@ std::vector<Uv> random_points(const Domain& domain, int count, unsigned seed = 1
 }
 
 /// Nodes at random places of the unit square with random sizes.
-ControlSpace random_space(int count, double grade = 0) {
+ControlMesh random_space(int count, double grade = 0) {
   const auto sizes = testing::random_sizes(count, 10);
   const auto points = random_points({}, count);
   std::vector<ControlNode> nodes = with_corners({}, isotropic(0.01), {});
   for (std::size_t i = 0; i < points.size(); ++i) {
     nodes.push_back(node(points[i], scaled(sizes[i], 0.01)));
   }
-  return ControlSpace({}, nodes, grade);
+  return ControlMesh({}, nodes, {.grade = grade});
 }
 
-SizeTensor query(const ControlSpace& control, Uv uv, const FirstFormFactor& form = kFlat) {
+SurfacePoint place(Uv uv, const FirstFormFactor& form = kFlat) {
+  return {uv, Vec3(uv.u, uv.v, 0), form};
+}
+
+SizeTensor query(const ControlMesh& control, Uv uv, const FirstFormFactor& form = kFlat) {
   ControlSpace::Hint hint;
-  return control.size(uv, form, hint);
+  return control.size(place(uv, form), hint);
 }
 
-SizeTensor size_at(const ControlSpace& control, VertexHandle vh) {
+SizeTensor size_at(const ControlMesh& control, VertexHandle vh) {
   return control.mesh().property(require(control.mesh(), keys::vertex_size), vh);
 }
 
-Uv uv_at(const ControlSpace& control, VertexHandle vh) {
+Uv uv_at(const ControlMesh& control, VertexHandle vh) {
   return control.mesh().property(require(control.mesh(), keys::vertex_uv), vh);
 }
 
 TEST(ControlSpace, HasAValidMesh) {
-  const ControlSpace control = random_space(1000);
+  const ControlMesh control = random_space(1000);
   testing::expect_valid(control.mesh());
   const std::size_t vertices = control.mesh().n_vertices();
   EXPECT_GT(vertices, 950U);  // some are near each other
@@ -94,22 +98,22 @@ TEST(ControlSpace, HasAValidMesh) {
 
 TEST(ControlSpace, ReproducesAConstantFieldExactly) {
   const SizeTensor size = size_tensor(0.3, 0.07, 0.4);
-  const ControlSpace control({}, grid({}, 7, [&](Uv) { return size; }), 0);
+  const ControlMesh control({}, grid({}, 7, [&](Uv) { return size; }), {});
   ControlSpace::Hint hint;
   for (const Uv uv : random_points({}, 1000)) {
-    ASSERT_EQ(control.size(uv, {2, 0.5, 3}, hint), size);
+    ASSERT_EQ(control.size(place(uv, {2, 0.5, 3}), hint), size);
   }
 }
 
 TEST(ControlSpace, GivesTheTensorOfANodeAtItsPosition) {
-  const ControlSpace control = random_space(500);
+  const ControlMesh control = random_space(500);
   for (const VertexHandle vh : control.mesh().vertices()) {
     EXPECT_EQ(query(control, uv_at(control, vh)), size_at(control, vh));
   }
 }
 
 TEST(ControlSpace, StaysWithinTheSizesOfItsNodes) {
-  const ControlSpace control = random_space(500);
+  const ControlMesh control = random_space(500);
   double least = 1, largest = 0;
   for (const VertexHandle vh : control.mesh().vertices()) {
     least = std::min(least, principal_sizes(size_at(control, vh)).l_t);
@@ -124,8 +128,8 @@ TEST(ControlSpace, StaysWithinTheSizesOfItsNodes) {
 
 TEST(ControlSpace, WeighsByTheInverseSquaresOfDistances) {
   const Domain domain{};
-  const ControlSpace control(
-      domain, with_corners(domain, isotropic(1), {node({0.5, 0.5}, isotropic(2))}), 0);
+  const ControlMesh control(
+      domain, with_corners(domain, isotropic(1), {node({0.5, 0.5}, isotropic(2))}), {});
   // From (0.5, 0.25): 1/16 to the middle, 5/16 to the corners below, in any triangle that holds it.
   const double expected = (16 * 2 + 2 * 3.2 * 1) / (16 + 2 * 3.2);
   EXPECT_NEAR(query(control, {0.5, 0.25}).h11, expected, 1e-14);
@@ -133,26 +137,26 @@ TEST(ControlSpace, WeighsByTheInverseSquaresOfDistances) {
 
 TEST(ControlSpace, TakesDistancesThroughTheFirstForm) {
   const Domain domain{};
-  const ControlSpace control(
-      domain, with_corners(domain, isotropic(1), {node({0.5, 0.5}, isotropic(2))}), 0);
+  const ControlMesh control(
+      domain, with_corners(domain, isotropic(1), {node({0.5, 0.5}, isotropic(2))}), {});
   // u counts ten times: 1/16 to the middle, 25 + 1/16 to the corners below.
   const double expected = (16 * 2 + 2 / 25.0625) / (16 + 2 / 25.0625);
   EXPECT_NEAR(query(control, {0.5, 0.25}, {10, 0, 1}).h11, expected, 1e-14);
 }
 
 TEST(ControlSpace, TurnsSizesIntoTheMetric) {
-  const ControlSpace control = random_space(100);
+  const ControlMesh control = random_space(100);
   ControlSpace::Hint hint;
   const FirstFormFactor form{2, 0.5, 3};
   const Metric expected = metric_from_size(form, query(control, {0.3, 0.6}, form));
-  EXPECT_EQ(control.metric({0.3, 0.6}, form, hint), expected);
+  EXPECT_EQ(control.metric(place({0.3, 0.6}, form), hint), expected);
 }
 
 TEST(ControlSpace, ConvergesToASmoothField) {
   const auto exact = [](Uv uv) { return isotropic(0.01 + 0.005 * std::sin(3 * uv.u + 2 * uv.v)); };
   std::array<double, 2> errors{};
   for (std::size_t k = 0; k < 2; ++k) {
-    const ControlSpace control({}, grid({}, k == 0 ? 11 : 41, exact), 0);
+    const ControlMesh control({}, grid({}, k == 0 ? 11 : 41, exact), {});
     for (const Uv uv : random_points({}, 2000)) {
       errors[k] = std::max(errors[k], std::abs(query(control, uv).h11 - exact(uv).h11));
     }
@@ -166,7 +170,7 @@ TEST(ControlSpace, MakesOneOfNearNodesWithTheMinimumOfBoth) {
   const Domain domain{};
   const auto nodes = with_corners(
       domain, isotropic(1), {node({0.5, 0.5}, {0.2, 0, 0.4}), node({0.5, 0.51}, {0.4, 0, 0.2})});
-  const ControlSpace control(domain, nodes, 0);
+  const ControlMesh control(domain, nodes, {});
   EXPECT_EQ(control.mesh().n_vertices(), 5U);
   expect_near(query(control, uv_at(control, VertexHandle(4))), isotropic(0.2), 1e-9);
 }
@@ -175,14 +179,14 @@ TEST(ControlSpace, KeepsNodesThatAreATenthOfTheSizeApart) {
   const Domain domain{};
   const auto nodes = with_corners(
       domain, isotropic(1), {node({0.5, 0.5}, isotropic(0.2)), node({0.5, 0.521}, isotropic(0.2))});
-  EXPECT_EQ(ControlSpace(domain, nodes, 0).mesh().n_vertices(), 6U);
+  EXPECT_EQ(ControlMesh(domain, nodes, {}).mesh().n_vertices(), 6U);
 }
 
 TEST(ControlSpace, MakesOneOfNodesAtOnePosition) {
   const Domain domain{};
   const auto nodes = with_corners(
       domain, isotropic(1), {node({0.5, 0.5}, {0.2, 0, 0.4}), node({0.5, 0.5}, {0.4, 0, 0.2})});
-  const ControlSpace control(domain, nodes, 0);
+  const ControlMesh control(domain, nodes, {});
   EXPECT_EQ(control.mesh().n_vertices(), 5U);
   expect_near(query(control, {0.5, 0.5}), isotropic(0.2), 1e-9);
 }
@@ -190,7 +194,7 @@ TEST(ControlSpace, MakesOneOfNodesAtOnePosition) {
 TEST(ControlSpace, TakesTheMinimumOfNodesAtOneCorner) {
   const Domain domain{};
   const auto nodes = with_corners(domain, isotropic(1), {node({1, 1}, isotropic(0.2))});
-  const ControlSpace control(domain, nodes, 0);
+  const ControlMesh control(domain, nodes, {});
   expect_near(query(control, {1, 1}), isotropic(0.2), 1e-9);
   EXPECT_EQ(query(control, {0, 0}), isotropic(1));
 }
@@ -198,7 +202,7 @@ TEST(ControlSpace, TakesTheMinimumOfNodesAtOneCorner) {
 TEST(ControlSpace, KeepsTheCornersOfAPatchMuchSmallerThanItsElements) {
   const Domain domain{0, 1e-3, 0, 1e-3};
   const auto nodes = grid(domain, 5, [](Uv) { return isotropic(1); });
-  const ControlSpace control(domain, nodes, 0);
+  const ControlMesh control(domain, nodes, {});
   EXPECT_EQ(control.mesh().n_vertices(), 4U);
   for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(query(control, domain.corner(i)), isotropic(1));
@@ -208,7 +212,7 @@ TEST(ControlSpace, KeepsTheCornersOfAPatchMuchSmallerThanItsElements) {
 // --- gradation ---
 
 /// Greatest conformity between a size and the one its neighbours allow.
-double worst_gradation(const ControlSpace& control, double grade,
+double worst_gradation(const ControlMesh& control, double grade,
                        const FirstFormFactor& form = kFlat) {
   double worst = 0;
   for (const HalfedgeHandle heh : control.mesh().halfedges()) {
@@ -233,7 +237,7 @@ TEST(Gradation, LeavesNoNeighbourThatViolatesIt) {
 TEST(Gradation, GivesACone) {
   // From one small size the others grow by ln g a unit of length.
   const auto spike = [](Uv uv) { return isotropic(uv == Uv{0.5, 0.5} ? 0.01 : 10); };
-  const ControlSpace control({}, grid({}, 21, spike), 1.5);
+  const ControlMesh control({}, grid({}, 21, spike), {.grade = 1.5});
   for (const VertexHandle vh : control.mesh().vertices()) {
     const Uv step = uv_at(control, vh) - Uv{0.5, 0.5};
     const double size = size_at(control, vh).h11;
@@ -247,7 +251,7 @@ TEST(Gradation, GivesACone) {
 TEST(Gradation, LeavesAFieldThatRespectsItBitByBit) {
   const auto gentle = [](Uv uv) { return isotropic(0.1 + 0.3 * uv.u); };
   const auto nodes = grid({}, 21, gentle);
-  const ControlSpace control({}, nodes, 1.5);
+  const ControlMesh control({}, nodes, {.grade = 1.5});
   for (const VertexHandle vh : control.mesh().vertices()) {
     EXPECT_EQ(size_at(control, vh), gentle(uv_at(control, vh)));
   }
@@ -255,14 +259,14 @@ TEST(Gradation, LeavesAFieldThatRespectsItBitByBit) {
 
 TEST(Gradation, ByOneGivesTheLeastSizeEverywhere) {
   const auto spike = [](Uv uv) { return isotropic(uv == Uv{0.5, 0.5} ? 0.01 : 10); };
-  const ControlSpace control({}, grid({}, 9, spike), 1);
+  const ControlMesh control({}, grid({}, 9, spike), {.grade = 1});
   for (const VertexHandle vh : control.mesh().vertices()) {
     EXPECT_NEAR(size_at(control, vh).h11, 0.01, 0.01 * 10 * kGradationTolerance);
   }
 }
 
 TEST(Gradation, NeverRaisesASize) {
-  const ControlSpace before = random_space(500, 0), after = random_space(500, 1.2);
+  const ControlMesh before = random_space(500, 0), after = random_space(500, 1.2);
   for (const VertexHandle vh : before.mesh().vertices()) {
     for (const Uv d : testing::directions(16)) {
       EXPECT_LE(testing::wanted_length(size_at(after, vh), d),
@@ -274,12 +278,12 @@ TEST(Gradation, NeverRaisesASize) {
 // --- queries ---
 
 TEST(Query, FromFourThreadsEqualsTheSerialOneBitByBit) {
-  const ControlSpace control = random_space(5000);
+  const ControlMesh control = random_space(5000);
   std::array<std::vector<SizeTensor>, 4> parallel, serial;
   const auto ask = [&](std::size_t part, std::vector<SizeTensor>& answers) {
     ControlSpace::Hint hint;
     for (const Uv uv : random_points({}, 5000, static_cast<unsigned>(part))) {
-      answers.push_back(control.size(uv, kFlat, hint));
+      answers.push_back(control.size(place(uv), hint));
     }
   };
   std::vector<std::thread> threads;
@@ -290,28 +294,28 @@ TEST(Query, FromFourThreadsEqualsTheSerialOneBitByBit) {
 }
 
 TEST(Query, DoesNotDependOnTheHint) {
-  const ControlSpace control = random_space(5000);
+  const ControlMesh control = random_space(5000);
   ControlSpace::Hint warm;
   for (const Uv uv : random_points({}, 5000)) {
-    ASSERT_EQ(control.size(uv, kFlat, warm), query(control, uv));
+    ASSERT_EQ(control.size(place(uv), warm), query(control, uv));
   }
 }
 
 TEST(Query, DoesNotDependOnTheOrderOfPoints) {
-  const ControlSpace control = random_space(5000);
+  const ControlMesh control = random_space(5000);
   std::vector<Uv> points = random_points({}, 3000);
   ControlSpace::Hint hint;
   std::vector<SizeTensor> forth, back;
-  for (const Uv uv : points) forth.push_back(control.size(uv, kFlat, hint));
+  for (const Uv uv : points) forth.push_back(control.size(place(uv), hint));
   std::reverse(points.begin(), points.end());
-  for (const Uv uv : points) back.push_back(control.size(uv, kFlat, hint));
+  for (const Uv uv : points) back.push_back(control.size(place(uv), hint));
   std::reverse(back.begin(), back.end());
   EXPECT_EQ(forth, back);
 }
 
 TEST(Query, OfAPointOutsideByRoundingIsThatOfTheBoundary) {
   const Domain domain{0.1, 0.7, -1.0 / 3, 2};
-  const ControlSpace control(domain, grid(domain, 9, [](Uv uv) { return isotropic(1 + uv.u); }), 0);
+  const ControlMesh control(domain, grid(domain, 9, [](Uv uv) { return isotropic(1 + uv.u); }), {});
   for (const double v : {-1.0 / 3, 0.1, 1.9, 2.0}) {
     const double outside = 0.7 * (1 + 1e-15);
     expect_near(query(control, {outside, v}), query(control, {0.7, v}), 1e-9);
@@ -320,7 +324,7 @@ TEST(Query, OfAPointOutsideByRoundingIsThatOfTheBoundary) {
 }
 
 TEST(Query, OfAPointFarOutsideEnds) {
-  const ControlSpace control = random_space(1000);
+  const ControlMesh control = random_space(1000);
   for (const Uv uv : {Uv{-5, 0.5}, Uv{0.5, 1e9}, Uv{1e12, 1e12}, Uv{-1e100, 1}}) {
     const SizeTensor size = query(control, uv);
     EXPECT_GT(size.h11, 0);
@@ -331,13 +335,13 @@ TEST(Query, OfAPointFarOutsideEnds) {
 TEST(Query, IsTheSameAtAnyScaleOfTheParameters) {
   constexpr double u_scale = 1e6, v_scale = 1e-3;
   const auto field = [](Uv uv) { return isotropic(0.1 + 0.05 * std::sin(5 * uv.u + uv.v)); };
-  const ControlSpace plain({}, grid({}, 17, field), 1.2);
+  const ControlMesh plain({}, grid({}, 17, field), {.grade = 1.2});
   std::vector<ControlNode> nodes = grid({}, 17, field);
   for (ControlNode& n : nodes) {
     n.uv = {u_scale * n.uv.u, v_scale * n.uv.v};
     n.form = {1 / u_scale, 0, 1 / v_scale};
   }
-  const ControlSpace stretched({0, u_scale, 0, v_scale}, nodes, 1.2);
+  const ControlMesh stretched({0, u_scale, 0, v_scale}, nodes, {.grade = 1.2});
   ASSERT_EQ(stretched.mesh().n_vertices(), plain.mesh().n_vertices());
   for (const Uv uv : random_points({}, 1000)) {
     // Squares may be cut along either diagonal.
@@ -348,23 +352,23 @@ TEST(Query, IsTheSameAtAnyScaleOfTheParameters) {
 
 TEST(Query, AtAPoleTakesANodeOfThePole) {
   const auto rows = [](Uv uv) { return isotropic(uv.v == 1 ? 0.1 : 0.5); };
-  const ControlSpace control({}, grid({}, 5, rows), 0);
+  const ControlMesh control({}, grid({}, 5, rows), {});
   EXPECT_EQ(query(control, {0.4, 1}, {0, 1, 0}), isotropic(0.1));
 }
 
 TEST(ControlSpace, RefusesANodeOutsideTheDomainByItsPlace) {
   const Domain domain{};
   const auto nodes = with_corners(domain, isotropic(1), {node({0.5, 1.25}, isotropic(1))});
-  const std::string error = error_of([&] { ControlSpace(domain, nodes, 0); });
+  const std::string error = error_of([&] { ControlMesh(domain, nodes, {}); });
   EXPECT_EQ(error.rfind(name(ErrorCode::InvalidInput), 0), 0U) << error;
   EXPECT_NE(error.find("(0.5, 1.25)"), std::string::npos) << error;
 }
 
 TEST(ControlSpace, TakesNodesInAnyOrder) {
   auto nodes = grid({}, 9, [](Uv uv) { return isotropic(0.05 + 0.1 * uv.u * uv.v); });
-  const ControlSpace control({}, nodes, 1.5);
+  const ControlMesh control({}, nodes, {.grade = 1.5});
   std::reverse(nodes.begin(), nodes.end());
-  const ControlSpace reversed({}, nodes, 1.5);
+  const ControlMesh reversed({}, nodes, {.grade = 1.5});
   for (const VertexHandle vh : control.mesh().vertices()) {
     const Uv uv = uv_at(control, vh);
     expect_near(query(reversed, uv), query(control, uv), 0.01);

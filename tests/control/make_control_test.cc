@@ -39,21 +39,22 @@ MetricArea stratified_area(const SizeField& field, const ControlSpace& control, 
       const Uv uv = domain.at(s, (j + uniform(random)) / n);
       const SizeField::Sample sample = field.at(uv);
       area.exact += root_of_determinant(sample.form, sample.size);
-      area.control += root_of_determinant(sample.form, control.size(uv, sample.form, hint));
+      area.control += root_of_determinant(sample.form, control.size({uv, sample.point, sample.form}, hint));
     }
   }
   const double cell = (domain.u1 - domain.u0) * (domain.v1 - domain.v0) / n / n;
   return {cell * area.exact, cell * area.control};
 }
 
-ControlSpace control_of(const Surface& surface, const Sizing& sizing,
-                        const PatchSources& sources = {}, const ControlNodeOptions& options = {}) {
+std::unique_ptr<ControlSpace> control_of(const Surface& surface, const Sizing& sizing,
+                                         const PatchSources& sources = {},
+                                         const ControlOptions& options = {}) {
   return make_control(surface, sizing, sources, 1, options);
 }
 
 SizeTensor query(const ControlSpace& control, Uv uv) {
   ControlSpace::Hint hint;
-  return control.size(uv, {1, 0, 1}, hint);
+  return control.size({uv, Vec3(uv.u, uv.v, 0), {1, 0, 1}}, hint);
 }
 
 // --- the metric area ---
@@ -69,16 +70,16 @@ class MetricAreaOf : public ::testing::TestWithParam<AreaCase> {};
 TEST_P(MetricAreaOf, IsHeldByTheControlSpaceToTwoPercent) {
   const AreaCase& c = GetParam();
   const SizeField field(*c.surface, c.sizing, {}, 1);
-  const MetricArea area = stratified_area(field, control_of(*c.surface, c.sizing), 150);
+  const MetricArea area = stratified_area(field, *control_of(*c.surface, c.sizing), 150);
   EXPECT_NEAR(area.control, area.exact, 0.02 * area.exact);
 }
 
 TEST_P(MetricAreaOf, IsEstimatedToOnePercent) {
   const AreaCase& c = GetParam();
   const SizeField field(*c.surface, c.sizing, {}, 1);
-  const ControlSpace control = control_of(*c.surface, c.sizing);
-  const MetricArea area = stratified_area(field, control, 150);
-  const MetricArea estimate = metric_area(field, control, 20'000);
+  const auto control = control_of(*c.surface, c.sizing);
+  const MetricArea area = stratified_area(field, *control, 150);
+  const MetricArea estimate = metric_area(field, *control, 20'000);
   EXPECT_NEAR(estimate.exact, area.exact, 0.01 * area.exact);
   EXPECT_NEAR(estimate.control, area.control, 0.01 * area.control);
 }
@@ -105,8 +106,8 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, MetricAreaOf, ::testing::ValuesIn(area_cases(
 TEST(MetricArea, OfASphereIsItsAreaOverTheSquareOfTheSize) {
   const test::Sphere sphere(1, {0, 2 * pi, -pi / 2, pi / 2});
   const SizeField field(sphere, sizing_of(0.1, 0.001, 1, 2), {}, 1);
-  const ControlSpace control = control_of(sphere, sizing_of(0.1, 0.001, 1, 2));
-  const MetricArea area = metric_area(field, control, 20'000);
+  const auto control = control_of(sphere, sizing_of(0.1, 0.001, 1, 2));
+  const MetricArea area = metric_area(field, *control, 20'000);
   EXPECT_NEAR(area.exact, 400 * pi, 4 * pi);
   EXPECT_NEAR(area.control, 400 * pi, 4 * pi);
 }
@@ -116,7 +117,7 @@ TEST(MetricArea, OfATriangleIsHalfThatOfItsRectangle) {
                                   {0, 1, 0, 1, Domain::Shape::Triangle});
   const Sizing sizing = sizing_of(0, 0.01, 0.1, 2);
   const MetricArea area =
-      metric_area(SizeField(triangle, sizing, {}, 1), control_of(triangle, sizing), 20'000);
+      metric_area(SizeField(triangle, sizing, {}, 1), *control_of(triangle, sizing), 20'000);
   EXPECT_NEAR(area.exact, 50, 0.5);
 }
 
@@ -129,43 +130,43 @@ test::PlanePatch plane(const Domain& domain = {}) {
 TEST(MakeControl, TakesTheMinimumOfPointAndAreaSources) {
   const auto surface = plane();
   const PatchSources sources{{{0, size_of(0.3)}}, {{0, {0.4, 0.6}, size_of(0.1, 0.9)}}};
-  const ControlSpace control = control_of(surface, sizing_of(0, 0.01, 1, 2), sources);
-  expect_near(query(control, {0.4, 0.6}), {0.1, 0, 0.3}, 1e-9);
-  expect_near(query(control, {0, 0}), isotropic(0.3), 1e-9);
+  const auto control = control_of(surface, sizing_of(0, 0.01, 1, 2), sources);
+  expect_near(query(*control, {0.4, 0.6}), {0.1, 0, 0.3}, 1e-9);
+  expect_near(query(*control, {0, 0}), isotropic(0.3), 1e-9);
 }
 
 TEST(MakeControl, ClampsSizesAtPoints) {
   const auto surface = plane();
   const PatchSources sources{{}, {{0, {0.4, 0.6}, size_of(0.001, 9)}}};
-  const ControlSpace control = control_of(surface, sizing_of(0, 0.01, 1, 2), sources);
-  expect_near(query(control, {0.4, 0.6}), {0.01, 0, 1}, 1e-9);
+  const auto control = control_of(surface, sizing_of(0, 0.01, 1, 2), sources);
+  expect_near(query(*control, {0.4, 0.6}), {0.01, 0, 1}, 1e-9);
 }
 
 TEST(MakeControl, GivesCornersTheNearestSizeWithoutAreaSources) {
   const auto surface = plane();
   const PatchSources sources{{}, {{0, {0.1, 0.1}, size_of(0.1)}, {0, {0.8, 0.9}, size_of(0.4)}}};
-  const ControlSpace control = control_of(surface, sizing_of(0, 0.01, 1, 2), sources);
-  expect_near(query(control, {0, 0}), isotropic(0.1), 1e-12);
-  expect_near(query(control, {1, 1}), isotropic(0.4), 1e-12);
+  const auto control = control_of(surface, sizing_of(0, 0.01, 1, 2), sources);
+  expect_near(query(*control, {0, 0}), isotropic(0.1), 1e-12);
+  expect_near(query(*control, {1, 1}), isotropic(0.4), 1e-12);
 }
 
 TEST(MakeControl, HasOnlyCornersAndPointsWithoutAreaSources) {
   const auto surface = plane();
   const PatchSources sources{{}, {{0, {0.1, 0.1}, size_of(0.1)}, {0, {0.8, 0.9}, size_of(0.4)}}};
   const Sizing sizing = sizing_of(0, 0.01, 1, 2);
-  EXPECT_EQ(control_of(surface, sizing, sources).mesh().n_vertices(), 6U);
+  EXPECT_EQ(control_of(surface, sizing, sources)->mesh().n_vertices(), 6U);
 }
 
 TEST(MakeControl, InterpolatesBetweenPointsWithoutAreaSources) {
   const auto surface = plane();
   const PatchSources sources{{}, {{0, {0, 0.5}, size_of(0.1)}, {0, {1, 0.5}, size_of(0.4)}}};
-  const ControlSpace control = control_of(surface, sizing_of(0, 0.01, 1, 2), sources);
-  EXPECT_NEAR(query(control, {0.5, 0.5}).h11, 0.25, 0.05);
+  const auto control = control_of(surface, sizing_of(0, 0.01, 1, 2), sources);
+  EXPECT_NEAR(query(*control, {0.5, 0.5}).h11, 0.25, 0.05);
 }
 
 TEST(MakeControl, GivesHmaxWithoutAnySource) {
   const auto surface = plane();
-  EXPECT_EQ(query(control_of(surface, sizing_of(0, 0.01, 0.7, 2)), {0.3, 0.2}), isotropic(0.7));
+  EXPECT_EQ(query(*control_of(surface, sizing_of(0, 0.01, 0.7, 2)), {0.3, 0.2}), isotropic(0.7));
 }
 
 TEST(MakeControl, RefusesAPointOutsideTheDomainByItsPlace) {
@@ -202,31 +203,31 @@ TEST(MakeControl, GradesLast) {
   Sizing sizing = sizing_of(0, 0.01, 1, 2);
   sizing.grade = 1.5;
   const PatchSources sources{{{0, size_of(1)}}, {{0, {0.5, 0.5}, size_of(0.05)}}};
-  const ControlSpace control = control_of(surface, sizing, sources);
+  const auto control = control_of(surface, sizing, sources);
   // Along the edges of the control mesh the way to the corner is at most 1 long.
-  EXPECT_LE(query(control, {0, 0}).h11, (0.05 + std::log(1.5)) * 1.01);
+  EXPECT_LE(query(*control, {0, 0}).h11, (0.05 + std::log(1.5)) * 1.01);
 }
 
 TEST(MakeControl, TakesRegularNodes) {
   const auto surface = testing::paper_wave();
-  const ControlSpace control = control_of(*surface, testing::paper_sizing(), {}, {2500, 0.1});
-  EXPECT_EQ(control.mesh().n_vertices(), 2500U);
+  const auto control = control_of(*surface, testing::paper_sizing(), {}, {.nodes = {2500, 0.1}});
+  EXPECT_EQ(control->mesh().n_vertices(), 2500U);
 }
 
 TEST(MakeControl, ChecksItsOptionsAlsoWithoutAreaSources) {
   const auto surface = plane();
   const PatchSources sources{{}, {{0, {0.5, 0.5}, size_of(0.1)}}};
-  EXPECT_THROW(control_of(surface, sizing_of(0, 0.01, 1, 2), sources, {3, 0.1}), Error);
+  EXPECT_THROW(control_of(surface, sizing_of(0, 0.01, 1, 2), sources, {.nodes = {3, 0.1}}), Error);
 }
 
 TEST(MakeControl, IsDeterministic) {
   const auto surface = testing::paper_wave();
-  const ControlSpace a = control_of(*surface, testing::paper_sizing());
-  const ControlSpace b = control_of(*surface, testing::paper_sizing());
-  const auto size = require(a.mesh(), keys::vertex_size);
-  ASSERT_EQ(a.mesh().n_vertices(), b.mesh().n_vertices());
-  for (const VertexHandle vh : a.mesh().vertices()) {
-    ASSERT_EQ(a.mesh().property(size, vh), b.mesh().property(size, vh));
+  const auto a = control_of(*surface, testing::paper_sizing());
+  const auto b = control_of(*surface, testing::paper_sizing());
+  const auto size = require(a->mesh(), keys::vertex_size);
+  ASSERT_EQ(a->mesh().n_vertices(), b->mesh().n_vertices());
+  for (const VertexHandle vh : a->mesh().vertices()) {
+    ASSERT_EQ(a->mesh().property(size, vh), b->mesh().property(size, vh));
   }
 }
 

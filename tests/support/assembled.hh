@@ -49,7 +49,7 @@ inline PatchMesh mesh_patch(const Model& model, int patch, const std::vector<Con
     loops.emplace_back();
     for (const BoundaryNode& node : loop) loops.back().push_back(node.uv);
   }
-  result.delaunay = triangulate_boundary(loops, field);
+  result.delaunay = triangulate_boundary(loops, field).delaunay;
   refine(*result.delaunay, field);
   improve(*result.delaunay, field);
   evaluate_vertices(result);

@@ -64,7 +64,7 @@ inline std::vector<Uv> with_nodes(const std::vector<Uv>& polygon, const MetricFi
 
 /// The unit square with its boundary nodes and no others.
 inline std::unique_ptr<DelaunayMesh> empty_square(const MetricField& field) {
-  return triangulate_boundary({with_nodes(kUnitSquare, field)}, field);
+  return triangulate_boundary({with_nodes(kUnitSquare, field)}, field).delaunay;
 }
 
 /// Sum of the areas in (u,v); 0 if a triangle is not counter-clockwise, by exact orientation.

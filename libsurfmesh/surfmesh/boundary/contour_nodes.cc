@@ -100,9 +100,9 @@ class ContourDivision {
   }
 
   /// Queries of the metric fields so far.
-  std::size_t queries() const {
-    std::size_t count = 0;
-    for (const MetricArc& arc : arcs_) count += arc.stations();
+  QueryCounts queries() const {
+    QueryCounts count;
+    for (const MetricArc& arc : arcs_) count += arc.queries();
     return count;
   }
 

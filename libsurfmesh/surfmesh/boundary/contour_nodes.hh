@@ -24,7 +24,7 @@ struct BoundaryOptions {
 void check(const BoundaryOptions& options);
 
 struct BoundaryReport {
-  std::size_t queries = 0;  ///< of the metric fields
+  QueryCounts queries;  ///< of the metric fields
 };
 
 /// The nodes of all contours, and what they cost.

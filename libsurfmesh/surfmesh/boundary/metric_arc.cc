@@ -63,6 +63,8 @@ class Bisection {
     return {t, uv, metric};
   }
 
+  const QueryCounts& queries() const { return hint_.answers; }
+
   void add(const Station& a, const Station& b, int depth) {
     const Station middle = station((1 - kCut) * a.t + kCut * b.t);
     const double whole = piece_length(a, b);
@@ -109,6 +111,7 @@ MetricArc::MetricArc(const Curve& curve, const MetricField& field) : parameters_
     bisection.add(from, to, kMaxDepth);
     from = to;
   }
+  queries_ = bisection.queries();
 }
 
 double MetricArc::arc(double t) const { return look_up(parameters_, arcs_, t); }

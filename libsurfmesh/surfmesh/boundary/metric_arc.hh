@@ -23,8 +23,8 @@ class MetricArc {
   /// Metric length of the whole curve: the number of segments wanted.
   double length() const { return arcs_.back(); }
 
-  /// Number of points at which the metric was asked for.
-  std::size_t stations() const { return parameters_.size(); }
+  /// Queries of the metric field for this table.
+  const QueryCounts& queries() const { return queries_; }
 
   /// Metric length from t = 0 to t.
   double arc(double t) const;
@@ -35,6 +35,7 @@ class MetricArc {
  private:
   std::vector<double> parameters_;
   std::vector<double> arcs_;
+  QueryCounts queries_;
 };
 
 }  // namespace surfmesh

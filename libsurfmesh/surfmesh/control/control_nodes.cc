@@ -23,10 +23,6 @@ constexpr std::uint32_t kGridSize = 1u << 24;
 /// see too little.
 constexpr std::uint32_t kFirstCells = 4;
 
-/// Cells shorter than this share of the elements wanted there are not halved any more: elements
-/// cannot follow finer detail.
-constexpr double kLeastCellLength = 0.35;
-
 /// Shares of a cell's width at which it is sampled: irrational, and not symmetric.
 constexpr std::array<double, 3> kSampleShares = {0.1273, 0.4817, 0.8359};
 

@@ -24,6 +24,10 @@ struct ControlNode {
   double outer_radius = 0;  ///< r′: over so much more `inner` changes to `size`
 };
 
+/// Cells shorter than this share of the elements wanted there need not be finer: elements cannot
+/// follow finer detail.
+inline constexpr double kLeastCellLength = 0.35;
+
 /// How control nodes are placed.
 struct ControlNodeOptions {
   /// Number of regular nodes in the bounding rectangle, made square (40,000 is 200 × 200); 0

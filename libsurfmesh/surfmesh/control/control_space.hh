@@ -1,89 +1,120 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "surfmesh/control/control_nodes.hh"
+#include "surfmesh/control/node_discs.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/delaunay/locate.hh"
+#include "surfmesh/geometry/first_form.hh"
 
 namespace surfmesh {
 
-/// The sizes of one patch: a triangulation of its control nodes, asked for the metric anywhere.
+/// The nodes from whose sizes those of a point are averaged.
+/// Source   paper, sections 4.1 and 4.2
+enum class Interpolation {
+  Single,     ///< V_s: one vertex of the containing triangle
+  Triangle,   ///< V_t: its three vertices
+  Circles,    ///< V_o: the vertices of all triangles whose circumcircles contain the point
+  Automatic,  ///< V_x: for each triangle the cheapest of these that is as good as V_o to epsilon
+};
+
+/// What is averaged.
+enum class Blend {
+  Linear,       ///< H, as in the paper
+  Logarithmic,  ///< log H: averages of lengths are geometric
+};
+
+/// Where a node of an extended form is looked for.
+enum class DiscLookup {
+  Disc,      ///< in its whole disc
+  Vertices,  ///< only from the triangles at the node, as in the paper
+};
+
+/// How a control space answers.
+struct ControlSpaceOptions {
+  double grade = 0;  ///< sizes grow by at most ln(grade) per unit of length; 0 is off, or >= 1
+  Interpolation interpolation = Interpolation::Triangle;
+  double epsilon = 0.1;  ///< eq. (6): conformity below which a cheaper interpolation is as good
+  Blend blend = Blend::Linear;
+  DiscLookup lookup = DiscLookup::Disc;
+  /// True if the nodes hold sizes of area sources: in a disc the minimum with them is taken, as it
+  /// is with any grade. False: in a disc its own sizes hold alone, as in the paper.
+  bool discs_meet_area_sources = false;
+  /// R of the paper: within this metric distance the last sizes are used again; 0 is off.
+  double reuse = 0;
+};
+
+/// Throws   InvalidOption naming the option, its value and its range
+void check(const ControlSpaceOptions& options);
+
+/// How questions were answered.
+struct QueryCounts {
+  std::size_t single = 0;    ///< by V_s
+  std::size_t triangle = 0;  ///< by V_t
+  std::size_t circles = 0;   ///< by V_o
+  std::size_t grid = 0;      ///< by the cell of a grid
+  std::size_t extended = 0;  ///< by an extended node alone
+  std::size_t reused = 0;    ///< by the last answer
+
+  std::size_t total() const { return single + triangle + circles + grid + extended + reused; }
+  QueryCounts& operator+=(const QueryCounts& other);
+  friend bool operator==(const QueryCounts&, const QueryCounts&) = default;
+};
+
+/// The sizes of one patch, asked for anywhere in it.
 ///
 /// Immutable after construction; queries are const and may come from several threads, each with a
 /// hint of its own.
 class ControlSpace {
  public:
-  /// What a caller keeps from one query of a control space to the next, so that near points are
-  /// found fast.
+  /// What a caller keeps from one query of a control space to the next.
   struct Hint {
-    int triangle = -1;
+    int triangle = -1;  ///< where the last point was found: near points are found fast
     RandomBits random;
+    Uv last_uv;          ///< where the last answer was computed
+    SizeTensor last_size;
+    Metric last_metric;
+    QueryCounts answers;
+    // Scratch of V_o, here so that a query does not allocate: the triangles around a point, their
+    // nodes, and what is averaged.
+    std::vector<int> cavity;
+    std::vector<int> cavity_nodes;
+    std::vector<SizeTensor> sizes;
+    std::vector<double> squared_distances;
   };
 
-  /// Triangulate the nodes in the parameter plane, scaled so that it is not distorted, over the
-  /// bounding rectangle of the domain; nodes nearer to each other than a tenth of the size wanted
-  /// become one with the minimum of both; then sizes are graded.
-  ///
-  /// Writes   surf:uv, surf:size, point() of the control mesh
-  /// Cost     O(n log n), about 3 µs a node
-  /// Pre      the corners of the rectangle are among the nodes
-  /// Throws   InvalidInput for a node outside the rectangle, naming its (u,v)
-  /// Source   paper, section 3.2
-  ControlSpace(const Domain& domain, const std::vector<ControlNode>& nodes, double grade);
+  virtual ~ControlSpace() = default;
 
-  /// Interpolate the sizes at a point with V_t and turn them into the metric there.
+  /// The sizes wanted at a point of the patch.
   ///
-  /// Weights are 1/d² with distances through M_p at the point asked for (paper, eq. (4), (5)). A
-  /// point outside the rectangle gets the sizes of its nearest triangle.
-  ///
-  /// Cost     about 40 ns near the point asked for last, 60 ns elsewhere while the control space
-  ///          fits into the cache (136 B a triangle); 70 and 330 ns with 80,000 triangles
-  Metric metric(Uv uv, const FirstFormFactor& form, Hint& hint) const;
+  /// In the order of the paper, section 4: the last sizes if the point is near the last one, then
+  /// the extended nodes, then interpolation. A point outside the bounding rectangle gets the sizes
+  /// of a point at its rim.
+  SizeTensor size(const SurfacePoint& at, Hint& hint) const;
 
-  /// The sizes alone.
-  SizeTensor size(Uv uv, const FirstFormFactor& form, Hint& hint) const;
+  /// These sizes as the metric at the point.
+  Metric metric(const SurfacePoint& at, Hint& hint) const;
 
-  /// The control mesh with surf:uv, surf:size and positions in space.
-  const TriMesh& mesh() const { return mesh_; }
+  /// The nodes with surf:uv, surf:size and positions in space, and the triangles between them.
+  virtual const TriMesh& mesh() const = 0;
+
+ protected:
+  /// `discs` are the nodes of extended forms.
+  ControlSpace(const ControlSpaceOptions& options, const std::vector<ControlNode>& nodes);
+
+  const ControlSpaceOptions& options() const { return options_; }
+
+  /// The sizes from the nodes around a point, without any extended form.
+  virtual SizeTensor interpolate(const SurfacePoint& at, Hint& hint) const = 0;
 
  private:
-  /// All that a query reads of one triangle, so that it lies in one place of the memory.
-  struct Triangle {
-    std::array<Uv, 3> corners;
-    /// Behind the side from corner i to i + 1; -1 if it is open.
-    std::array<int, 3> neighbours = {-1, -1, -1};
-    std::array<SizeTensor, 3> sizes;
-  };
+  SizeTensor size_anew(const SurfacePoint& at, Hint& hint) const;
 
-  /// A regular grid of triangles to start from.
-  struct SeedGrid {
-    Uv lower;
-    double cells_per_u = 0;
-    double cells_per_v = 0;
-    int side = 0;                ///< number of cells along u, and along v
-    std::vector<int> triangles;  ///< the one at the middle of each cell, rows along u
-
-    std::size_t cell(Uv uv) const;
-    bool are_near(Uv a, Uv b) const;
-  };
-
-  void triangulate(const Domain& domain, const std::vector<ControlNode>& nodes);
-  void grade_sizes(double grade);
-  void collect_triangles();
-  void make_seed_grid(const Domain& domain);
-  int exit_towards(Uv uv, int triangle, int entered_from, RandomBits& random) const;
-  int walk(Uv uv, int start, RandomBits& random) const;
-  const Triangle& find_triangle(Uv uv, Hint& hint) const;
-
-  TriMesh mesh_;
-  decltype(keys::vertex_uv)::Handle uv_;
-  decltype(keys::vertex_size)::Handle size_;
-  std::vector<FirstFormFactor> forms_;
-  std::vector<Triangle> triangles_;
-  SeedGrid seeds_;
+  ControlSpaceOptions options_;
+  NodeDiscs discs_;
 };
 
 }  // namespace surfmesh

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surfmesh/control/control_grid.hh"
+#include "surfmesh/control/control_mesh.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/metric/conformity.hh"
 #include "surfmesh/metric/minimum.hh"
 #include "surfmesh/metric/tensor.hh"
 
@@ -25,9 +28,27 @@ constexpr double kNegligibleArea = 0.05;
 constexpr int kMaxRounds = 6;
 constexpr double kFinerPrecision = 0.6;
 
+/// Nodes along a side of the first grid, and above which no finer one is tried: a million nodes.
+constexpr int kFirstGridSide = 9;
+constexpr int kLastGridSide = 1000;
+
 /// Points of the independent sample: a share of the nodes, within bounds.
 int sample_count(std::size_t nodes) {
   return static_cast<int>(std::clamp<std::size_t>(4 * nodes, 100, 100'000));
+}
+
+/// Call `visit(uv)` for points of a domain that cover it evenly: the additive sequence of the
+/// plastic number, which has no period; for a triangular domain those of its rectangle that lie in
+/// it.
+/// Source   Roberts, The unreasonable effectiveness of quasirandom sequences (2018)
+template <class Visit>
+void for_each_quasi_random(const Domain& domain, int samples, Visit visit) {
+  constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
+  for (int i = 1; i <= samples; ++i) {
+    double whole = 0;
+    const Uv uv = domain.at(std::modf(i * first, &whole), std::modf(i * second, &whole));
+    if (domain.fold(uv) == uv) visit(uv);
+  }
 }
 
 double root_of_determinant(const FirstFormFactor& form, const SizeTensor& size) {
@@ -68,7 +89,7 @@ std::vector<ControlNode> choose_accurate_nodes(const SizeField& field, ControlNo
   std::vector<ControlNode> nodes = choose_control_nodes(field, options);
   if (options.regular > 0 || !field.has_source()) return nodes;
   for (int round = 0; round < kMaxRounds; ++round) {
-    const ControlSpace control(field.surface().domain(), nodes, 0);
+    const ControlMesh control(field.surface().domain(), nodes, {});
     const MetricArea area = metric_area(field, control, sample_count(nodes.size()));
     const double error = std::abs(area.control - area.exact);
     if (error <= std::max(kNegligibleArea, kAreaError * area.exact)) break;
@@ -78,43 +99,88 @@ std::vector<ControlNode> choose_accurate_nodes(const SizeField& field, ControlNo
   return nodes;
 }
 
+/// True if a grid of control nodes holds the field to the precision at quasi-random points, or is
+/// finer there than the elements.
+bool holds(const ControlGrid& grid, const SizeField& field, int side, double precision) {
+  const Domain domain = field.surface().domain();
+  const Uv u_step{(domain.u1 - domain.u0) / (side - 1), 0};
+  const Uv v_step{0, (domain.v1 - domain.v0) / (side - 1)};
+  ControlSpace::Hint hint;
+  bool is_good = true;
+  for_each_quasi_random(domain, 2 * side * side, [&](Uv uv) {
+    if (!is_good) return;
+    const SizeField::Sample sample = field.at(uv);
+    const Metric metric = metric_from_size(sample.form, sample.size);
+    const double cell = std::max(squared_length(metric, u_step), squared_length(metric, v_step));
+    if (cell < kLeastCellLength * kLeastCellLength) return;
+    const SizeTensor size = grid.size({uv, sample.point, sample.form}, hint);
+    is_good = log_conformity(sample.size, size) <= precision;
+  });
+  return is_good;
+}
+
+/// Regular nodes, as many as asked for or as the precision needs.
+std::vector<ControlNode> choose_grid(const SizeField& field, const ControlNodeOptions& options) {
+  if (options.regular > 0) return choose_control_nodes(field, options);
+  for (int side = kFirstGridSide;; side = 2 * side - 1) {
+    std::vector<ControlNode> nodes = choose_control_nodes(field, {.regular = side * side});
+    const ControlGrid grid(field.surface().domain(), nodes, {}, {});
+    if (side > kLastGridSide || holds(grid, field, side, options.precision)) return nodes;
+  }
+}
+
+/// Refine the triangulation of the nodes for shape; the new nodes have the sizes it gives there.
+void add_inner_nodes(const Surface& surface, std::vector<ControlNode>& nodes) {
+  NodeTriangulation triangulation(surface.domain(), nodes);
+  const ControlMesh control(surface.domain(), nodes, {});
+  ControlSpace::Hint hint;
+  for (const Uv uv : triangulation.add_inner_nodes()) {
+    const Jet jet = surface.evaluate(surface.domain().fold(uv), Order::First);
+    const FirstFormFactor form = first_form_factor(jet.du, jet.dv);
+    nodes.push_back({uv, jet.point, form, control.size({uv, jet.point, form}, hint)});
+  }
+}
+
 }  // namespace
 
 MetricArea metric_area(const SizeField& field, const ControlSpace& control, int samples) {
-  // The additive sequence of the plastic number covers the square evenly and has no period.
-  // Source: Roberts, The unreasonable effectiveness of quasirandom sequences (2018).
-  constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
   const Domain domain = field.surface().domain();
   const double cell = (domain.u1 - domain.u0) * (domain.v1 - domain.v0) / samples;
   MetricArea area;
   ControlSpace::Hint hint;
-  for (int i = 1; i <= samples; ++i) {
-    double whole = 0;
-    const Uv uv = domain.at(std::modf(i * first, &whole), std::modf(i * second, &whole));
-    if (!(domain.fold(uv) == uv)) continue;
+  for_each_quasi_random(domain, samples, [&](Uv uv) {
     const SizeField::Sample sample = field.at(uv);
     area.exact += cell * root_of_determinant(sample.form, sample.size);
-    area.control += cell * root_of_determinant(sample.form, control.size(uv, sample.form, hint));
-  }
+    area.control += cell * root_of_determinant(sample.form, control.size({uv, sample.point, sample.form}, hint));
+  });
   return area;
 }
 
-ControlSpace make_control(const Surface& surface, const Sizing& sizing, const PatchSources& sources,
-                          double diagonal, const ControlNodeOptions& options) {
-  if (!(sizing.grade == 0 || (sizing.grade >= 1 && std::isfinite(sizing.grade)))) {
-    throw Error(ErrorCode::InvalidOption,
-                fmt::format("sizing.grade = {} is outside its range: 0 (off), or 1 and above",
-                            sizing.grade));
-  }
-  const SizeField field(surface, sizing, sources.everywhere, diagonal);
+void check(const ControlOptions& options) {
+  check(options.nodes);
+  check(options.space);
+}
+
+std::unique_ptr<ControlSpace> make_control(const Surface& surface, const Sizing& sizing,
+                                           const PatchSources& sources, double diagonal,
+                                           const ControlOptions& options) {
   check(options);
+  const SizeField field(surface, sizing, sources.everywhere, diagonal);
+  ControlSpaceOptions space = options.space;
+  space.grade = sizing.grade;
+  space.discs_meet_area_sources = field.has_source();
   std::vector<ControlNode> points;
   for (const AtSource& source : sources.at) points.push_back(node_of(source, field));
+  if (options.kind == ControlKind::Grid) {
+    return std::make_unique<ControlGrid>(surface.domain(), choose_grid(field, options.nodes),
+                                         points, space);
+  }
   std::vector<ControlNode> nodes = field.has_source() || points.empty()
-                                       ? choose_accurate_nodes(field, options)
+                                       ? choose_accurate_nodes(field, options.nodes)
                                        : corners_like_nearest(field, points);
   nodes.insert(nodes.end(), points.begin(), points.end());
-  return ControlSpace(surface.domain(), nodes, sizing.grade);
+  if (options.inner_nodes) add_inner_nodes(surface, nodes);
+  return std::make_unique<ControlMesh>(surface.domain(), nodes, space);
 }
 
 }  // namespace surfmesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "surfmesh/control/control_nodes.hh"
@@ -15,6 +16,21 @@ struct PatchSources {
   std::vector<AtSource> at;
 };
 
+/// What a control space is made of.
+enum class ControlKind { Mesh, Grid };
+
+/// How control spaces are made and asked.
+struct ControlOptions {
+  ControlKind kind = ControlKind::Mesh;
+  ControlNodeOptions nodes = {};
+  /// Refine the triangulation of the nodes for shape (the I of the paper); nothing for a grid.
+  bool inner_nodes = false;
+  ControlSpaceOptions space = {};  ///< its grade is that of the sizing
+};
+
+/// Throws   InvalidOption naming the option, its value and its range
+void check(const ControlOptions& options);
+
 /// Make the control space of one patch from all sources of sizes.
 ///
 /// Nodes are chosen so that the control space represents the area sources; where it does not hold
@@ -27,9 +43,9 @@ struct PatchSources {
 /// Throws   InvalidOption for sizing out of range; InvalidInput for a source that is, or that lies
 ///          outside the domain, naming its (u,v)
 /// Source   paper, section 3.2
-ControlSpace make_control(const Surface& surface, const Sizing& sizing,
-                          const PatchSources& sources, double diagonal,
-                          const ControlNodeOptions& options);
+std::unique_ptr<ControlSpace> make_control(const Surface& surface, const Sizing& sizing,
+                                           const PatchSources& sources, double diagonal,
+                                           const ControlOptions& options);
 
 /// ∫√det M, the number of unit squares that sizes ask for, of the exact field and of a control
 /// space, on the same quasi-random points.

@@ -30,7 +30,7 @@ class SurfaceMetricField : public MetricField {
 
   Metric at(Uv uv, Hint& hint) const override {
     const Jet jet = surface_.evaluate(uv, Order::First);
-    return control_.metric(uv, first_form_factor(jet.du, jet.dv), hint);
+    return control_.metric({uv, jet.point, first_form_factor(jet.du, jet.dv)}, hint);
   }
 
  private:

@@ -34,6 +34,17 @@ inline constexpr PropertyKey<VertexHandle, Uv> vertex_uv{"surf:uv", "control, re
 inline constexpr PropertyKey<VertexHandle, Metric> vertex_metric{"surf:metric", "refine"};
 /// Size tensor of a control node.
 inline constexpr PropertyKey<VertexHandle, SizeTensor> vertex_size{"surf:size", "control"};
+/// Of a control node of an extended form the sizes M that hold in its disc; unset for other nodes.
+inline constexpr PropertyKey<VertexHandle, SizeTensor> vertex_inner_size{"surf:inner_size",
+                                                                         "control"};
+/// Radius r of the disc of a control node of an extended form, 0 for other nodes.
+inline constexpr PropertyKey<VertexHandle, double> vertex_radius{"surf:radius", "control"};
+/// Width r′ of the ring around that disc in which sizes change, 0 for other nodes.
+inline constexpr PropertyKey<VertexHandle, double> vertex_outer_radius{"surf:outer_radius",
+                                                                       "control"};
+/// How a triangle of a control mesh interpolates: 0 from one vertex (V_s), 1 from its three (V_t),
+/// 2 from all whose circumcircles contain the point (V_o).
+inline constexpr PropertyKey<FaceHandle, int> face_class{"surf:class", "control"};
 /// 1 on edges that are segments of a contour: never swapped, never crossed by a cavity. A char,
 /// for OpenMesh packs bool into bits, which are slower to read in the kernel.
 inline constexpr PropertyKey<EdgeHandle, char> edge_constrained{"surf:constrained", "delaunay"};

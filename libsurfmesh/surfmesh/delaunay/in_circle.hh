@@ -53,6 +53,24 @@ inline bool in_metric_circle(const std::array<Uv, 3>& triangle, Uv p, const Metr
   return sum > kInCircleErrorBound * (la * std::abs(bc) + lb * std::abs(ca) + lc * std::abs(ab));
 }
 
+/// Circle through the corners of a triangle in a constant metric.
+struct MetricCircle {
+  Uv centre;
+  double squared_radius;  ///< in metric units
+};
+
+/// The circumcircle of a triangle; not finite for a degenerate one.
+inline MetricCircle circumcircle(const std::array<Uv, 3>& triangle, const Metric& m) {
+  const Uv b = triangle[1] - triangle[0], c = triangle[2] - triangle[0];
+  const double lb = 0.5 * squared_length(m, b), lc = 0.5 * squared_length(m, c);
+  // The centre x, seen from the first corner, has bᵀMx = ½ bᵀMb and cᵀMx = ½ cᵀMc.
+  const Uv gb{m.m11 * b.u + m.m12 * b.v, m.m12 * b.u + m.m22 * b.v};
+  const Uv gc{m.m11 * c.u + m.m12 * c.v, m.m12 * c.u + m.m22 * c.v};
+  const double det = cross(gb, gc);
+  const Uv x{(lb * gc.v - lc * gb.v) / det, (lc * gb.u - lb * gc.u) / det};
+  return {triangle[0] + x, squared_length(m, x)};
+}
+
 /// Constant metric: Euclidean with diag(1,1), or in a parameter plane scaled by its entries. As in
 /// the paper, section 2.1, item 2, with the metric at the inserted point.
 struct ConstantMetricRule {

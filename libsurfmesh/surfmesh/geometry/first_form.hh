@@ -18,6 +18,13 @@ inline FirstFormFactor first_form_factor(const Vec3& du, const Vec3& dv) {
   return {l11, l21, du.cross(dv).norm() / l11};
 }
 
+/// A point of a patch with what a query of sizes reads of the surface there.
+struct SurfacePoint {
+  Uv uv;
+  Vec3 point;
+  FirstFormFactor form;
+};
+
 /// Sine of the angle between p_u and p_v below which they count as parallel: the cross product has
 /// rounding errors near 1e-16 |p_u| |p_v|, so a normal still has about four digits here.
 inline constexpr double kSmallestSine = 1e-12;

@@ -67,11 +67,14 @@ class Improvement {
 
   void swap() { report_.swapped += swap_edges(delaunay_); }
 
-  const ImproveReport& report() const { return report_; }
+  ImproveReport report() const {
+    ImproveReport report = report_;
+    report.queries = hint_.answers;
+    return report;
+  }
 
  private:
   MetricCorner at(Uv p) {
-    ++report_.queries;
     return {p, field_.at(p, hint_)};
   }
 

@@ -22,7 +22,7 @@ void check(const ImproveOptions& options);
 struct ImproveReport {
   std::size_t moved = 0;    ///< vertex moves accepted
   std::size_t swapped = 0;  ///< edges
-  std::size_t queries = 0;  ///< of the metric field
+  QueryCounts queries;  ///< of the metric field
 
   friend bool operator==(const ImproveReport&, const ImproveReport&) = default;
 };

@@ -11,6 +11,11 @@
 
 namespace surfmesh {
 
+/// Interpolate between two tensors of one frame, linear in H; exact where they are equal.
+inline SizeTensor lerp(const SizeTensor& a, const SizeTensor& b, double t) {
+  return {a.h11 + t * (b.h11 - a.h11), a.h12 + t * (b.h12 - a.h12), a.h22 + t * (b.h22 - a.h22)};
+}
+
 /// Average size tensors of nodes with the inverse of their squared distances as weights.
 ///
 /// Linear in H. At a node it gives that node's tensor exactly, the first one's if several nodes lie
@@ -24,18 +29,19 @@ inline SizeTensor interpolate(std::span<const SizeTensor> sizes,
                               std::span<const double> squared_distances) {
   const auto nearest = std::min_element(squared_distances.begin(), squared_distances.end());
   if (*nearest == 0) return sizes[static_cast<std::size_t>(nearest - squared_distances.begin())];
+  const SizeTensor& first = sizes.front();
   double total = 0;
-  SizeTensor sum{0, 0, 0};
+  SizeTensor sum{0, 0, 0};  // of differences from the first: exact where all tensors are equal
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     // Relative to the nearest: at most 1, however near that node is.
     const double weight = *nearest / squared_distances[i];
     total += weight;
-    sum.h11 += weight * sizes[i].h11;
-    sum.h12 += weight * sizes[i].h12;
-    sum.h22 += weight * sizes[i].h22;
+    sum.h11 += weight * (sizes[i].h11 - first.h11);
+    sum.h12 += weight * (sizes[i].h12 - first.h12);
+    sum.h22 += weight * (sizes[i].h22 - first.h22);
   }
   const double scale = 1 / total;
-  return {scale * sum.h11, scale * sum.h12, scale * sum.h22};
+  return {first.h11 + scale * sum.h11, first.h12 + scale * sum.h12, first.h22 + scale * sum.h22};
 }
 
 /// The same of exactly three nodes, with one division; exact where all tensors are equal.

@@ -51,6 +51,22 @@ SizeTensor clamp_sizes(const SizeTensor& h, double hmin, double hmax) {
   return with_lengths(s, std::clamp(s.larger, hmin, hmax), std::clamp(s.smaller, hmin, hmax));
 }
 
+SizeTensor log_size(const SizeTensor& h) {
+  const Spectrum s = spectrum(h);
+  return with_lengths(s, std::log(s.larger), std::log(s.smaller));
+}
+
+SizeTensor exp_size(const SizeTensor& log_h) {
+  // Not by spectrum(): eigenvalues of a logarithm may have any sign.
+  const double mean = 0.5 * (log_h.h11 + log_h.h22);
+  const double half_difference = 0.5 * (log_h.h11 - log_h.h22);
+  const double radius = std::hypot(half_difference, log_h.h12);
+  const double larger = std::exp(mean + radius), smaller = std::exp(mean - radius);
+  if (radius == 0) return {larger, 0, larger};
+  return with_lengths({larger, smaller, half_difference / radius, log_h.h12 / radius}, larger,
+                      smaller);
+}
+
 SizeTensor limit_stretch(const SizeTensor& h, double stretch) {
   const Spectrum s = spectrum(h);
   const double most = stretch * s.smaller;

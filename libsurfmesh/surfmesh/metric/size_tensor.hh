@@ -37,6 +37,14 @@ PrincipalSizes principal_sizes(const SizeTensor& h);
 /// Pre      0 < hmin <= hmax
 SizeTensor clamp_sizes(const SizeTensor& h, double hmin, double hmax);
 
+/// The matrix logarithm log H, of which averages are geometric in the lengths.
+/// Pre      positive definite
+SizeTensor log_size(const SizeTensor& h);
+
+/// The tensor whose logarithm is given: the inverse of log_size.
+/// Error    1e-15 × aspect (test LogSize.*)
+SizeTensor exp_size(const SizeTensor& log_h);
+
 /// Limit the larger length to `stretch` times the smaller one; unchanged if it is not greater.
 ///
 /// Pre      stretch >= 1

@@ -99,6 +99,7 @@ class Run {
     for (const PatchSizes& sizes : sizes_) {
       report_.control.nodes += sizes.control->mesh().n_vertices();
       report_.control.triangles += sizes.control->mesh().n_faces();
+      count_classes(sizes.control->mesh());
       fields_.push_back(sizes.field.get());
     }
   }
@@ -112,9 +113,19 @@ class Run {
     for (const AtSource& source : sources_.at) {
       if (source.patch == static_cast<int>(p)) patch_sources.at.push_back(source);
     }
-    sizes_[p].control = std::make_unique<ControlSpace>(make_control(
-        surface, options_.sizing, patch_sources, model_.diagonal, options_.control));
+    sizes_[p].control = make_control(surface, options_.sizing, patch_sources, model_.diagonal,
+                                      options_.control);
     sizes_[p].field = std::make_unique<SurfaceMetricField>(surface, *sizes_[p].control);
+  }
+
+  void count_classes(const TriMesh& mesh) {
+    const auto handle = find(mesh, keys::face_class);
+    if (!handle.is_valid()) return;  // a grid has none
+    Report::Classes& classes = report_.control.classes;
+    for (const FaceHandle fh : mesh.faces()) {
+      const int index = mesh.property(handle, fh);
+      ++(index == 0 ? classes.single : index == 1 ? classes.triangle : classes.circles);
+    }
   }
 
   void place_nodes() {
@@ -172,9 +183,10 @@ class Run {
       for (const BoundaryLoop& loop : patch.boundary.loops) {
         std::vector<Uv>& uvs = loops.emplace_back();
         for (const BoundaryNode& node : loop) uvs.push_back(node.uv);
-        report_.control.queries.triangulate += loop.size();
       }
-      patch.delaunay = triangulate_boundary(loops, *patch.field);
+      BoundaryTriangulation triangulation = triangulate_boundary(loops, *patch.field);
+      patch.delaunay = std::move(triangulation.delaunay);
+      report_.control.queries.triangulate += triangulation.queries;
     }
     {
       const StageClock clock(report_.seconds.refine);

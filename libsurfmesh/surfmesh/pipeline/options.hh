@@ -2,7 +2,7 @@
 #pragma once
 
 #include "surfmesh/boundary/contour_nodes.hh"
-#include "surfmesh/control/control_nodes.hh"
+#include "surfmesh/control/make_control.hh"
 #include "surfmesh/control/sizing.hh"
 #include "surfmesh/core/observer.hh"
 #include "surfmesh/improve/improve.hh"
@@ -13,7 +13,7 @@ namespace surfmesh {
 /// The options of all stages.
 struct PipelineOptions {
   Sizing sizing = {};
-  ControlNodeOptions control = {};
+  ControlOptions control = {};
   BoundaryOptions boundary = {};
   RefineOptions refine = {};
   ImproveOptions improve = {};

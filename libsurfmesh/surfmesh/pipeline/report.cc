@@ -47,17 +47,29 @@ Json edges_json(const EdgeStatistics& edges) {
 
 Json control_json(const Report::Control& control) {
   const Report::Queries& q = control.queries;
-  const std::size_t answers = q.boundary + q.triangulate + q.refine + q.improve + q.quad;
+  QueryCounts answers;
+  for (const QueryCounts& stage : {q.boundary, q.triangulate, q.refine, q.improve, q.quad}) {
+    answers += stage;
+  }
   return {{"nodes", control.nodes},
           {"triangles", control.triangles},
-          {"classes", {{"s", 0}, {"t", control.triangles}, {"o", 0}}},
+          {"classes",
+           {{"s", control.classes.single},
+            {"t", control.classes.triangle},
+            {"o", control.classes.circles}}},
           {"queries",
-           {{"boundary", q.boundary},
-            {"triangulate", q.triangulate},
-            {"refine", q.refine},
-            {"improve", q.improve},
-            {"quad", q.quad}}},
-          {"answers", {{"s", 0}, {"t", answers}, {"o", 0}, {"reused", 0}}}};
+           {{"boundary", q.boundary.total()},
+            {"triangulate", q.triangulate.total()},
+            {"refine", q.refine.total()},
+            {"improve", q.improve.total()},
+            {"quad", q.quad.total()}}},
+          {"answers",
+           {{"s", answers.single},
+            {"t", answers.triangle},
+            {"o", answers.circles},
+            {"grid", answers.grid},
+            {"extended", answers.extended},
+            {"reused", answers.reused}}}};
 }
 
 Json seconds_json(const StageSeconds& s) {

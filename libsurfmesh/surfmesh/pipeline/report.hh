@@ -36,18 +36,26 @@ struct Report {
     long euler = 0;
   };
 
-  /// How often each stage asked for the metric.
+  /// How often each stage asked for the metric, and how it was answered.
   struct Queries {
-    std::size_t boundary = 0;
-    std::size_t triangulate = 0;
-    std::size_t refine = 0;
-    std::size_t improve = 0;
-    std::size_t quad = 0;
+    QueryCounts boundary;
+    QueryCounts triangulate;
+    QueryCounts refine;
+    QueryCounts improve;
+    QueryCounts quad;
+  };
+
+  /// Control triangles by their interpolation; a grid has none.
+  struct Classes {
+    std::size_t single = 0;
+    std::size_t triangle = 0;
+    std::size_t circles = 0;
   };
 
   struct Control {
     std::size_t nodes = 0;
     std::size_t triangles = 0;
+    Classes classes;
     Queries queries;
   };
 

@@ -132,15 +132,15 @@ void set_grade(Options& options, const Text& text) {
 
 void set_nodes(Options& options, const Text& text) {
   if (text.is("auto")) {
-    options.control.regular = 0;
+    options.control.nodes.regular = 0;
   } else {
-    options.control.regular = static_cast<int>(text.integer(4, kMostInt, "auto, or 4 and above"));
+    options.control.nodes.regular = static_cast<int>(text.integer(4, kMostInt, "auto, or 4 and above"));
   }
 }
 
 OptionValue get_nodes(const Options& options) {
-  if (options.control.regular == 0) return std::string("auto");
-  return std::int64_t{options.control.regular};
+  if (options.control.nodes.regular == 0) return std::string("auto");
+  return std::int64_t{options.control.nodes.regular};
 }
 
 void set_smoothing(Options& options, const Text& text) {
@@ -183,23 +183,48 @@ constexpr auto kOptions = std::to_array<OptionEntry>({
      [](const Options&) -> OptionValue { return false; }},
     {"nodes", false, set_nodes, get_nodes},
     {"precision", false,
-     [](Options& o, const Text& t) { o.control.precision = t.number(kPositive, is_positive); },
-     [](const Options& o) -> OptionValue { return o.control.precision; }},
-    {"control", false, [](Options&, const Text& t) { t.expect({"mesh"}, {"grid"}); },
-     [](const Options&) -> OptionValue { return std::string("mesh"); }},
-    {"interpolation", false,
-     [](Options&, const Text& t) {
-       t.expect({"auto", "t"}, {"s", "o"});
+     [](Options& o, const Text& t) { o.control.nodes.precision = t.number(kPositive, is_positive); },
+     [](const Options& o) -> OptionValue { return o.control.nodes.precision; }},
+    {"control", false,
+     [](Options& o, const Text& t) {
+       o.control.kind = t.choice({"mesh", "grid"}) == 0 ? ControlKind::Mesh : ControlKind::Grid;
      },
-     [](const Options&) -> OptionValue { return std::string("t"); }},
-    {"epsilon", false, [](Options&, const Text& t) { t.expect_number({0.1}, kPositive); },
-     [](const Options&) -> OptionValue { return 0.1; }},
-    {"blend", false, [](Options&, const Text& t) { t.expect({"linear"}, {"log"}); },
-     [](const Options&) -> OptionValue { return std::string("linear"); }},
-    {"inner_nodes", false, [](Options&, const Text& t) { t.expect({"false"}, {"true"}); },
-     [](const Options&) -> OptionValue { return false; }},
-    {"reuse", false, [](Options&, const Text& t) { t.expect_number({0}, kFromZero); },
-     [](const Options&) -> OptionValue { return std::int64_t{0}; }},
+     [](const Options& o) -> OptionValue {
+       return std::string(o.control.kind == ControlKind::Mesh ? "mesh" : "grid");
+     }},
+    {"interpolation", false,
+     [](Options& o, const Text& t) {
+       o.control.space.interpolation =
+           static_cast<Interpolation>(t.choice({"s", "t", "o", "auto"}));
+     },
+     [](const Options& o) -> OptionValue {
+       constexpr std::array names = {"s", "t", "o", "auto"};
+       return std::string(names[static_cast<std::size_t>(o.control.space.interpolation)]);
+     }},
+    {"epsilon", false,
+     [](Options& o, const Text& t) { o.control.space.epsilon = t.number(kPositive, is_positive); },
+     [](const Options& o) -> OptionValue { return o.control.space.epsilon; }},
+    {"blend", false,
+     [](Options& o, const Text& t) {
+       o.control.space.blend = t.choice({"linear", "log"}) == 0 ? Blend::Linear : Blend::Logarithmic;
+     },
+     [](const Options& o) -> OptionValue {
+       return std::string(o.control.space.blend == Blend::Linear ? "linear" : "log");
+     }},
+    {"lookup", false,
+     [](Options& o, const Text& t) {
+       o.control.space.lookup =
+           t.choice({"disc", "vertices"}) == 0 ? DiscLookup::Disc : DiscLookup::Vertices;
+     },
+     [](const Options& o) -> OptionValue {
+       return std::string(o.control.space.lookup == DiscLookup::Disc ? "disc" : "vertices");
+     }},
+    {"inner_nodes", false,
+     [](Options& o, const Text& t) { o.control.inner_nodes = t.boolean(); },
+     [](const Options& o) -> OptionValue { return o.control.inner_nodes; }},
+    {"reuse", false,
+     [](Options& o, const Text& t) { o.control.space.reuse = t.number_from(0, kFromZero); },
+     [](const Options& o) -> OptionValue { return o.control.space.reuse; }},
     {"placement", false,
      [](Options& o, const Text& t) {
        o.refine.placement = t.choice({"frontal", "circumcentre"}) == 0 ? Placement::Frontal

@@ -163,8 +163,8 @@ void check_loops(const std::vector<std::vector<Uv>>& loops) {
 
 }  // namespace
 
-std::unique_ptr<DelaunayMesh> triangulate_boundary(const std::vector<std::vector<Uv>>& loops,
-                                                   const MetricField& field) {
+BoundaryTriangulation triangulate_boundary(const std::vector<std::vector<Uv>>& loops,
+                                           const MetricField& field) {
   check_loops(loops);
   std::vector<Uv> points;
   std::vector<Metric> metrics;
@@ -192,7 +192,7 @@ std::unique_ptr<DelaunayMesh> triangulate_boundary(const std::vector<std::vector
     delaunay->metric(VertexHandle(static_cast<int>(i))) = metrics[i];
   }
   swap_edges(*delaunay);
-  return delaunay;
+  return {std::move(delaunay), hint.answers};
 }
 
 }  // namespace surfmesh

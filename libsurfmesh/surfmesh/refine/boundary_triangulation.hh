@@ -9,6 +9,12 @@
 
 namespace surfmesh {
 
+/// The triangles between the nodes of a boundary, and what they cost.
+struct BoundaryTriangulation {
+  std::unique_ptr<DelaunayMesh> delaunay;
+  QueryCounts queries;  ///< of the metric field
+};
+
 /// Triangulate the nodes of the loops of one patch, with all their segments as edges, and cut off
 /// what lies outside and in holes.
 ///
@@ -21,7 +27,7 @@ namespace surfmesh {
 /// Throws   Geometry if loops touch or cross themselves or each other, or are not finite, naming
 ///          (u,v); if they leave nothing inside
 /// Source   paper, section 2.1, item 2
-std::unique_ptr<DelaunayMesh> triangulate_boundary(const std::vector<std::vector<Uv>>& loops,
-                                                   const MetricField& field);
+BoundaryTriangulation triangulate_boundary(const std::vector<std::vector<Uv>>& loops,
+                                           const MetricField& field);
 
 }  // namespace surfmesh

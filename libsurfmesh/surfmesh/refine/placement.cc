@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surfmesh/delaunay/in_circle.hh"
+
 namespace surfmesh {
 namespace {
 
@@ -54,8 +56,8 @@ Uv newton_step(const BaseTriangle& t, const MetricCorner& p, double wanted) {
 }  // namespace
 
 Uv circumcentre(const BaseTriangle& t) {
-  const BaseFrame frame = make_frame(t, mean(t.a.metric, t.b.metric, t.apex.metric));
-  return frame.middle + frame.height_of_circumcentre * frame.across;
+  return circumcircle({t.a.uv, t.b.uv, t.apex.uv}, mean(t.a.metric, t.b.metric, t.apex.metric))
+      .centre;
 }
 
 std::optional<Uv> frontal_point(const BaseTriangle& t) {

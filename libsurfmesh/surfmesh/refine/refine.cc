@@ -55,6 +55,7 @@ class Refinement {
         accept(entry.face);
       }
     }
+    report_.queries = hint_.answers;
     return report_;
   }
 
@@ -162,7 +163,6 @@ class Refinement {
     if (!place) return false;
     const Location location = delaunay_.locate(*place, fh);
     if (!is_insertable(location)) return false;
-    ++report_.queries;
     const MetricCorner point{*place, field_.at(*place, hint_)};
     return try_insert(correct_frontal_point(triangle, point), location.face, triangle, false);
   }
@@ -172,7 +172,6 @@ class Refinement {
     const Location location = delaunay_.locate(p, fh);
     if (!is_insertable(location)) return false;
     const Metric metric = field_.at(p, hint_);
-    ++report_.queries;
     if (must_conform && !conforms(triangle, p, metric)) return false;
     delaunay_.find_cavity(p, location, rule_, cavity_);
     if (!is_good_place({p, metric})) return false;

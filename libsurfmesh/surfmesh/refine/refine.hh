@@ -31,7 +31,7 @@ void check(const RefineOptions& options);
 struct RefineReport {
   std::size_t inserted = 0;  ///< inner nodes
   std::size_t refused = 0;   ///< triangles left larger than wanted, for no place was good
-  std::size_t queries = 0;   ///< of the metric field
+  QueryCounts queries;       ///< of the metric field
 
   friend bool operator==(const RefineReport&, const RefineReport&) = default;
 };

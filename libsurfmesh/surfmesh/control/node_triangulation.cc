@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/control/node_triangulation.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "surfmesh/core/error.hh"
+#include "surfmesh/delaunay/spatial_order.hh"
+#include "surfmesh/metric/minimum.hh"
+#include "surfmesh/metric/tensor.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Nodes nearer than this share of the size wanted there become one.
+constexpr double kMergeLength = 0.1;
+
+/// Square of the greatest circumradius over the shortest edge: from √2 on refinement ends.
+constexpr double kBadShape = 2;
+
+/// Bound of refinement where the spacing changes, for then it need not end.
+constexpr std::size_t kMostInnerNodes = 8;
+
+/// Sizes of two nodes at one place.
+void merge(ControlNode& old, const ControlNode& other) {
+  old.size = minimum(old.size, other.size);
+  if (!std::isfinite(other.inner.h11)) return;
+  old.inner = std::isfinite(old.inner.h11) ? minimum(old.inner, other.inner) : other.inner;
+  old.radius = std::max(old.radius, other.radius);
+  old.outer_radius = std::max(old.outer_radius, other.outer_radius);
+}
+
+bool is_corner(const Domain& domain, Uv uv) {
+  return (uv.u == domain.u0 || uv.u == domain.u1) && (uv.v == domain.v0 || uv.v == domain.v1);
+}
+
+bool is_badly_shaped(const std::array<Uv, 3>& triangle, const Metric& m, double squared_radius) {
+  const auto& [a, b, c] = triangle;
+  const double shortest =
+      std::min({squared_length(m, b - a), squared_length(m, c - b), squared_length(m, a - c)});
+  return squared_radius > kBadShape * shortest;
+}
+
+}  // namespace
+
+Metric plane_metric(const std::vector<ControlNode>& nodes) {
+  double along_u = 0, along_v = 0;
+  for (const ControlNode& node : nodes) {
+    along_u += node.form.l11 * node.form.l11;
+    along_v += node.form.l21 * node.form.l21 + node.form.l22 * node.form.l22;
+  }
+  return {along_u, 0, along_v};
+}
+
+NodeTriangulation::NodeTriangulation(const Domain& domain, const std::vector<ControlNode>& nodes)
+    : delaunay_({domain.u0, domain.v0}, {domain.u1, domain.v1}),
+      rule_{delaunay_.uv_handle(), delaunay_.metric_handle()},
+      nodes_(4) {
+  const Metric plane = plane_metric(nodes);
+  for (int i = 0; i < 4; ++i) delaunay_.metric(VertexHandle(i)) = plane;
+  delaunay_.reserve(nodes.size());
+  nodes_.reserve(nodes.size());
+  std::vector<Uv> positions;
+  positions.reserve(nodes.size());
+  for (const ControlNode& node : nodes) positions.push_back(node.uv);
+  // Corners first, so that no other node takes their place.
+  for (const ControlNode& node : nodes) {
+    if (is_corner(domain, node.uv)) insert(node);
+  }
+  for (const int i : spatial_order(positions)) {
+    const ControlNode& node = nodes[static_cast<std::size_t>(i)];
+    if (!is_corner(domain, node.uv)) insert(node);
+  }
+  delaunay_.shrink();
+}
+
+void NodeTriangulation::insert(const ControlNode& node) {
+  const Location location = delaunay_.locate(node.uv, hint_);
+  if (location.kind == Location::Kind::Outside) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("a control node at (u,v) = ({}, {}) lies outside the domain",
+                            node.uv.u, node.uv.v));
+  }
+  hint_ = location.face;
+  const bool is_at_corner =
+      location.kind == Location::Kind::OnVertex && location.vertex.idx() < 4;
+  if (!is_at_corner && merge_with_neighbour(node, location.face)) return;
+  const Metric spacing = std::isfinite(node.spacing.m11) ? node.spacing : around(location.face);
+  const VertexHandle vh = delaunay_.insert(node.uv, location.face, rule_);
+  const auto index = static_cast<std::size_t>(vh.idx());
+  if (index >= nodes_.size()) nodes_.resize(index + 1);
+  ControlNode& slot = nodes_[index];
+  if (std::isfinite(slot.size.h11)) {
+    merge(slot, node);
+  } else {
+    slot = node;
+  }
+  delaunay_.metric(vh) = slot.spacing = spacing;
+  hint_ = face_at(vh);
+}
+
+/// A triangle at a vertex; the vertex' own halfedge is the open one on the boundary.
+FaceHandle NodeTriangulation::face_at(VertexHandle vh) const {
+  const TriMesh& mesh = delaunay_.mesh();
+  const HalfedgeHandle heh = mesh.halfedge_handle(vh);
+  return mesh.is_boundary(heh) ? mesh.opposite_face_handle(heh) : mesh.face_handle(heh);
+}
+
+/// Mean spacing of the vertices of a triangle.
+Metric NodeTriangulation::around(FaceHandle fh) const {
+  const auto [a, b, c] = vertices(delaunay_.mesh(), fh);
+  return mean(delaunay_.metric(a), delaunay_.metric(b), delaunay_.metric(c));
+}
+
+bool NodeTriangulation::merge_with_neighbour(const ControlNode& node, FaceHandle fh) {
+  const Metric metric = metric_from_size(node.form, node.size);
+  for (const VertexHandle vh : vertices(delaunay_.mesh(), fh)) {
+    ControlNode& old = nodes_[static_cast<std::size_t>(vh.idx())];
+    if (!std::isfinite(old.size.h11)) continue;  // a corner of the rectangle, not met yet
+    if (squared_length(metric, node.uv - old.uv) >= kMergeLength * kMergeLength) continue;
+    merge(old, node);
+    return true;
+  }
+  return false;
+}
+
+std::vector<Uv> NodeTriangulation::add_inner_nodes() {
+  std::vector<FaceHandle> stack;
+  for (std::size_t i = 0; i < delaunay_.n_faces(); ++i) stack.emplace_back(static_cast<int>(i));
+  std::vector<Uv> added;
+  while (!stack.empty() && added.size() < kMostInnerNodes * nodes_.size()) {
+    const FaceHandle fh = stack.back();
+    stack.pop_back();
+    const VertexHandle vh = improve(fh);
+    if (!vh.is_valid()) continue;
+    added.push_back(delaunay_.uv(vh));
+    for (const FaceHandle around : delaunay_.mesh().vf_range(vh)) stack.push_back(around);
+    stack.push_back(fh);
+  }
+  delaunay_.shrink();
+  return added;
+}
+
+/// Insert the node that a badly shaped triangle needs; an invalid handle if it needs none.
+VertexHandle NodeTriangulation::improve(FaceHandle fh) {
+  const Metric metric = around(fh);
+  const std::array<Uv, 3> triangle = corners(delaunay_.mesh(), fh, delaunay_.uv_handle());
+  const MetricCircle circle = circumcircle(triangle, metric);
+  if (!is_badly_shaped(triangle, metric, circle.squared_radius)) return VertexHandle();
+  const auto middle = [this](HalfedgeHandle heh) {
+    const TriMesh& mesh = delaunay_.mesh();
+    return lerp(delaunay_.uv(mesh.from_vertex_handle(heh)),
+                delaunay_.uv(mesh.to_vertex_handle(heh)), 0.5);
+  };
+  const Location location = delaunay_.locate(circle.centre, fh);
+  if (location.kind == Location::Kind::OnVertex) return VertexHandle();
+  if (location.kind == Location::Kind::Outside) {
+    return insert_alone(middle(location.edge), location.face);
+  }
+  Cavity cavity;
+  delaunay_.find_cavity(circle.centre, location, rule_, cavity);
+  for (const HalfedgeHandle heh : cavity.rim) {
+    const TriMesh& mesh = delaunay_.mesh();
+    if (!mesh.is_boundary(mesh.opposite_halfedge_handle(heh))) continue;
+    const Uv a = delaunay_.uv(mesh.from_vertex_handle(heh)) - circle.centre;
+    const Uv b = delaunay_.uv(mesh.to_vertex_handle(heh)) - circle.centre;
+    // Within the circle over the edge: a node there would leave a flat triangle at the rim.
+    if (inner_product(metric, a, b) < 0) return insert_alone(middle(heh), mesh.face_handle(heh));
+  }
+  return insert_alone(circle.centre, location.face);
+}
+
+/// Insert a node with the spacing of the triangle around; an invalid handle if there is one.
+VertexHandle NodeTriangulation::insert_alone(Uv uv, FaceHandle fh) {
+  const std::size_t before = delaunay_.n_vertices();
+  const Metric spacing = around(fh);
+  const VertexHandle vh = delaunay_.insert(uv, fh, rule_);
+  if (delaunay_.n_vertices() == before) return VertexHandle();
+  delaunay_.metric(vh) = spacing;
+  return vh;
+}
+
+}  // namespace surfmesh

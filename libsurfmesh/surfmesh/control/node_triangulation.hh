@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "surfmesh/control/control_nodes.hh"
+#include "surfmesh/delaunay/delaunay_mesh.hh"
+
+namespace surfmesh {
+
+/// The diagonal metric in which the parameter plane is distorted least: mean squared speeds.
+Metric plane_metric(const std::vector<ControlNode>& nodes);
+
+/// Control nodes triangulated in the bounding rectangle of their domain.
+///
+/// The metric of a vertex is the spacing of its node, which shapes the triangles around; for nodes
+/// that come alone it is that of the triangle they fall into, and at first plane_metric().
+class NodeTriangulation {
+ public:
+  /// Insert the nodes. Those nearer to each other than a tenth of the size wanted there become one
+  /// with the minimum of both; the corners of the rectangle stay.
+  ///
+  /// Cost     O(n log n), about 1 µs a node
+  /// Pre      the corners of the rectangle are among the nodes
+  /// Throws   InvalidInput for a node outside the rectangle, naming its (u,v)
+  /// Source   paper, section 3.2, steps 1 and 2
+  /// Differs: by the metric, which in the paper is the identity; see the decisions of the README
+  NodeTriangulation(const Domain& domain, const std::vector<ControlNode>& nodes);
+
+  /// Add nodes until no triangle is badly shaped: circumcentres, or the middles of edges of the
+  /// rectangle that are in their way. Returns their places.
+  ///
+  /// Error    circumradius at most √2 times the shortest edge where the spacing is the same all
+  ///          over; at most eight nodes for each there was (test InnerNodes.*)
+  /// Cost     O(n log n)
+  /// Source   paper, section 3.2, step 3; Ruppert, A Delaunay refinement algorithm for quality
+  ///          2-dimensional mesh generation (1995)
+  std::vector<Uv> add_inner_nodes();
+
+  /// The triangles without surplus elements.
+  const TriMesh& mesh() const { return delaunay_.mesh(); }
+  DelaunayMesh::UvHandle uv_handle() const { return delaunay_.uv_handle(); }
+  DelaunayMesh::MetricHandle metric_handle() const { return delaunay_.metric_handle(); }
+
+  /// Node i is vertex i; inner nodes have none.
+  const std::vector<ControlNode>& nodes() const { return nodes_; }
+
+ private:
+  void insert(const ControlNode& node);
+  FaceHandle face_at(VertexHandle vh) const;
+  Metric around(FaceHandle fh) const;
+  bool merge_with_neighbour(const ControlNode& node, FaceHandle fh);
+  VertexHandle improve(FaceHandle fh);
+  VertexHandle insert_alone(Uv uv, FaceHandle fh);
+
+  DelaunayMesh delaunay_;
+  TriangleMetricRule rule_;
+  std::vector<ControlNode> nodes_;
+  FaceHandle hint_ = FaceHandle(0);
+};
+
+}  // namespace surfmesh
