@@ -20,23 +20,30 @@ namespace {
 
 /// Options of the pipeline that have a flag of their own, in the order of the help text.
 struct NamedOption {
+  const char* group;
   const char* name;
   const char* unit;
   const char* text;
 };
 
+constexpr const char* kSizes = "Sizes (lengths in model units, or with % of the model's diagonal)";
+constexpr const char* kControl = "Control space (where the sizes are kept)";
+constexpr const char* kMeshing = "Meshing";
+constexpr const char* kCages = "Cages";
+
 constexpr NamedOption kNamedOptions[] = {
-    {"curvature", "C", "size = C × radius of curvature; 0 is off"},
-    {"hmin", "H", "lower bound of all sizes: a length, or a share of the diagonal (0.1%)"},
-    {"hmax", "H", "upper bound of all sizes"},
-    {"stretch", "R", "greatest ratio of the two sizes from curvature"},
-    {"grade", "G", "sizes grow by at most ln G per unit of length; 0 is off"},
-    {"nodes", "auto|N", "control nodes: chosen to the precision, or N regular ones a patch"},
-    {"precision", "P", "conformity of the control space with the sizes asked for"},
-    {"placement", "frontal|circumcentre", "where new nodes go"},
-    {"patches", "auto|faces", "what is a patch of a cage"},
-    {"threads", "N", "any number is accepted; for now the work is done by one"},
-    {"max_elements", "N", "refuse to make more triangles"},
+    {kSizes, "curvature", "C", "size = C × radius of curvature; 0 is off"},
+    {kSizes, "hmin", "H", "lower bound of all sizes: a length, or a share of the diagonal (0.1%)"},
+    {kSizes, "hmax", "H", "upper bound of all sizes"},
+    {kSizes, "stretch", "R", "greatest ratio of the two sizes from curvature"},
+    {kSizes, "grade", "G", "sizes grow by at most ln G per unit of length; 0 is off"},
+    {kControl, "nodes", "auto|N",
+     "control nodes: chosen to the precision, or N regular ones a patch"},
+    {kControl, "precision", "P", "conformity of the control space with the sizes asked for"},
+    {kMeshing, "placement", "frontal|circumcentre", "where new nodes go"},
+    {kMeshing, "threads", "N", "any number is accepted; for now the work is done by one"},
+    {kMeshing, "max_elements", "N", "refuse to make more triangles"},
+    {kCages, "patches", "auto|faces", "what is a patch of a cage"},
 };
 
 double processor_seconds() {
@@ -60,7 +67,9 @@ std::string examples() {
     names += name;
   }
   return fmt::format(
-      "Example:\n  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report knob.json\n"
+      "Examples:\n  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report "
+      "knob.json\n"
+      "  surfmesh mesh wave.json -o wave.obj --nodes 40000 --set smoothing=4 --quiet\n"
       "Names for --set:\n  {}\n",
       names);
 }
@@ -159,6 +168,7 @@ void MeshCommand::add_to(CLI::App& app) {
   add_files(*command);
   add_named_options(*command);
   add_scheme(*command, scheme_);
+  command->get_option("--scheme")->group(kCages);
   add_set(*command, set_, "set any option by its name; beats the other flags and the model file");
 }
 
@@ -166,7 +176,8 @@ void MeshCommand::add_files(CLI::App& command) {
   command.add_option("INPUT", input_, "control cage (.obj, .off) or model file (.json)")
       ->required()
       ->type_name("");
-  command.add_option("-o,--output", output_, "mesh to write: .obj, .off or .om (lossless)")
+  command
+      .add_option("-o,--output", output_, "mesh to write: .obj, .off, .ply, .stl or .om (lossless)")
       ->required()
       ->type_name("FILE");
   command.add_option("--report", report_, "write the report as JSON")->type_name("FILE.json");
@@ -182,6 +193,7 @@ void MeshCommand::add_named_options(CLI::App& command) {
             flag_of(name),
             [this, name](const std::string& value) { named_.emplace_back(name, value); },
             option.text)
+        ->group(option.group)
         ->type_name(option.unit)
         ->default_str(to_text(get_option(defaults, name)))
         ->check([name](const std::string& value) { return fault_of(name, value); });

@@ -6,18 +6,33 @@
 #include "check_command.hh"
 #include "convert_command.hh"
 #include "mesh_command.hh"
+#include "usage.hh"
 
 namespace {
 
 /// CLI11 has many codes; the documentation has one for wrong usage.
 int exit_status(const CLI::App& app, const CLI::ParseError& error) {
-  return app.exit(error) == 0 ? surfmesh::kDone : surfmesh::kWrongUsage;
+  if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+  std::fprintf(stderr, "surfmesh: error: %s\n%s tells more\n",
+               surfmesh::usage_fault(app, error).c_str(), surfmesh::help_line(app).c_str());
+  return surfmesh::kWrongUsage;
 }
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  surfmesh mesh cage.obj -o mesh.om        mesh the limit surface of a cage\n"
+    "  surfmesh mesh model.json -o mesh.obj     mesh what a model file describes\n"
+    "  surfmesh check mesh.om --model cage.obj  tell how good the mesh is\n"
+    "  surfmesh convert mesh.om mesh.ply        write it in another format\n"
+    "Exit status: 0 done; 1 not done; 2 wrong usage; 3 done, but something asked for was not\n"
+    "  reached, or check found a fault; 130, 143 stopped by a signal\n"
+    "surfmesh COMMAND --help lists the options of a command with their defaults.\n";
 
 int run(int argc, char** argv) {
   CLI::App app("Mesh multi-patch parametric surfaces with elements that follow a metric.",
                "surfmesh");
   app.set_version_flag("--version", "surfmesh " SURFMESH_VERSION);
+  app.footer(kFooter);
   app.require_subcommand(1);
   surfmesh::MeshCommand mesh;
   mesh.add_to(app);

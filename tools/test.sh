@@ -1,11 +1,18 @@
 #!/usr/bin/env bash
-# Build everything in build/release and run all tests. Exit status 0 if all of them pass.
+# Build everything in build/release and run the tests. Exit status 0 if all of them pass.
+# --all adds those that take long: the library installed shared and as part of another project, each
+# public header alone, and most stages under the address and undefined-behaviour sanitizers.
 set -euo pipefail
 
-if [ $# -gt 0 ]; then
-  echo "usage: $0" >&2
-  exit 2
-fi
+tests=release
+case "$#:${1-}" in
+  0:) ;;
+  1:--all) tests=all ;;
+  *)
+    echo "usage: $0 [--all]" >&2
+    exit 2
+    ;;
+esac
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}"
@@ -14,4 +21,4 @@ export CTEST_PARALLEL_LEVEL="${CTEST_PARALLEL_LEVEL:-$CMAKE_BUILD_PARALLEL_LEVEL
 tools/setup.sh
 cmake --preset release
 cmake --build --preset release
-exec ctest --preset release
+exec ctest --preset "$tests"

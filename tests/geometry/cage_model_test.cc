@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "geometry/cages.hh"
+#include "support/errors.hh"
 #include "surfmesh/core/error.hh"
 
 namespace surfmesh {
@@ -195,6 +196,16 @@ TEST(CageModel, WarnsOfGapsAtChaikinCreases) {
   EXPECT_EQ(model_from_cage(cage).warnings.size(), 1u);
   cage.creases.clear();
   EXPECT_TRUE(model_from_cage(cage).warnings.empty());
+}
+
+TEST(CageModel, RefusesPointsOnALine) {
+  Cage cage;
+  cage.points = {{0, 0, 0}, {1, 2, 0}, {2, 4, 0}, {3, 6, 0}};
+  cage.faces = {{0, 1, 2, 3}};
+  EXPECT_EQ(error_of([&] { model_from_cage(cage); }),
+            "geometry: the points of the cage lie on a line: its surface has no area");
+  cage.points[3].z() = 1e-3;
+  EXPECT_EQ(error_of([&] { model_from_cage(cage); }), "no error");
 }
 
 TEST(CageModel, RefusesLoopOfQuads) {

@@ -517,6 +517,13 @@ TEST(JoinSides, RefusesPatchesWithoutArea) {
             ErrorCode::Geometry);
 }
 
+TEST(JoinSides, RefusesPatchesTooLargeToMeasure) {
+  const Error error = error_of({{"wide", plane({0, 0, 0}, {1e200, 0, 0}, {0, 1, 0})}});
+  EXPECT_EQ(error.code(), ErrorCode::Geometry);
+  EXPECT_STREQ(error.what(),
+               "patch wide: its surface is too large: the diagonal of its box is inf");
+}
+
 TEST(JoinSides, RefusesInvalidInput) {
   const Shape good = rectangle(0, 0, 1, 1);
   const Shape triangle =

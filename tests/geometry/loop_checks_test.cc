@@ -43,6 +43,62 @@ TEST(LoopCrossing, IsNotSeenBetweenCirclesThatAreNear) {
   EXPECT_FALSE(crossing({circle(0, 0, 1), circle(0, 0, 1 - 1e-5, 0.05)}));
 }
 
+TEST(LoopNearParts, AreFoundBetweenLoops) {
+  for (const double gap : {1e-5, 1e-9, 0.0}) {
+    const auto found = near_parts({circle(0, 0, 1), circle(2 + gap, 0, 1, 0.3)}, 1e-4);
+    ASSERT_EQ(found.size(), 1u) << gap;
+    EXPECT_NEAR(found[0].at_a.u, 1, 1e-6);
+    EXPECT_NEAR(found[0].at_b.u - found[0].at_a.u, gap, 1e-8);
+    EXPECT_NEAR(found[0].at_a.v, 0, 1e-4);
+  }
+  EXPECT_TRUE(near_parts({circle(0, 0, 1), circle(2.01, 0, 1, 0.3)}, 1e-4).empty());
+}
+
+TEST(LoopNearParts, AreFoundAlongTheWholeLoop) {
+  EXPECT_EQ(near_parts({circle(0, 0, 1), circle(0, 0, 1 - 1e-5, 0.05)}, 1e-4).size(), 1u);
+}
+
+TEST(LoopNearParts, AreFoundInOneLoop) {
+  const auto dumbbell = [](double waist) {
+    return LoopCurves{{"dumbbell",
+                       std::make_shared<CallableCurve>([=](double t) {
+                         const double c = std::cos(2 * pi * t + 0.1);
+                         return Uv{c, (waist + c * c) * std::sin(2 * pi * t + 0.1)};
+                       }),
+                       true,
+                       {}}};
+  };
+  EXPECT_EQ(near_parts({dumbbell(1e-5)}, 1e-4).size(), 1u);
+  EXPECT_TRUE(near_parts({dumbbell(1e-2)}, 1e-4).empty());
+}
+
+TEST(LoopNearParts, AreNotFoundAtCornersAndCusps) {
+  const auto star = std::make_shared<CallableCurve>([](double t) {
+    return Uv{std::pow(std::cos(2 * pi * t), 3), std::pow(std::sin(2 * pi * t), 3)};
+  });
+  EXPECT_TRUE(near_parts({{{"star", star, true, {}}}}, 1e-4).empty());
+}
+
+TEST(LoopNearParts, AreNotFoundWhereThereIsNoExtent) {
+  const auto spike = std::make_shared<CallableCurve>([](double t) {
+    return Uv{std::cos(2 * pi * t), 0};
+  });
+  EXPECT_TRUE(near_parts({{{"spike", spike, true, {}}}}, 1e-4).empty());
+}
+
+TEST(LoopNearParts, DoNotDependOnTheScaleOfTheParameters) {
+  const auto stretched = [](double u) {
+    return LoopCurves{{"circle",
+                       std::make_shared<CallableCurve>([=](double t) {
+                         return Uv{1e6 * (u + std::cos(2 * pi * t)), 1e-3 * std::sin(2 * pi * t)};
+                       }),
+                       true,
+                       {}}};
+  };
+  EXPECT_EQ(near_parts({stretched(0), stretched(2.00001)}, 1e-4).size(), 1u);
+  EXPECT_TRUE(near_parts({stretched(0), stretched(2.01)}, 1e-4).empty());
+}
+
 TEST(LoopOutside, IsToldWithItsPlace) {
   EXPECT_FALSE(place_outside(circle(0, 0, 1), {-1, 1, -1, 1}));
   const auto place = place_outside(circle(0.5, 0, 1), {-1, 1, -1, 1});

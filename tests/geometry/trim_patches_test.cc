@@ -189,6 +189,20 @@ TEST(TrimPatches, WarnsOfContoursThatAreNotJoined) {
             "them one name");
 }
 
+TEST(TrimPatches, WarnsOfContoursThatNearlyMeet) {
+  const Model model = square({{"-hole"}}, {hole(0.5, {0.5 - 1e-5, 0})});
+  ASSERT_EQ(model.warnings.size(), 1u);
+  EXPECT_TRUE(model.warnings[0].starts_with("patch p: contours ")) << model.warnings[0];
+  EXPECT_NE(model.warnings[0].find("nearly meet at (u,v) = (0.99999, "), std::string::npos)
+      << model.warnings[0];
+  EXPECT_TRUE(model.warnings[0].ends_with(": the gap between them is 1e-05")) << model.warnings[0];
+}
+
+TEST(TrimPatchesFaults, OfLoopsThatAreAPoint) {
+  EXPECT_EQ(error_of([] { square({{"-hole"}}, {hole(0)}); }),
+            "geometry: patch p: loop 1: the loop is a single point in space");
+}
+
 TEST(TrimPatchesFaults, OfCurvesThatAreNotFinite) {
   const auto pole = std::make_shared<CallableCurve>([](double t) { return Uv{1 / t, 0}; });
   EXPECT_EQ(error_of([&] {

@@ -14,6 +14,7 @@ constexpr std::array<std::string_view, 4> kWords = {"curvature", "hmin", "hmax",
 TEST(NearestWord, MendsAMisspeltLetter) {
   EXPECT_EQ(nearest_word("curvatrue", kWords), "curvature");
   EXPECT_EQ(nearest_word("strech", kWords), "stretch");
+  EXPECT_EQ(nearest_word("hmni", kWords), "hmin");
 }
 
 TEST(NearestWord, PrefersTheNearerOne) {
@@ -26,6 +27,7 @@ TEST(NearestWord, SaysNothingOfFarWords) {
   EXPECT_EQ(nearest_word("", kWords), std::nullopt);
   EXPECT_EQ(nearest_word(std::string(1000, 'h'), kWords), std::nullopt);
   EXPECT_EQ(nearest_word("hmin", {}), std::nullopt);
+  EXPECT_EQ(nearest_word("w", std::array<std::string_view, 2>{"x", "y"}), std::nullopt);
 }
 
 }  // namespace

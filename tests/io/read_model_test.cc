@@ -273,8 +273,8 @@ TEST(ReadModelFaults, OfContours) {
             front + ": a contour needs xyz, or u and v on a patch");
   EXPECT_EQ(fault(contour(R"("name": "a", "on": [{"patch": "p", "u": "t"}])")),
             front + "/on/0/v: this key is missing");
-  EXPECT_EQ(fault(contour(R"("name": "a", "on": [{"patch": "q", "u": "t", "v": "t"}])")),
-            front + "/on/0/patch: there is no patch with formulas q, did you mean p?");
+  EXPECT_EQ(fault(contour(R"("name": "a", "on": [{"patch": "pq", "u": "t", "v": "t"}])")),
+            front + "/on/0/patch: there is no patch with formulas pq, did you mean p?");
   EXPECT_EQ(fault(contour(R"("name": "a", "range": [1, 0])")),
             front + "/range: the second value must be larger than the first");
   EXPECT_EQ(fault(contour(R"("name": "-a")")),

@@ -21,11 +21,29 @@ std::string read(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-TEST(Readme, ShowsTheExampleThatIsCompiled) {
-  const std::string example = read("tests/package/walk_result.cc");
-  ASSERT_FALSE(example.empty());
-  EXPECT_NE(read("README.md").find("```cpp\n" + example + "```\n"), std::string::npos)
-      << "README.md must contain tests/package/walk_result.cc as it is";
+/// The programs of tests/package, by name.
+std::set<std::string> examples() {
+  std::set<std::string> names;
+  const std::filesystem::path root(SURFMESH_SOURCE_DIR);
+  for (const auto& entry : std::filesystem::directory_iterator(root / "tests" / "package")) {
+    if (entry.path().extension() == ".cc") names.insert(entry.path().filename().string());
+  }
+  return names;
+}
+
+TEST(Readme, ShowsEveryExampleThatIsCompiled) {
+  const std::string readme = read("README.md");
+  EXPECT_GE(examples().size(), 5u);
+  for (const std::string& name : examples()) {
+    EXPECT_NE(readme.find("```cpp\n" + read("tests/package/" + name) + "```\n"), std::string::npos)
+        << "README.md must contain tests/package/" << name << " as it is";
+  }
+}
+
+TEST(Readme, ShowsShortExamples) {
+  for (const std::string& name : examples()) {
+    EXPECT_LE(testing::lines_of(read("tests/package/" + name)).size(), 40u) << name;
+  }
 }
 
 TEST(Readme, NamesModelsAndScriptsThatExist) {

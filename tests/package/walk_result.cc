@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mesh a control cage and walk the result: area of each patch, and how far the corners of the
-// triangles are from the surface at their parameters.
+// Mesh a cage and walk the result: area of each patch, and distance of corners from the surface.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -27,15 +26,13 @@ int main(int argc, char** argv) try {
     const auto patch = static_cast<std::size_t>(mesh.property(patch_of, face));
     areas[patch] += mesh.calc_sector_area(face.halfedge());
     for (const auto corner : face.halfedges()) {  // a corner is the tip of its halfedge
-      const surfmesh::Uv uv = mesh.property(uv_of, corner);
-      const surfmesh::Vec3 point = surfmesh::to_eigen(mesh.point(corner.to()));
-      const auto jet = model.patches[patch].surface->evaluate(uv, surfmesh::Order::Position);
-      distance = std::max(distance, (jet.point - point).norm());
+      const auto jet = model.patches[patch].surface->evaluate(mesh.property(uv_of, corner),
+                                                              surfmesh::Order::Position);
+      distance =
+          std::max(distance, (jet.point - surfmesh::to_eigen(mesh.point(corner.to()))).norm());
     }
   }
-  for (std::size_t i = 0; i < areas.size(); ++i) {
-    std::printf("%-8s area %.4f\n", model.patches[i].name.c_str(), areas[i]);
-  }
+  for (std::size_t i = 0; i < areas.size(); ++i) std::printf("patch %zu: area %.4f\n", i, areas[i]);
   std::printf("%zu triangles, greatest distance %.1e\n", report.mesh.triangles, distance);
 } catch (const std::exception& error) {
   std::fprintf(stderr, "error: %s\n", error.what());

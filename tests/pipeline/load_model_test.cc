@@ -110,10 +110,10 @@ TEST(LoadModel, NamesThePlaceOfABadCage) {
 TEST(LoadModel, NamesThePlaceOfAnUnknownGroup) {
   const TestFolder folder;
   write_text(folder / "a.json",
-             model(R"("sources": [{"group": "p", "size": 1}, {"group": "q", "size": 1}])"));
+             model(R"("sources": [{"group": "p", "size": 1}, {"group": "pq", "size": 1}])"));
   EXPECT_EQ(fault(folder / "a.json"),
             "invalid input: " + (folder / "a.json").string() +
-                ": /sources/1/group: there is no group or patch q, did you mean p?");
+                ": /sources/1/group: there is no group or patch pq, did you mean p?");
 }
 
 /// A model file of one patch that has loops besides its sides, and contours.
@@ -150,7 +150,8 @@ TEST(LoadModel, WarnsOfUnusedContours) {
              trimmed("", R"({"name": "a", "on": [{"patch": "p", "u": "t", "v": "0"}]})"));
   const std::vector<std::string> warnings = load_model(folder / "a.json").model.warnings;
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0], "/contours/0: contour a: no loop names it, it is left out");
+  EXPECT_EQ(warnings[0], (folder / "a.json").string() +
+                             ": /contours/0: contour a: no loop names it, it is left out");
 }
 
 TEST(LoadModel, NamesTheFileOfACageThatCannotBeSubdivided) {

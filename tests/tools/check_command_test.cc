@@ -100,7 +100,7 @@ TEST_F(CheckProgram, TellsMeshesOfAnotherModel) {
   mesh("cylinder.json");
   EXPECT_EQ(run("check a.om --model '" + own_model("wave.json") + "'"), 1);
   EXPECT_TRUE(says("lies on patch 1, but the model has 1 patches")) << err_;
-  mesh("wave.json", "--hmax 2");
+  mesh("wave.json", "--hmax 4 --curvature 0");
   const Json json = check(3, "a.om --model '" + own_model("plate.json") + "'");
   EXPECT_FALSE(json["clean"]);
 }

@@ -41,11 +41,24 @@ TEST_F(MeshProgram, HelpsWithDefaultsAndAnExample) {
   for (const char* text : {"--curvature", "0.25",      "--hmin",    "0.1%",      "--hmax",
                            "20%",         "--stretch", "--grade",   "--nodes",   "--precision",
                            "--placement", "--scheme",  "--patches", "--threads", "--max-elements",
-                           "--report",    "--quiet",   "--set",     "Example:",  "smoothing"}) {
+                           "--report",    "--quiet",   "--set",     "Examples:", "smoothing"}) {
     EXPECT_NE(out_.find(text), std::string::npos) << text;
   }
   EXPECT_EQ(run("--help"), 0);
   EXPECT_NE(out_.find("mesh"), std::string::npos);
+}
+
+TEST_F(MeshProgram, GroupsItsOptions) {
+  EXPECT_EQ(run("mesh --help"), 0);
+  std::size_t last = 0;
+  for (const char* text : {"Options:", "--output", "Sizes", "--hmax", "Control space", "--nodes",
+                           "Meshing:", "--placement", "Cages:", "--scheme", "Examples:"}) {
+    const std::size_t place = out_.find(text, last);
+    ASSERT_NE(place, std::string::npos) << text << " after " << out_.substr(0, last);
+    last = place;
+  }
+  EXPECT_EQ(run("--help"), 0);
+  EXPECT_NE(out_.find("Examples:\n  surfmesh mesh "), std::string::npos) << out_;
 }
 
 TEST_F(MeshProgram, TellsItsVersion) {
@@ -77,6 +90,15 @@ TEST_F(MeshProgram, PrintsNoProgressWhereThereIsNoTerminal) {
   EXPECT_EQ(mesh("torus.obj"), 0);
   EXPECT_EQ(err_, "");
   EXPECT_NE(out_.find("triangles"), std::string::npos);
+}
+
+TEST_F(MeshProgram, ShowsStagesAndPatchesOnATerminal) {
+  if (shell("script -qec true /dev/null") != 0) GTEST_SKIP() << "no program script";
+  const std::string line = "mesh " + own_model("torus.obj") + " -o out.obj";
+  EXPECT_EQ(shell("script -qec \"" SURFMESH_PROGRAM " " + line + "\" /dev/null"), 0) << out_;
+  for (const char* text : {"control 48/48", "boundary 0/", "mesh 0/48", "mesh 48/48", "assemble"}) {
+    EXPECT_NE(out_.find(text), std::string::npos) << text << " in " << out_;
+  }
 }
 
 TEST_F(MeshProgram, IsQuiet) {
@@ -137,7 +159,7 @@ EXPECT_TRUE(std::filesystem::exists(folder_ / "out.obj"));
 
 TEST_F(MeshProgram, TellsWrongUsage) {
   expect_wrong_usage(run(""), "subcommand");
-  expect_wrong_usage(run("mess"), "subcommand");
+  expect_wrong_usage(run("mess"), "there is no command mess, did you mean mesh?");
   expect_wrong_usage(run("mesh"), "INPUT");
   expect_wrong_usage(run("mesh '" + own_model("cube.obj") + "'"), "--output");
   expect_wrong_usage(mesh("cube.obj", "--colour red"), "--colour");
@@ -151,6 +173,25 @@ TEST_F(MeshProgram, TellsWrongSettings) {
   expect_wrong_usage(mesh("cube.obj", "--set quads=true"), "quads = true is not built yet");
   expect_wrong_usage(mesh("cube.obj", "--patches blocks"), "patches = blocks is not built yet");
   expect_wrong_usage(mesh("cube.obj", "--set smoothing=much"), "outside its range");
+}
+
+TEST_F(MeshProgram, SuggestsWhatWasMeant) {
+  expect_wrong_usage(mesh("cube.obj", "--hmx 3"),
+                     "error: there is no option --hmx, did you mean --hmax?\n"
+                     "surfmesh mesh --help tells more\n");
+  expect_wrong_usage(mesh("cube.obj", "--max-element=7"), "did you mean --max-elements?");
+  expect_wrong_usage(run("mesh --outptu a.obj"), "--outptu, did you mean --output?");
+  expect_wrong_usage(run("convert a b --quite"), "--quite, did you mean --quiet?");
+  expect_wrong_usage(run("chekc a.obj"), "there is no command chekc, did you mean check?");
+  expect_wrong_usage(mesh("cube.obj", "--colour red"), "there is no option --colour\n");
+}
+
+TEST_F(MeshProgram, TellsSizesThatContradictEachOther) {
+  expect_error(mesh("cube.obj", "--hmin 0.5 --hmax 10%"),
+               "hmin = 0.5 must not be above hmax = 10%, which are lengths of 0.5 and 0.34641");
+  expect_wrong_usage(mesh("cube.obj", "--hmax 0"), "hmax = 0 is outside its range");
+  expect_wrong_usage(mesh("cube.obj", "--hmax nan"), "hmax = nan is outside its range");
+  expect_wrong_usage(mesh("cube.obj", "--hmax 3%%"), "hmax = 3%% is outside its range");
 }
 
 TEST_F(MeshProgram, TellsInputThatCannotBeRead) {

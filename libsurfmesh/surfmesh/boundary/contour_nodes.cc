@@ -59,7 +59,7 @@ class ContourDivision {
                   const std::vector<const MetricField*>& fields)
       : model_(model), contour_(contour) {
     for (const ContourUse& use : contour.uses) {
-      arcs_.emplace_back(*use.curve, *fields[static_cast<std::size_t>(use.patch)]);
+      measure(use, *fields[static_cast<std::size_t>(use.patch)]);
       if (arcs_.back().length() > arcs_[selected_].length()) selected_ = arcs_.size() - 1;
     }
     parameters_.resize(contour.uses.size());
@@ -125,6 +125,15 @@ class ContourDivision {
   }
 
  private:
+  void measure(const ContourUse& use, const MetricField& field) {
+    try {
+      arcs_.emplace_back(*use.curve, field);
+    } catch (const Error& error) {
+      throw Error(error.code(), fmt::format("contour {} on patch {}: {}", contour_.name,
+                                            patch_of(model_, use).name, error.what()));
+    }
+  }
+
   Vec3 vertex(int index) const { return model_.vertices[static_cast<std::size_t>(index)].position; }
 
   /// The t on a use of the point at t of the selected use.

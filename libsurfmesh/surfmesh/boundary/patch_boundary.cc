@@ -14,7 +14,7 @@ bool is_pole(const Model& model, const BoundaryNode& node) {
   return node.contour >= 0 && model.contours[static_cast<std::size_t>(node.contour)].is_degenerate;
 }
 
-BoundaryLoop chain_of_nodes(const Model& model, const Loop& loop,
+BoundaryLoop chain_of_nodes(const Model& model, const PatchLoop& loop,
                             const std::vector<ContourNodes>& nodes, const NodeNumbers& numbers) {
   BoundaryLoop chain;
   for (const LoopEntry& entry : loop) {
@@ -128,7 +128,7 @@ PatchBoundary collect_boundary(const Model& model, int patch,
                                const MetricField& field) {
   PatchBoundary boundary;
   int offset = 0;
-  for (const Loop& loop : model.patches[static_cast<std::size_t>(patch)].loops) {
+  for (const PatchLoop& loop : model.patches[static_cast<std::size_t>(patch)].loops) {
     const BoundaryLoop chain = chain_of_nodes(model, loop, nodes, numbers);
     boundary.loops.push_back(cut_off_poles(model, chain, offset, field, boundary.fans));
     offset += static_cast<int>(boundary.loops.back().size());

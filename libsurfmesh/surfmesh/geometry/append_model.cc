@@ -36,7 +36,7 @@ void shift(Model& added, const Model& model, const std::string& prefix) {
   }
   for (Patch& patch : added.patches) {
     patch.name = prefix + patch.name;
-    for (Loop& loop : patch.loops) {
+    for (PatchLoop& loop : patch.loops) {
       for (LoopEntry& entry : loop) entry.contour += contours;
     }
   }

@@ -5,6 +5,7 @@
 #include <opensubdiv/sdc/crease.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "surfmesh/core/error.hh"
@@ -40,7 +41,7 @@ class ModelBuilder {
     for (int i = 0; i < vertices.size(); ++i) {
       add_vertex(vertices[i], *patch.surface, domain.corner(i));
     }
-    Loop loop;
+    PatchLoop loop;
     for (int i = 0; i < vertices.size(); ++i) {
       const int next = (i + 1) % vertices.size();
       const Side side = {vertices[i], vertices[next], domain.corner(i), domain.corner(next)};
@@ -178,6 +179,20 @@ Model model_of_faces(const RefinedCage& regular, Scheme scheme, int level) {
   return std::move(builder.model);
 }
 
+/// Throws   Geometry if the points of the cage, and so its surface, lie on a line
+void check_area(const Model& model, const Cage& cage) {
+  const Vec3& origin = cage.points.front();
+  Vec3 axis = Vec3::Zero();
+  for (const Vec3& point : cage.points) {
+    if ((point - origin).norm() > axis.norm()) axis = point - origin;
+  }
+  axis.normalize();
+  for (const Vec3& point : cage.points) {
+    if ((point - origin).cross(axis).norm() > kContourGap * model.diagonal) return;
+  }
+  throw Error(ErrorCode::Geometry, "the points of the cage lie on a line: its surface has no area");
+}
+
 }  // namespace
 
 Model model_from_cage(const Cage& cage, const CageOptions& options) {
@@ -190,6 +205,7 @@ Model model_from_cage(const Cage& cage, const CageOptions& options) {
   }
   for (const Vec3& point : cage.points) model.box.extend(point);
   model.diagonal = diagonal(cage);
+  if (model.diagonal > 0 && std::isfinite(model.diagonal)) check_area(model, cage);
   if (cage.is_chaikin) warn_of_gaps(model);
   add_groups(cage, model);
   return model;

@@ -88,8 +88,8 @@ SideChains chains_of(const Parts& parts) {
 }
 
 /// The outer loop of a whole patch: v0 and u1 along the growing parameter, v1 and u0 against it.
-Loop whole_loop(const std::string& patch, const SideChains& chains) {
-  Loop loop;
+PatchLoop whole_loop(const std::string& patch, const SideChains& chains) {
+  PatchLoop loop;
   for (std::size_t k = 0; k < 4; ++k) {
     std::vector<ChainLink> chain = chains.at(patch + ":" + kSideNames[k]);
     if (k >= 2) std::reverse(chain.begin(), chain.end());

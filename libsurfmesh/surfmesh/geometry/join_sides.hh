@@ -27,12 +27,13 @@ struct ContourInput {
   /// The contour on one patch.
   struct On {
     std::string patch;
-    std::shared_ptr<const Curve> curve;  ///< over t in [0,1]; none if it is to be found
+    std::shared_ptr<const Curve> curve = nullptr;  ///< over t in [0,1]; none if it is to be found
   };
 
   std::string name;
-  std::shared_ptr<const SpaceCurve> xyz;  ///< none if the first curve of `on` gives the contour
-  std::vector<On> on;
+  /// None if the first curve of `on` gives the contour.
+  std::shared_ptr<const SpaceCurve> xyz = nullptr;
+  std::vector<On> on = {};
   CurveRange range = {};    ///< for messages
   std::string origin = {};  ///< where it is written (a JSON pointer), for messages; may be empty
 };

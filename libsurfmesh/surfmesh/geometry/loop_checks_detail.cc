@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
 
 namespace surfmesh {
 namespace {
@@ -18,6 +21,9 @@ constexpr double kOutside = 1e-9;
 /// a curve cross only where the curve does.
 constexpr int kParts = 8;
 constexpr int kMaxDivisions = 4;
+
+/// A curve is nearer to its chord than this share of the chord's length, but at sharp bends.
+constexpr double kBulge = 0.2;
 
 /// A part of a curve and its chord.
 struct Segment {
@@ -72,12 +78,12 @@ std::optional<Segment> true_crossing(const Segment& p, const Segment& q, int div
   return std::nullopt;
 }
 
-/// True if one segment follows the other in the same loop.
-bool are_neighbours(const Segment& p, const Segment& q, std::size_t count) {
+/// True if the segments are at most `reach` segments apart in the same loop of `count`.
+bool are_neighbours(const Segment& p, const Segment& q, std::size_t count, std::size_t reach = 1) {
   if (p.loop != q.loop) return false;
   const std::size_t step =
       p.position > q.position ? p.position - q.position : q.position - p.position;
-  return step <= 1 || step + 1 == count;
+  return step <= reach || step + reach >= count;
 }
 
 std::vector<Segment> all_segments(const std::vector<LoopCurves>& loops) {
@@ -94,6 +100,88 @@ std::vector<Segment> all_segments(const std::vector<LoopCurves>& loops) {
     return std::min(p.a.u, p.b.u) < std::min(q.a.u, q.b.u);
   });
   return result;
+}
+
+/// Lengths in units of the extent of all loops in u and in v.
+class Scale {
+ public:
+  explicit Scale(const std::vector<Segment>& segments) {
+    for (const Segment& s : segments) {
+      low_ = {std::min(low_.u, s.a.u), std::min(low_.v, s.a.v)};
+      high_ = {std::max(high_.u, s.a.u), std::max(high_.v, s.a.v)};
+    }
+  }
+
+  double width() const { return high_.u - low_.u; }
+  Uv unit(Uv step) const { return {step.u / width(), step.v / (high_.v - low_.v)}; }
+  double length(Uv step) const { return std::hypot(unit(step).u, unit(step).v); }
+  double length(const Segment& s) const { return length(s.b - s.a); }
+
+  /// True if all of p has a v that is larger than all of q's by more than `reach`.
+  bool is_above(const Segment& p, const Segment& q, double reach) const {
+    return std::min(p.a.v, p.b.v) > std::max(q.a.v, q.b.v) + reach * (high_.v - low_.v);
+  }
+
+  /// The point of a chord that is nearest to p.
+  Uv foot(Uv p, const Segment& s) const {
+    const Uv chord = unit(s.b - s.a), step = unit(p - s.a);
+    const double square = chord.u * chord.u + chord.v * chord.v;
+    const double share = square > 0 ? (step.u * chord.u + step.v * chord.v) / square : 0;
+    return lerp(s.a, s.b, std::clamp(share, 0.0, 1.0));
+  }
+
+  /// The nearest points of two chords that do not cross.
+  std::pair<Uv, Uv> nearest(const Segment& p, const Segment& q) const {
+    const std::pair<Uv, Uv> candidates[] = {
+        {p.a, foot(p.a, q)}, {p.b, foot(p.b, q)}, {foot(q.a, p), q.a}, {foot(q.b, p), q.b}};
+    return *std::min_element(std::begin(candidates), std::end(candidates),
+                             [this](const auto& x, const auto& y) {
+                               return length(x.second - x.first) < length(y.second - y.first);
+                             });
+  }
+
+  /// Distance of two chords.
+  double distance(const Segment& p, const Segment& q) const {
+    if (is_crossing(p, q)) return 0;
+    const auto [a, b] = nearest(p, q);
+    return length(b - a);
+  }
+
+ private:
+  Uv low_{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Uv high_{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+};
+
+using SegmentPair = std::pair<Segment, Segment>;
+
+/// Divide two segments; the two parts that are nearest to each other.
+SegmentPair nearest_parts(const Scale& scale, const Segment& p, const Segment& q) {
+  const std::vector<Segment> parts = segments_of(*p.curve, p.s0, p.s1, kParts);
+  const std::vector<Segment> others = segments_of(*q.curve, q.s0, q.s1, kParts);
+  SegmentPair nearest(parts.front(), others.front());
+  double least = std::numeric_limits<double>::infinity();
+  for (const Segment& part : parts) {
+    for (const Segment& other : others) {
+      const double distance = scale.distance(part, other);
+      if (!(distance < least)) continue;
+      least = distance;
+      nearest = {part, other};
+    }
+  }
+  return nearest;
+}
+
+/// The nearest parts of two segments after some divisions, if they are nearer than `share`.
+std::optional<SegmentPair> near_pair(const Scale& scale, const Segment& p, const Segment& q,
+                                     double share) {
+  SegmentPair pair(p, q);
+  for (int divisions = 0;; ++divisions) {
+    const double bulge = kBulge * (scale.length(pair.first) + scale.length(pair.second));
+    // Also where curves are not finite or have no extent.
+    if (!(scale.distance(pair.first, pair.second) <= share + bulge)) return std::nullopt;
+    if (divisions == kMaxDivisions) return pair;
+    pair = nearest_parts(scale, pair.first, pair.second);
+  }
 }
 
 }  // namespace
@@ -138,6 +226,38 @@ std::optional<std::string> crossing(const std::vector<LoopCurves>& loops) {
     }
   }
   return std::nullopt;
+}
+
+std::vector<NearParts> near_parts(const std::vector<LoopCurves>& loops, double share) {
+  const std::vector<Segment> segments = all_segments(loops);
+  const Scale scale(segments);
+  double longest = 0;
+  for (const Segment& s : segments) longest = std::max(longest, scale.length(s));
+  using CurveNumber = std::pair<std::size_t, std::size_t>;  // loop, place in the loop
+  std::map<std::pair<CurveNumber, CurveNumber>, std::pair<double, NearParts>> nearest;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment& p = segments[i];
+    const double reach = share + kBulge * (scale.length(p) + longest);
+    const double right = std::max(p.a.u, p.b.u) + reach * scale.width();
+    for (std::size_t j = i + 1; j < segments.size(); ++j) {
+      const Segment& q = segments[j];
+      if (std::min(q.a.u, q.b.u) > right) break;
+      if (scale.is_above(p, q, reach) || scale.is_above(q, p, reach)) continue;
+      if (are_neighbours(p, q, kSamples * loops[p.loop].size(), kSamples / 4)) continue;
+      const auto pair = near_pair(scale, p, q, share);
+      if (!pair) continue;
+      const double gap = scale.distance(pair->first, pair->second);
+      const auto [at_p, at_q] = scale.nearest(pair->first, pair->second);
+      const NearParts parts{p.curve->name, q.curve->name, at_p, at_q};
+      const CurveNumber a(p.loop, p.position / kSamples), b(q.loop, q.position / kSamples);
+      const std::pair key(std::min(a, b), std::max(a, b));
+      const auto [entry, is_new] = nearest.try_emplace(key, gap, parts);
+      if (!is_new && gap < entry->second.first) entry->second = {gap, parts};
+    }
+  }
+  std::vector<NearParts> result;
+  for (const auto& [curves, found] : nearest) result.push_back(found.second);
+  return result;
 }
 
 bool is_inside(const LoopCurves& loop, Uv point) {

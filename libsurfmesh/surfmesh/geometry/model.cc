@@ -25,17 +25,19 @@ const ContourUse& use_of(const Model& model, std::size_t patch, const LoopEntry&
   const Contour& contour = model.contours[static_cast<std::size_t>(entry.contour)];
   if (!is_index(entry.use, contour.uses.size()) ||
       contour.uses[static_cast<std::size_t>(entry.use)].patch != static_cast<int>(patch)) {
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("patch {}: a loop names use {} of contour {}, which is not this patch's",
-                            patch_name, entry.use, contour.name));
+    throw Error(
+        ErrorCode::InvalidInput,
+        fmt::format("patch {}: a loop names use {} of contour {}, which is not this patch's",
+                    patch_name, entry.use, contour.name));
   }
   return contour.uses[static_cast<std::size_t>(entry.use)];
 }
 
 void check_use(const Model& model, const Contour& contour, const ContourUse& use) {
   if (!is_index(use.patch, model.patches.size())) {
-    throw Error(ErrorCode::InvalidInput, fmt::format("contour {}: a use names patch {} of {}",
-                                                     contour.name, use.patch, model.patches.size()));
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("contour {}: a use names patch {} of {}", contour.name, use.patch,
+                            model.patches.size()));
   }
   if (!use.curve) {
     throw Error(ErrorCode::InvalidInput,
@@ -48,7 +50,7 @@ Vec3 end_point(const Patch& patch, const ContourUse& use, bool at_end) {
   return patch.surface->evaluate(use.curve->evaluate(t), Order::Position).point;
 }
 
-void check_loop(const Model& model, std::size_t patch_index, const Loop& loop) {
+void check_loop(const Model& model, std::size_t patch_index, const PatchLoop& loop) {
   const Patch& patch = model.patches[patch_index];
   if (loop.empty()) {
     throw Error(ErrorCode::InvalidInput, fmt::format("patch {}: a loop is empty", patch.name));
@@ -74,7 +76,8 @@ void check(const Model& model) {
   if (model.patches.empty()) throw Error(ErrorCode::InvalidInput, "the model has no patches");
   if (!(model.diagonal > 0 && std::isfinite(model.diagonal))) {
     throw Error(ErrorCode::InvalidInput,
-                fmt::format("the model's diagonal is {}: it has no extent", model.diagonal));
+                fmt::format("the model's diagonal is {}: {}", model.diagonal,
+                            model.diagonal > 0 ? "it is too large" : "it has no extent"));
   }
   for (const Contour& contour : model.contours) {
     if (!is_index(contour.start, model.vertices.size()) ||
@@ -86,6 +89,10 @@ void check(const Model& model) {
       throw Error(ErrorCode::InvalidInput,
                   fmt::format("contour {} is degenerate, but has two vertices", contour.name));
     }
+    if (contour.uses.empty()) {
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("contour {}: no patch uses it", contour.name));
+    }
     for (const ContourUse& use : contour.uses) check_use(model, contour, use);
   }
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
@@ -96,7 +103,7 @@ void check(const Model& model) {
     if (patch.loops.empty()) {
       throw Error(ErrorCode::InvalidInput, fmt::format("patch {} has no loop", patch.name));
     }
-    for (const Loop& loop : patch.loops) check_loop(model, p, loop);
+    for (const PatchLoop& loop : patch.loops) check_loop(model, p, loop);
   }
 }
 

@@ -43,14 +43,14 @@ struct LoopEntry {
 
 /// Contour uses end to end with the patch on their left: a use that is not forward is run through
 /// from its end to its start.
-using Loop = std::vector<LoopEntry>;
+using PatchLoop = std::vector<LoopEntry>;
 
 /// A piece of surface with its boundary.
 struct Patch {
   std::string name;
   std::shared_ptr<const Surface> surface;
-  std::vector<Loop> loops;  ///< the outer loop first, then the holes
-  int cage_face = -1;       ///< face of the cage that the patch is (a part of)
+  std::vector<PatchLoop> loops;  ///< the outer loop first, then the holes
+  int cage_face = -1;            ///< face of the cage that the patch is (a part of)
 };
 
 /// A named set of patches (OBJ `g`, `usemtl`).

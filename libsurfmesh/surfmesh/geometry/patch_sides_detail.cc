@@ -153,6 +153,11 @@ Box3 measure_patches(const std::vector<PatchInput>& patches) {
   for (const PatchInput& patch : patches) {
     const Box3 box = bounds(patch);
     extents.push_back(box.diagonal().norm());
+    if (!std::isfinite(extents.back())) {
+      throw Error(ErrorCode::Geometry,
+                  fmt::format("{}: its surface is too large: the diagonal of its box is {}",
+                              label(patch), extents.back()));
+    }
     all.extend(box);
   }
   const double diagonal = all.diagonal().norm();

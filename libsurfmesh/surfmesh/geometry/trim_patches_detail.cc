@@ -123,6 +123,8 @@ class Trimmer {
   LoopCurves curves_of(const Steps& steps);
   void close(int patch, std::size_t loop, const Steps& steps);
   void finish(int patch, std::vector<Steps>& loops);
+  void check_extent(int patch, std::size_t loop, const Steps& steps);
+  void warn_of_near_parts(int patch, const std::vector<LoopCurves>& curves);
   void check_holes(int patch, const std::vector<LoopCurves>& curves,
                    const std::vector<std::size_t>& order) const;
   void unite_vertices();
@@ -391,12 +393,14 @@ void Trimmer::finish(int index, std::vector<Steps>& loops) {
       fail_loop(ErrorCode::Geometry, index, l, "the loop leaves the domain: " + *place);
     }
     close(index, l, loops[l]);
+    check_extent(index, l, loops[l]);
     areas.push_back(signed_area(curves[l]));
   }
   if (const auto place = crossing(curves)) {
     throw Error(ErrorCode::Geometry,
                 fmt::format("{}: loops cross: {}", label(patch(index)), *place));
   }
+  warn_of_near_parts(index, curves);
   std::vector<std::size_t> order(loops.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto outer = std::max_element(areas.begin(), areas.end(),
@@ -410,12 +414,33 @@ void Trimmer::finish(int index, std::vector<Steps>& loops) {
           fmt::format("{}: the loop runs the wrong way round; it is turned", loop_label(index, l)));
       std::reverse(loops[l].begin(), loops[l].end());
     }
-    Loop& loop = model_.patches[static_cast<std::size_t>(index)].loops.emplace_back();
+    PatchLoop& loop = model_.patches[static_cast<std::size_t>(index)].loops.emplace_back();
     for (const Step& step : loops[l]) {
       contour(step.entry.contour).uses[static_cast<std::size_t>(step.entry.use)].is_forward =
           step.is_along != is_turned;
       loop.push_back(step.entry);
     }
+  }
+}
+
+/// A hole that is a point has no nodes; on a pole the loop has other contours, too.
+void Trimmer::check_extent(int index, std::size_t loop, const Steps& steps) {
+  const bool is_point = std::all_of(steps.begin(), steps.end(), [&](const Step& step) {
+    return contour(step.entry.contour).is_degenerate;
+  });
+  if (is_point) fail_loop(ErrorCode::Geometry, index, loop, "the loop is a single point in space");
+}
+
+/// Elements between parts of the boundary that nearly meet are as flat as the gap is narrow.
+void Trimmer::warn_of_near_parts(int index, const std::vector<LoopCurves>& curves) {
+  const Surface& surface = *patch(index).surface;
+  const auto point_at = [&](Uv uv) { return surface.evaluate(uv, Order::Position).point; };
+  for (const NearParts& near : near_parts(curves, kNearShare)) {
+    model_.warnings.push_back(
+        fmt::format("{}: contours {} and {} nearly meet at (u,v) = ({:.6g}, {:.6g}): the gap "
+                    "between them is {:.3g}",
+                    label(patch(index)), near.a, near.b, near.at_a.u, near.at_a.v,
+                    (point_at(near.at_a) - point_at(near.at_b)).norm()));
   }
 }
 

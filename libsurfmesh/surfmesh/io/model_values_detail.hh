@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "surfmesh/control/sizing.hh"
-#include "surfmesh/io/json_node.hh"
+#include "surfmesh/io/json_node_detail.hh"
 
 /// Values that come in several places of a model file. All functions throw InvalidInput with the
 /// place for what does not fit.

@@ -7,8 +7,8 @@
 
 namespace surfmesh {
 
-/// The known word that a misspelt one probably means: the nearest by letters put in, left out or
-/// changed, if at most a third of its letters differ.
+/// The known word that a misspelt one probably means: the nearest by letters put in, left out,
+/// changed or exchanged with their neighbour, if at most a third of its letters differ.
 ///
 /// Returns  nothing also for words of more than 40 letters, which are near to anything
 /// Cost     O(length²) a known word

@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "surfmesh/core/properties.hh"
-#include "surfmesh/io/byte_scanner.hh"
+#include "surfmesh/io/byte_scanner_detail.hh"
 #include "surfmesh/io/file_writer.hh"
 #include "surfmesh/io/read_cage_detail.hh"
 

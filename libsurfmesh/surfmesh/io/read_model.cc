@@ -14,7 +14,7 @@
 #include "surfmesh/geometry/formula.hh"
 #include "surfmesh/geometry/formula_surface.hh"
 #include "surfmesh/io/input_file.hh"
-#include "surfmesh/io/json_node.hh"
+#include "surfmesh/io/json_node_detail.hh"
 #include "surfmesh/io/model_values_detail.hh"
 #include "surfmesh/io/read_parts_detail.hh"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "surfmesh/io/json_node.hh"
+#include "surfmesh/io/json_node_detail.hh"
 #include "surfmesh/io/model_values_detail.hh"
 #include "surfmesh/io/read_model.hh"
 

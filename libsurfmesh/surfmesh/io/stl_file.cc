@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "surfmesh/io/byte_scanner.hh"
+#include "surfmesh/io/byte_scanner_detail.hh"
 #include "surfmesh/io/file_writer.hh"
 #include "surfmesh/io/text_scanner.hh"
 

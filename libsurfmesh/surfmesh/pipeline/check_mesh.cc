@@ -73,6 +73,13 @@ void attach_exact_metric(PolyMesh& mesh, const ModelInput& input) {
   }
 }
 
+/// The fault of this kind, made if there is none.
+MeshFault& fault_of_kind(std::vector<MeshFault>& faults, const char* kind) {
+  const auto found = std::find_if(faults.begin(), faults.end(),
+                                  [&](const MeshFault& fault) { return fault.kind == kind; });
+  return found != faults.end() ? *found : faults.emplace_back(MeshFault{kind, 0, {}});
+}
+
 Json histogram_json(const std::vector<HistogramBin>& bins) {
   Json json = Json::array();
   for (const HistogramBin& bin : bins) {
@@ -208,11 +215,10 @@ MeshCheck check_mesh(const FaceSetFile& file) {
   check.shape = measure_shape(file.set);
   check.warnings = file.warnings;
   check.faults = check.faces.faults;
-  MeshFault degenerate{"degenerate_face", 0, {}};
   for (const std::size_t face : file.degenerate_faces) {
-    degenerate.add(fmt::format("triangle {} of the file has two equal corners", face));
+    fault_of_kind(check.faults, "degenerate_face")
+        .add(fmt::format("triangle {} of the file has two equal corners", face));
   }
-  if (degenerate.count > 0) check.faults.push_back(std::move(degenerate));
   return check;
 }
 

@@ -116,6 +116,7 @@ ModelInput load_model_file(const std::filesystem::path& path, Scheme scheme) {
   }
   if (!file.patches.empty()) {
     at_place(name, [&] { input.model = model_from_patches(file.patches, file.contours); });
+    for (std::string& warning : input.model.warnings) warning.insert(0, name + ": ");
   }
   append_cages(file, name, scheme, input.model);
   input.sources = file.sources;

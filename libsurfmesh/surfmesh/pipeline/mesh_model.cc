@@ -13,6 +13,7 @@
 #include "surfmesh/assemble/turned_triangles.hh"
 #include "surfmesh/boundary/patch_boundary.hh"
 #include "surfmesh/control/make_control.hh"
+#include "surfmesh/control/parse_length.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/validate.hh"
 #include "surfmesh/refine/boundary_triangulation.hh"
@@ -246,11 +247,23 @@ void check_patches(const Model& model, const Sources& sources) {
   for (const AtSource& source : sources.at) check_patch(source.patch);
 }
 
+/// Throws   InvalidOption if hmin is above hmax, which only the size of the model may tell
+void check_bounds(const Model& model, const Sizing& sizing) {
+  const double hmin = sizing.hmin.in_units(model.diagonal);
+  const double hmax = sizing.hmax.in_units(model.diagonal);
+  if (hmin <= hmax) return;
+  throw Error(ErrorCode::InvalidOption,
+              fmt::format("hmin = {} must not be above hmax = {}, which are lengths of {:.6g} and "
+                          "{:.6g}",
+                          to_text(sizing.hmin), to_text(sizing.hmax), hmin, hmax));
+}
+
 }  // namespace
 
 MeshResult mesh_model(const Model& model, const Sources& sources, const PipelineOptions& options) {
   check(options);
   check(model);
+  check_bounds(model, options.sizing);
   check_patches(model, sources);
   return Run(model, sources, options).mesh();
 }

@@ -12,11 +12,11 @@ namespace surfmesh {
 
 /// The options of all stages.
 struct PipelineOptions {
-  Sizing sizing;
-  ControlOptions control;
-  BoundaryOptions boundary;
-  RefineOptions refine;
-  ImproveOptions improve;
+  Sizing sizing = {};
+  ControlOptions control = {};
+  BoundaryOptions boundary = {};
+  RefineOptions refine = {};
+  ImproveOptions improve = {};
   Observer* observer = nullptr;  ///< told of the progress; not owned, null for none
 };
 

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/pipeline/check_mesh.hh"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "support/errors.hh"
+#include "support/meshes.hh"
+#include "support/models.hh"
+
+namespace surfmesh {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A tetrahedron, and one triangle more.
+FaceSetFile tetrahedron(const std::vector<std::vector<int>>& more = {}) {
+  FaceSetFile file;
+  file.set.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  std::vector<std::vector<int>> faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  faces.insert(faces.end(), more.begin(), more.end());
+  for (const auto& face : faces) file.set.faces.add(face);
+  return file;
+}
+
+TEST(CheckMesh, FindsNothingWrongWithATetrahedron) {
+  const MeshCheck check = check_mesh(tetrahedron());
+  EXPECT_TRUE(check.faults.empty());
+  EXPECT_TRUE(check.faces.is_closed && check.faces.is_manifold && check.faces.is_oriented);
+  EXPECT_EQ(check.faces.euler, 2);
+  EXPECT_NEAR(check.shape.max_angle, std::numbers::pi / 2, 1e-12);
+  EXPECT_FALSE(check.fit.has_value());
+}
+
+TEST(CheckMesh, TellsTheFaultsOfTheFaceSet) {
+  const FaceSetFile file = tetrahedron({{0, 1, 2}});
+  const MeshCheck check = check_mesh(file);
+  EXPECT_EQ(check.faults, check_face_set(file.set).faults);
+  EXPECT_FALSE(check.faults.empty());
+}
+
+TEST(CheckMesh, TellsTrianglesThatTheReaderLeftOut) {
+  FaceSetFile file = tetrahedron();
+  file.degenerate_faces = {4, 7};
+  const MeshCheck check = check_mesh(file);
+  ASSERT_EQ(check.faults.size(), 1u);
+  EXPECT_EQ(check.faults[0].kind, "degenerate_face");
+  EXPECT_EQ(check.faults[0].count, 2u);
+  EXPECT_EQ(check.faults[0].places[1], "triangle 7 of the file has two equal corners");
+}
+
+TEST(CheckMesh, HasOneFaultOfAKind) {
+  FaceSetFile file;
+  file.set.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  file.set.faces.add(std::vector{0, 1, 2});
+  file.degenerate_faces = {1};
+  const MeshCheck check = check_mesh(file);
+  ASSERT_EQ(check.faults.size(), 1u);
+  EXPECT_EQ(check.faults[0].count, 2u);
+  EXPECT_EQ(check.faults[0].places.size(), 2u);
+}
+
+TEST(CheckMesh, PassesWarningsOn) {
+  FaceSetFile file = tetrahedron();
+  file.warnings = {"a.obj:1: odd"};
+  EXPECT_EQ(check_mesh(file).warnings, file.warnings);
+}
+
+/// The rectangle [0,2] × [0,2] as two patches side by side, with the size `hmax` everywhere.
+ModelInput two_rectangles(double hmax) {
+  ModelInput input;
+  input.model = testing::model_of({testing::rectangle(0, 0, 1, 2), testing::rectangle(1, 0, 2, 2)});
+  input.options.sizing.curvature = 0;
+  input.options.sizing.grade = 0;
+  input.options.sizing.hmin = {1e-6, false};
+  input.options.sizing.hmax = {hmax, false};
+  return input;
+}
+
+/// Unit squares cut in two, each on its patch of two_rectangles.
+MeshFile grid_on_patches() {
+  MeshFile file;
+  file.mesh = testing::plane_grid(2, 2);
+  const auto patch_of = require(file.mesh, keys::face_patch);
+  for (const auto face : file.mesh.faces()) {
+    file.mesh.property(patch_of, face) = file.mesh.calc_centroid(face)[0] < 1 ? 0 : 1;
+  }
+  return file;
+}
+
+/// Mean length of the edges of that grid.
+const double kMean = (12 + 4 * std::numbers::sqrt2) / 16;
+
+TEST(MeasureFit, MeasuresInTheSizesOfTheModel) {
+  for (const double hmax : {1.0, 0.25}) {
+    MeshFile mesh = grid_on_patches();
+    const ModelFit fit = measure_fit(mesh, two_rectangles(hmax));
+    EXPECT_FALSE(fit.is_projected);
+    EXPECT_EQ(fit.edges.count, 16u);
+    EXPECT_NEAR(fit.edges.mean, kMean / hmax, 1e-12);
+    EXPECT_NEAR(fit.quality.mean, std::numbers::sqrt3 / 2, 1e-12);
+    EXPECT_EQ(fit.distance.max, 0);
+    EXPECT_TRUE(fit.distance.faults.empty());
+  }
+}
+
+TEST(MeasureFit, ReplacesTheMetricOfTheMesh) {
+  MeshFile mesh = grid_on_patches();
+  const auto metric_of = require(mesh.mesh, keys::corner_metric);
+  for (const auto heh : mesh.mesh.halfedges()) mesh.mesh.property(metric_of, heh) = {100, 0, 100};
+  EXPECT_NEAR(measure_fit(mesh, two_rectangles(1)).edges.mean, kMean, 1e-12);
+  EXPECT_NEAR(measure_edges(mesh.mesh).mean, kMean, 1e-12);
+}
+
+TEST(MeasureFit, TakesASizeInItsPatchOnly) {
+  ModelInput input = two_rectangles(1);
+  input.sources.everywhere.push_back({1, {{0.5, false}, {0.5, false}, 0}});
+  MeshFile mesh = grid_on_patches();
+  measure_fit(mesh, input);
+  const auto metric_of = require(mesh.mesh, keys::corner_metric);
+  const auto patch_of = require(mesh.mesh, keys::face_patch);
+  for (const auto heh : mesh.mesh.halfedges()) {
+    if (heh.is_boundary()) continue;
+    const double wanted = mesh.mesh.property(patch_of, heh.face()) == 1 ? 4 : 1;
+    EXPECT_NEAR(mesh.mesh.property(metric_of, heh).m11, wanted, 1e-12);
+  }
+}
+
+TEST(MeasureFit, TellsWhatItDoesNotKnow) {
+  ModelInput input = two_rectangles(1);
+  MeshFile mesh = grid_on_patches();
+  EXPECT_FALSE(measure_fit(mesh, input).has_other_sizes);
+  input.options.sizing.grade = 1.5;
+  EXPECT_TRUE(measure_fit(mesh, input).has_other_sizes);
+  input.options.sizing.grade = 0;
+  input.sources.at.push_back({0, {0.5, 0.5}, {{0.5, false}, {0.5, false}, 0}});
+  EXPECT_TRUE(measure_fit(mesh, input).has_other_sizes);
+}
+
+TEST(MeasureFit, ProjectsAMeshWithoutParameters) {
+  MeshFile bare;
+  bare.mesh = grid_on_patches().mesh;
+  detach(bare.mesh, keys::corner_uv);
+  detach(bare.mesh, keys::face_patch);
+  MeshFile torn = grid_on_patches();
+  torn.mesh.property(require(torn.mesh, keys::corner_uv),
+                     torn.mesh.halfedge_handle(FaceHandle(3))) = Uv();
+  for (MeshFile* mesh : {&bare, &torn}) {
+    const ModelFit fit = measure_fit(*mesh, two_rectangles(1));
+    EXPECT_TRUE(fit.is_projected);
+    EXPECT_NEAR(fit.edges.mean, kMean, 1e-9);
+    EXPECT_NEAR(fit.distance.max, 0, 1e-9);
+    const auto patch_of = require(mesh->mesh, keys::face_patch);
+    EXPECT_EQ(mesh->mesh.property(patch_of, FaceHandle(0)), 0);
+    EXPECT_EQ(mesh->mesh.property(patch_of, FaceHandle(3)), 1);
+  }
+}
+
+TEST(MeasureFit, FindsVerticesOffTheSurface) {
+  MeshFile mesh = grid_on_patches();
+  mesh.mesh.set_point(VertexHandle(4), {1, 1, 0.25});
+  MeshCheck check = check_mesh({face_set_of(mesh.mesh), {}, {}, {}});
+  EXPECT_TRUE(check.faults.empty());
+  add_fit(check, measure_fit(mesh, two_rectangles(1)));
+  EXPECT_NEAR(check.fit->distance.max_corner, 0.25, 1e-12);
+  ASSERT_EQ(check.faults.size(), 1u);
+  EXPECT_EQ(check.faults[0].kind, "corner_off_surface");
+}
+
+TEST(MeasureFit, RefusesPatchesThatTheModelDoesNotHave) {
+  MeshFile mesh = grid_on_patches();
+  mesh.mesh.property(require(mesh.mesh, keys::face_patch), FaceHandle(5)) = 2;
+  const std::string error = error_of([&] { measure_fit(mesh, two_rectangles(1)); });
+  EXPECT_TRUE(error.starts_with("invalid input: ")) << error;
+  EXPECT_NE(error.find("face 5 lies on patch 2, but the model has 2 patches"), std::string::npos)
+      << error;
+}
+
+TEST(CheckMeshJson, HoldsTheFit) {
+  MeshFile mesh = grid_on_patches();
+  MeshCheck check = check_mesh({face_set_of(mesh.mesh), {}, {}, {}});
+  EXPECT_TRUE(Json::parse(to_json(check))["fit"].is_null());
+  add_fit(check, measure_fit(mesh, two_rectangles(1)));
+  const Json json = Json::parse(to_json(check));
+  EXPECT_TRUE(json["clean"]);
+  EXPECT_EQ(json["fit"]["edges"]["count"], 16);
+  EXPECT_EQ(json["fit"]["edges"]["mean"], check.fit->edges.mean);
+  EXPECT_EQ(json["fit"]["distance"]["max"], 0);
+  EXPECT_EQ(json["angles"]["max"], 90);
+}
+
+TEST(CheckMeshText, TellsFaultsAndTheFit) {
+  MeshFile mesh = grid_on_patches();
+  MeshCheck check = check_mesh({face_set_of(mesh.mesh), {}, {}, {}});
+  add_fit(check, measure_fit(mesh, two_rectangles(1)));
+  const std::string text = to_text(check);
+  for (const char* part : {"9 vertices, 16 edges, 8 triangles", "open: 8 boundary edges in 1 loops",
+                           "by the (u,v) of the mesh", "faults    none"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
+  }
+}
+
+}  // namespace
+}  // namespace surfmesh
