@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surfmesh/control/node_interpolation.hh"
+#include "surfmesh/control/point_nodes.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/metric/minimum.hh"
 #include "surfmesh/metric/tensor.hh"
@@ -34,34 +36,9 @@ double root_of_determinant(const FirstFormFactor& form, const SizeTensor& size) 
   return form.l11 * form.l22 / determinant(size);
 }
 
-ControlNode node_of(const AtSource& source, const SizeField& field) {
-  const Domain domain = field.surface().domain();
-  const Uv uv = source.at;
-  const bool is_inside = uv.u >= domain.u0 && uv.u <= domain.u1 && uv.v >= domain.v0 &&
-                         uv.v <= domain.v1 && domain.fold(uv) == uv;
-  if (!is_inside) {
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("a source at (u,v) = ({}, {}) lies outside the domain", uv.u, uv.v));
-  }
-  const SizeField::Sample sample = field.at(uv);
-  SizeTensor size = field.clamp(field.tensor(source.size));
-  if (field.has_source()) size = field.clamp(minimum(size, sample.size));
-  return {uv, sample.point, sample.form, size, {}};
-}
-
-/// The corners of a domain without area sources, each with the size of the nearest source.
-std::vector<ControlNode> corners_like_nearest(const SizeField& field,
-                                              const std::vector<ControlNode>& sources) {
-  std::vector<ControlNode> corners = choose_control_nodes(field, {.regular = 4});
-  for (ControlNode& node : corners) {
-    const auto nearest = std::min_element(
-        sources.begin(), sources.end(), [&](const ControlNode& a, const ControlNode& b) {
-          return (a.point - node.point).squaredNorm() < (b.point - node.point).squaredNorm();
-        });
-    node.size = nearest->size;
-    node.spacing = {};
-  }
-  return corners;
+/// True if there is more than `at`.
+bool has_other_sources(const PatchSources& sources, const SizeField& field) {
+  return field.has_area_source() || !sources.along.empty() || !sources.trees.empty();
 }
 
 std::vector<ControlNode> choose_accurate_nodes(const SizeField& field, ControlNodeOptions options) {
@@ -101,18 +78,14 @@ MetricArea metric_area(const SizeField& field, const ControlSpace& control, int 
 
 ControlSpace make_control(const Surface& surface, const Sizing& sizing, const PatchSources& sources,
                           double diagonal, const ControlNodeOptions& options) {
-  if (!(sizing.grade == 0 || (sizing.grade >= 1 && std::isfinite(sizing.grade)))) {
-    throw Error(ErrorCode::InvalidOption,
-                fmt::format("sizing.grade = {} is outside its range: 0 (off), or 1 and above",
-                            sizing.grade));
-  }
-  const SizeField field(surface, sizing, sources.everywhere, diagonal);
-  check(options);
-  std::vector<ControlNode> points;
-  for (const AtSource& source : sources.at) points.push_back(node_of(source, field));
-  std::vector<ControlNode> nodes = field.has_source() || points.empty()
-                                       ? choose_accurate_nodes(field, options)
-                                       : corners_like_nearest(field, points);
+  ControlNodeOptions own = options;
+  own.precision = sources.precision().value_or(options.precision);
+  check(own);
+  const SizeField field(surface, sizing, sources, diagonal, own.precision);
+  const std::vector<ControlNode> points = field_nodes(sources, field, sizing.grade > 0);
+  const bool is_chosen = has_other_sources(sources, field) || points.empty();
+  std::vector<ControlNode> nodes =
+      is_chosen ? choose_accurate_nodes(field, own) : corners_like_nearest(surface, points);
   nodes.insert(nodes.end(), points.begin(), points.end());
   return ControlSpace(surface.domain(), nodes, sizing.grade);
 }

@@ -5,23 +5,19 @@
 
 #include "surfmesh/control/control_nodes.hh"
 #include "surfmesh/control/control_space.hh"
+#include "surfmesh/control/patch_sources.hh"
 #include "surfmesh/control/sizing.hh"
 
 namespace surfmesh {
 
-/// The user's sources of one patch.
-struct PatchSources {
-  std::vector<EverywhereSource> everywhere;
-  std::vector<AtSource> at;
-};
-
 /// Make the control space of one patch from all sources of sizes.
 ///
-/// Nodes are chosen so that the control space represents the area sources; where it does not hold
+/// Nodes are chosen so that the control space represents the sources; where it does not hold
 /// their ∫√det M to 1.5 % on an independent sample, it is made again with a finer precision, six
-/// times at most; what is reached then is taken. Nodes of
-/// `at` take the minimum with the area sources; without any of these the only other nodes are the
-/// corners, with the size of the nearest `at`. Gradation comes last.
+/// times at most; what is reached then is taken. A precision that a source names wins over that of
+/// the options. Nodes of `at` take the minimum with the other sources; without any of these the only
+/// other nodes are the corners, with the size of the nearest `at`. Where gradation is off, a curve of
+/// sizes without a radius becomes nodes along it. Gradation comes last.
 ///
 /// Cost     about 5 µs a node
 /// Throws   InvalidOption for sizing out of range; InvalidInput for a source that is, or that lies

@@ -13,6 +13,7 @@
 #include "surfmesh/assemble/turned_triangles.hh"
 #include "surfmesh/boundary/patch_boundary.hh"
 #include "surfmesh/control/make_control.hh"
+#include "surfmesh/control/model_sources.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/validate.hh"
 #include "surfmesh/refine/boundary_triangulation.hh"
@@ -94,6 +95,8 @@ class Run {
   void make_control_spaces() {
     const StageClock clock(report_.seconds.control);
     sizes_.resize(model_.patches.size());
+    count_clamped_sizes();
+    patch_sources_ = model_sources(model_, sources_, options_.sizing);
     for_each_patch("control", [this](std::size_t p) { make_control_space(p); });
     for (const PatchSizes& sizes : sizes_) {
       report_.control.nodes += sizes.control->mesh().n_vertices();
@@ -102,17 +105,19 @@ class Run {
     }
   }
 
+  void count_clamped_sizes() {
+    const SizeBounds bounds(options_.sizing, model_.diagonal);
+    const std::size_t count = count_clamped(sources_, bounds);
+    if (count == 0) return;
+    report_.warnings.push_back(
+        fmt::format("{} sizes of sources are brought into the bounds hmin = {} and hmax = {}",
+                    count, bounds.hmin, bounds.hmax));
+  }
+
   void make_control_space(std::size_t p) {
     const Surface& surface = *model_.patches[p].surface;
-    PatchSources patch_sources;
-    for (const EverywhereSource& source : sources_.everywhere) {
-      if (source.patch == static_cast<int>(p)) patch_sources.everywhere.push_back(source);
-    }
-    for (const AtSource& source : sources_.at) {
-      if (source.patch == static_cast<int>(p)) patch_sources.at.push_back(source);
-    }
     sizes_[p].control = std::make_unique<ControlSpace>(make_control(
-        surface, options_.sizing, patch_sources, model_.diagonal, options_.control));
+        surface, options_.sizing, patch_sources_[p], model_.diagonal, options_.control));
     sizes_[p].field = std::make_unique<SurfaceMetricField>(surface, *sizes_[p].control);
   }
 
@@ -216,6 +221,7 @@ class Run {
   const PipelineOptions& options_;
   Report report_;
   std::vector<PatchSizes> sizes_;
+  std::vector<PatchSources> patch_sources_;
   std::vector<const MetricField*> fields_;
   std::vector<ContourNodes> nodes_;
   std::unique_ptr<NodeNumbers> numbers_;
@@ -230,8 +236,15 @@ void check_patches(const Model& model, const Sources& sources) {
                   fmt::format("a source names patch {} of {}", patch, model.patches.size()));
     }
   };
-  for (const EverywhereSource& source : sources.everywhere) check_patch(source.patch);
-  for (const AtSource& source : sources.at) check_patch(source.patch);
+  const auto check_all = [&](const auto& list) {
+    for (const auto& source : list) check_patch(source.patch);
+  };
+  check_all(sources.everywhere);
+  check_all(sources.at);
+  check_all(sources.along);
+  check_all(sources.inside);
+  check_all(sources.fields);
+  check_all(sources.tables);
 }
 
 }  // namespace
