@@ -70,6 +70,8 @@ void SizeField::take_sources(const PatchSources& sources, const Sizing& sizing, 
   for (const AtSource& source : sources.at) add_at(source, surface_, bounds_, placed);
   take_tree(std::make_shared<SourceTree>(std::move(placed), sizing.grade));
   for (const auto& tree : sources.trees) take_tree(tree);
+  has_wishes_ = everywhere_ || !areas_.empty() || !fields_.empty() || !tables_.empty() ||
+                !trees_.empty();
 }
 
 void SizeField::take_tree(std::shared_ptr<const SourceTree> tree) {
@@ -200,7 +202,7 @@ SizeField::Sample SizeField::at(Uv uv) const {
   sample.form = first_form_factor(jet.du, jet.dv);
   sample.size = isotropic(bounds_.hmax);
   if (factor_ > 0) add_curvature(uv, jet, sample);
-  add_sources(uv, jet, sample);
+  if (has_wishes_) add_sources(uv, jet, sample);
   return sample;
 }
 

@@ -94,6 +94,7 @@ class SizeField {
   std::vector<FieldSource> fields_;
   std::vector<std::shared_ptr<const NodeInterpolation>> tables_;
   std::vector<std::shared_ptr<const SourceTree>> trees_;
+  bool has_wishes_ = false;  ///< for more than the curvature
   std::vector<RoundedSide> rounded_sides_;
   std::vector<Disc> discs_;
 };

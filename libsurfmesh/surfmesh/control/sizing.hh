@@ -26,6 +26,10 @@ struct Sizing {
   Length hmax = {0.2, true};    ///< upper clamp of all sizes, at least hmin
   double stretch = 2;           ///< greatest ratio of the two sizes from curvature, at least 1
   double grade = 1.5;           ///< sizes grow by at most ln(grade) per unit of length; 0 is off
+  /// Sizes from the curvature of true boundaries, creases and trims; off without `curvature`.
+  bool contour_curvature = true;
+  double proximity = 1;  ///< elements wanted across a gap between two parts of a boundary; 0 is off
+  bool features = true;  ///< short contours bound the sizes near them
 };
 
 /// Wanted edge lengths: l_s along the first axis turned by `angle`, l_t across.

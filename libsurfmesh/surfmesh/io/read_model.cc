@@ -132,11 +132,11 @@ Sizing read_sizing(const JsonNode& node) {
     (node.has("hmax") ? node.at("hmax") : node.at("hmin")).fail("hmin must not be above hmax");
   }
   if (const auto sag = node.find("sag")) sag->expect_off({0, "off"});
-  if (const auto proximity = node.find("proximity")) proximity->expect_off({0, 1});
-  // Not built yet, but on is the default, so either value may stand there.
-  for (const char* key : {"contour_curvature", "features"}) {
-    if (const auto flag = node.find(key)) flag->boolean();
+  if (const auto proximity = node.find("proximity")) {
+    sizing.proximity = read_at_least(*proximity, 0);
   }
+  if (const auto flag = node.find("contour_curvature")) sizing.contour_curvature = flag->boolean();
+  if (const auto flag = node.find("features")) sizing.features = flag->boolean();
   return sizing;
 }
 
