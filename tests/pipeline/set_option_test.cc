@@ -64,11 +64,21 @@ TEST(SetOption, ReachesTheStages) {
   EXPECT_EQ(options.improve.sweeps, 5);
 }
 
+TEST(SetOption, SetsTheSizesOfContours) {
+  PipelineOptions options;
+  EXPECT_TRUE(options.sizing.contour_curvature && options.sizing.features);
+  EXPECT_EQ(options.sizing.proximity, 1);
+  set_option(options, "contour_curvature", "false");
+  set_option(options, "features", "false");
+  set_option(options, "proximity", "2.5");
+  EXPECT_FALSE(options.sizing.contour_curvature || options.sizing.features);
+  EXPECT_EQ(std::get<double>(get_option(options, "proximity")), 2.5);
+  EXPECT_NE(fault("proximity", "-1"), "no error");
+}
+
 TEST(SetOption, AcceptsTheOffValuesOfWhatIsNotBuilt) {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"sag", "off"},       {"sag", "0"},           {"contour_curvature", "true"},
-      {"proximity", "1"},   {"proximity", "0"},     {"features", "false"},
-      {"control", "mesh"},  {"interpolation", "t"}, {"interpolation", "auto"},
+      {"sag", "off"},       {"sag", "0"},           {"control", "mesh"},  {"interpolation", "t"}, {"interpolation", "auto"},
       {"epsilon", "0.1"},   {"blend", "linear"},    {"inner_nodes", "false"},
       {"reuse", "0"},       {"patches", "faces"},   {"patches", "auto"},
       {"quads", "false"},   {"threads", "8"},       {"threads", "all"},
@@ -78,7 +88,7 @@ TEST(SetOption, AcceptsTheOffValuesOfWhatIsNotBuilt) {
 
 TEST(SetOption, SaysWhatIsNotBuiltYet) {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"sag", "0.1%"},        {"proximity", "3"},    {"control", "grid"}, {"interpolation", "s"},
+      {"sag", "0.1%"}, {"control", "grid"}, {"interpolation", "s"},
       {"interpolation", "o"}, {"epsilon", "0.2"},    {"blend", "log"},    {"inner_nodes", "true"},
       {"reuse", "0.5"},       {"patches", "blocks"}, {"quads", "true"}};
   for (const auto& [name, value] : cases) {

@@ -20,14 +20,14 @@ constexpr std::array<std::string_view, 6> kPatchSources = {"everywhere", "at",  
                                                            "inside",     "field", "table"};
 
 /// Refuse keys that a kind of source has no use for.
-void refuse(const JsonNode& node, std::string_view kind,
+void refuse(const JsonNode& node, std::string_view subject,
             std::initializer_list<std::string_view> keys) {
   for (const std::string_view key : keys) {
     if (!node.has(key)) continue;
     const JsonNode value = node.at(key);
     const Json& json = value.json();
     const bool is_off = json.is_null() || json == 0 || (json.is_structured() && json.empty());
-    if (!is_off) value.fail(fmt::format("a source with {} has no {}", kind, key));
+    if (!is_off) value.fail(fmt::format("{} has no {}", subject, key));
   }
 }
 
@@ -111,14 +111,14 @@ std::array<double, count> evaluate(const FormulaProgram& program, Uv uv, const V
 }
 
 void read_field(const JsonNode& node, const PatchScope& patch, Sources& sources) {
-  refuse(node, "field", {"size", "angle", "radius", "outer"});
+  refuse(node, "a field", {"size", "angle", "radius", "outer"});
   const JsonNode field = node.at("field");
   field.expect_keys({"size", "m11", "m12", "m22"});
   FieldSource source;
   source.patch = patch.index;
   source.precision = read_precision(node);
   if (field.has("size")) {
-    refuse(field, "size", {"m11", "m12", "m22"});
+    refuse(field, "a field of one size", {"m11", "m12", "m22"});
     const auto program = read_formulas(field.at("size"), {field.at("size").text()}, patch.constants);
     source.size = [program](Uv uv, const Vec3& p) { return evaluate<1>(*program, uv, p)[0]; };
   } else {
@@ -134,7 +134,7 @@ void read_field(const JsonNode& node, const PatchScope& patch, Sources& sources)
 }
 
 void read_table_source(const JsonNode& node, const PatchScope& patch, Sources& sources) {
-  refuse(node, "table", {"size", "angle", "radius", "outer"});
+  refuse(node, "a table", {"size", "angle", "radius", "outer"});
   const JsonNode table = node.at("table");
   const std::string file = table.text();
   if (file.empty()) table.fail("must not be empty");
@@ -159,7 +159,7 @@ Vec3 read_point(const JsonNode& node, const Constants& constants) {
 }
 
 void read_near(const JsonNode& node, const Constants& constants, Sources& sources) {
-  refuse(node, "near", {"precision"});
+  refuse(node, "a source near a place", {"precision"});
   const JsonNode near = node.at("near");
   const std::vector<JsonNode> elements = near.elements();
   NearSource source{{}, read_wish(node)};
@@ -180,9 +180,9 @@ void read_patch_source(const JsonNode& node, const PatchScope& patch, ModelFile&
   const std::string kind = kind_of(node, kPatchSources);
   if (kind == "field") return read_field(node, patch, sources);
   if (kind == "table") return read_table_source(node, patch, sources);
-  refuse(node, kind, {"precision"});
+  refuse(node, "a size that is not of a field or table", {"precision"});
   if (kind == "everywhere") {
-    refuse(node, kind, {"radius", "outer"});
+    refuse(node, "a whole patch", {"radius", "outer"});
     if (!node.at(kind).boolean()) node.at(kind).fail("must be true");
     sources.everywhere.push_back({patch.index, read_size(node)});
   } else if (kind == "at") {
@@ -201,7 +201,7 @@ void read_space_source(const JsonNode& node, const Constants& constants, ModelFi
   node.expect_keys({"near", "group", "size", "angle", "radius", "outer", "precision"});
   const std::string kind = kind_of(node, std::array<std::string_view, 2>{"near", "group"});
   if (kind == "near") return read_near(node, constants, model.sources);
-  refuse(node, kind, {"radius", "outer", "precision"});
+  refuse(node, "a group", {"radius", "outer", "precision"});
   const JsonNode group = node.at("group");
   model.groups.push_back({group.text(), read_size(node), group.pointer()});
 }
