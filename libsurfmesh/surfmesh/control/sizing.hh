@@ -110,7 +110,7 @@ struct TableNode {
 /// An area source: sizes given at points, between which they are interpolated.
 struct TableSource {
   int patch = -1;
-  std::vector<TableNode> nodes;
+  std::vector<TableNode> nodes = {};
   std::optional<double> precision = {};  ///< wins over that of the options
 };
 
