@@ -51,7 +51,7 @@ TEST(Proximity, CoversTheWholeStrip) {
 }
 
 TEST(Proximity, DividesByTheNumberOfElements) {
-  for (const PlacedSize& placed : gaps(model_of({rectangle(0, 0, 3, 0.1)}), 1, 4)) {
+  for (const PlacedSize& placed : gaps(model_of({rectangle(0, 0, 3, 0.1)}), 0.7, 4)) {
     EXPECT_NEAR(placed.at_from.along, 0.025, 1e-12);
   }
 }
