@@ -29,7 +29,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 SizeField field_of(const Surface& surface, const Sizing& sizing,
                    const std::vector<EverywhereSource>& everywhere = {}) {
-  return SizeField(surface, sizing, everywhere, 1);
+  return SizeField(surface, sizing, PatchSources{everywhere, {}}, 1);
 }
 
 test::PlanePatch plane() { return {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()}; }
@@ -161,18 +161,18 @@ TEST(SizeField, RefusesSizesThatAreNoLengths) {
   const auto surface = plane();
   const SizeField field = field_of(surface, sizing_of(0.25, 0.01, 1, 2));
   for (const double bad : {0.0, -1.0, kUnset, kInfinity}) {
-    EXPECT_THROW(field.tensor(size_of(bad, 1)), Error);
-    EXPECT_THROW(field.tensor(size_of(1, bad)), Error);
+    EXPECT_THROW(field.bounds().tensor(size_of(bad, 1)), Error);
+    EXPECT_THROW(field.bounds().tensor(size_of(1, bad)), Error);
   }
-  EXPECT_THROW(field.tensor(size_of(1, 1, kUnset)), Error);
+  EXPECT_THROW(field.bounds().tensor(size_of(1, 1, kUnset)), Error);
 }
 
 TEST(SizeField, TakesSharesOfTheDiagonal) {
   const auto surface = plane();
   const SizeField field(surface, {0, {0.001, true}, {0.2, true}, 2, 0}, {}, 50);
-  EXPECT_DOUBLE_EQ(field.hmin(), 0.05);
-  EXPECT_DOUBLE_EQ(field.hmax(), 10);
-  expect_near(field.tensor({{0.1, true}, {0.5, false}, 0}), {5, 0, 0.5}, 1e-15);
+  EXPECT_DOUBLE_EQ(field.bounds().hmin, 0.05);
+  EXPECT_DOUBLE_EQ(field.bounds().hmax, 10);
+  expect_near(field.bounds().tensor({{0.1, true}, {0.5, false}, 0}), {5, 0, 0.5}, 1e-15);
 }
 
 TEST(SizeField, IsMirroredBeyondTheDiagonalOfATriangle) {

@@ -64,11 +64,22 @@ TEST(SetOption, ReachesTheStages) {
   EXPECT_EQ(options.improve.sweeps, 5);
 }
 
+TEST(SetOption, SetsTheSizesOfContours) {
+  PipelineOptions options;
+  EXPECT_TRUE(options.sizing.contour_curvature && options.sizing.features);
+  EXPECT_EQ(options.sizing.proximity, 1);
+  set_option(options, "contour_curvature", "false");
+  set_option(options, "features", "false");
+  set_option(options, "proximity", "2.5");
+  EXPECT_FALSE(options.sizing.contour_curvature || options.sizing.features);
+  EXPECT_EQ(std::get<double>(get_option(options, "proximity")), 2.5);
+  EXPECT_NE(fault("proximity", "-1"), "no error");
+}
+
 TEST(SetOption, AcceptsTheOffValuesOfWhatIsNotBuilt) {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"sag", "off"},       {"sag", "0"},           {"contour_curvature", "true"},
-      {"proximity", "1"},   {"proximity", "0"},     {"features", "false"},
-      {"patches", "faces"}, {"patches", "auto"},
+      {"sag", "off"},         {"sag", "0"},        {"patches", "faces"},
+      {"patches", "auto"},
       {"quads", "false"},   {"threads", "8"},       {"threads", "all"},
       {"smoothing", "best"}};
   for (const auto& [name, value] : cases) EXPECT_EQ(fault(name, value), "no error") << name;
@@ -76,7 +87,7 @@ TEST(SetOption, AcceptsTheOffValuesOfWhatIsNotBuilt) {
 
 TEST(SetOption, SaysWhatIsNotBuiltYet) {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"sag", "0.1%"}, {"proximity", "3"}, {"patches", "blocks"}, {"quads", "true"}};
+      {"sag", "0.1%"}, {"patches", "blocks"}, {"quads", "true"}};
   for (const auto& [name, value] : cases) {
     const std::string front = "invalid option: " + name + " = " + value + " is not built yet; ";
     EXPECT_TRUE(fault(name, value).starts_with(front)) << fault(name, value);

@@ -1,132 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/control/make_control.hh"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
+#include "surfmesh/control/accurate_nodes.hh"
 #include "surfmesh/control/control_grid.hh"
 #include "surfmesh/control/control_mesh.hh"
-#include "surfmesh/core/error.hh"
-#include "surfmesh/metric/conformity.hh"
-#include "surfmesh/metric/minimum.hh"
-#include "surfmesh/metric/tensor.hh"
+#include "surfmesh/control/node_interpolation.hh"
+#include "surfmesh/control/point_nodes.hh"
 
 namespace surfmesh {
 namespace {
 
-/// Greatest relative error of ∫√det M before gradation. The mark is 2 %; the estimate itself is
-/// good to some tenths of a percent.
-constexpr double kAreaError = 0.015;
-
-/// Error of the integral that is no matter even in a patch smaller than one element: a tenth of a
-/// triangle.
-constexpr double kNegligibleArea = 0.05;
-
-/// Finer precisions that are tried, each by this factor.
-constexpr int kMaxRounds = 6;
-constexpr double kFinerPrecision = 0.6;
-
-/// Nodes along a side of the first grid, and above which no finer one is tried: a million nodes.
-constexpr int kFirstGridSide = 9;
-constexpr int kLastGridSide = 1000;
-
-/// Points of the independent sample: a share of the nodes, within bounds.
-int sample_count(std::size_t nodes) {
-  return static_cast<int>(std::clamp<std::size_t>(4 * nodes, 100, 100'000));
-}
-
-/// Call `visit(uv)` for points of a domain that cover it evenly: the additive sequence of the
-/// plastic number, which has no period; for a triangular domain those of its rectangle that lie in
-/// it.
-/// Source   Roberts, The unreasonable effectiveness of quasirandom sequences (2018)
-template <class Visit>
-void for_each_quasi_random(const Domain& domain, int samples, Visit visit) {
-  constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
-  for (int i = 1; i <= samples; ++i) {
-    double whole = 0;
-    const Uv uv = domain.at(std::modf(i * first, &whole), std::modf(i * second, &whole));
-    if (domain.fold(uv) == uv) visit(uv);
-  }
-}
-
-double root_of_determinant(const FirstFormFactor& form, const SizeTensor& size) {
-  return form.l11 * form.l22 / determinant(size);
-}
-
-ControlNode node_of(const AtSource& source, const SizeField& field) {
-  const Domain domain = field.surface().domain();
-  const Uv uv = source.at;
-  const bool is_inside = uv.u >= domain.u0 && uv.u <= domain.u1 && uv.v >= domain.v0 &&
-                         uv.v <= domain.v1 && domain.fold(uv) == uv;
-  if (!is_inside) {
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("a source at (u,v) = ({}, {}) lies outside the domain", uv.u, uv.v));
-  }
-  const SizeField::Sample sample = field.at(uv);
-  SizeTensor size = field.clamp(field.tensor(source.size));
-  if (field.has_source()) size = field.clamp(minimum(size, sample.size));
-  return {uv, sample.point, sample.form, size, {}};
-}
-
-/// The corners of a domain without area sources, each with the size of the nearest source.
-std::vector<ControlNode> corners_like_nearest(const SizeField& field,
-                                              const std::vector<ControlNode>& sources) {
-  std::vector<ControlNode> corners = choose_control_nodes(field, {.regular = 4});
-  for (ControlNode& node : corners) {
-    const auto nearest = std::min_element(
-        sources.begin(), sources.end(), [&](const ControlNode& a, const ControlNode& b) {
-          return (a.point - node.point).squaredNorm() < (b.point - node.point).squaredNorm();
-        });
-    node.size = nearest->size;
-    node.spacing = {};
-  }
-  return corners;
-}
-
-std::vector<ControlNode> choose_accurate_nodes(const SizeField& field, ControlNodeOptions options) {
-  std::vector<ControlNode> nodes = choose_control_nodes(field, options);
-  if (options.regular > 0 || !field.has_source()) return nodes;
-  for (int round = 0; round < kMaxRounds; ++round) {
-    const ControlMesh control(field.surface().domain(), nodes, {});
-    const MetricArea area = metric_area(field, control, sample_count(nodes.size()));
-    const double error = std::abs(area.control - area.exact);
-    if (error <= std::max(kNegligibleArea, kAreaError * area.exact)) break;
-    options.precision *= kFinerPrecision;
-    nodes = choose_control_nodes(field, options);
-  }
-  return nodes;
-}
-
-/// True if a grid of control nodes holds the field to the precision at quasi-random points, or is
-/// finer there than the elements.
-bool holds(const ControlGrid& grid, const SizeField& field, int side, double precision) {
-  const Domain domain = field.surface().domain();
-  const Uv u_step{(domain.u1 - domain.u0) / (side - 1), 0};
-  const Uv v_step{0, (domain.v1 - domain.v0) / (side - 1)};
-  ControlSpace::Hint hint;
-  bool is_good = true;
-  for_each_quasi_random(domain, 2 * side * side, [&](Uv uv) {
-    if (!is_good) return;
-    const SizeField::Sample sample = field.at(uv);
-    const Metric metric = metric_from_size(sample.form, sample.size);
-    const double cell = std::max(squared_length(metric, u_step), squared_length(metric, v_step));
-    if (cell < kLeastCellLength * kLeastCellLength) return;
-    const SizeTensor size = grid.size({uv, sample.point, sample.form}, hint);
-    is_good = log_conformity(sample.size, size) <= precision;
-  });
-  return is_good;
-}
-
-/// Regular nodes, as many as asked for or as the precision needs.
-std::vector<ControlNode> choose_grid(const SizeField& field, const ControlNodeOptions& options) {
-  if (options.regular > 0) return choose_control_nodes(field, options);
-  for (int side = kFirstGridSide;; side = 2 * side - 1) {
-    std::vector<ControlNode> nodes = choose_control_nodes(field, {.regular = side * side});
-    const ControlGrid grid(field.surface().domain(), nodes, {}, {});
-    if (side > kLastGridSide || holds(grid, field, side, options.precision)) return nodes;
-  }
+/// True if there is more than `at`.
+bool has_other_sources(const PatchSources& sources, const SizeField& field) {
+  return field.has_area_source() || !sources.along.empty() || !sources.trees.empty();
 }
 
 /// Refine the triangulation of the nodes for shape; the new nodes have the sizes it gives there.
@@ -143,44 +29,40 @@ void add_inner_nodes(const Surface& surface, std::vector<ControlNode>& nodes) {
 
 }  // namespace
 
-MetricArea metric_area(const SizeField& field, const ControlSpace& control, int samples) {
-  const Domain domain = field.surface().domain();
-  const double cell = (domain.u1 - domain.u0) * (domain.v1 - domain.v0) / samples;
-  MetricArea area;
-  ControlSpace::Hint hint;
-  for_each_quasi_random(domain, samples, [&](Uv uv) {
-    const SizeField::Sample sample = field.at(uv);
-    area.exact += cell * root_of_determinant(sample.form, sample.size);
-    area.control += cell * root_of_determinant(sample.form, control.size({uv, sample.point, sample.form}, hint));
-  });
-  return area;
-}
-
 void check(const ControlOptions& options) {
   check(options.nodes);
   check(options.space);
 }
 
-std::unique_ptr<ControlSpace> make_control(const Surface& surface, const Sizing& sizing,
-                                           const PatchSources& sources, double diagonal,
-                                           const ControlOptions& options) {
-  check(options);
-  const SizeField field(surface, sizing, sources.everywhere, diagonal);
-  ControlSpaceOptions space = options.space;
-  space.grade = sizing.grade;
-  space.discs_meet_area_sources = field.has_source();
-  std::vector<ControlNode> points;
-  for (const AtSource& source : sources.at) points.push_back(node_of(source, field));
+ControlInput collect_control_input(const Surface& surface, const Sizing& sizing,
+                                   const PatchSources& sources, double diagonal,
+                                   const ControlOptions& options) {
+  ControlNodeOptions own = options.nodes;
+  own.precision = sources.precision().value_or(own.precision);
+  check(own);
+  const SizeField field(surface, sizing, sources, diagonal, own.precision);
+  std::vector<ControlNode> places = field_nodes(sources, field, sizing.grade > 0);
+  ControlInput input{surface.domain(), {}, {}, options.kind, options.space};
+  input.options.grade = sizing.grade;
+  check(input.options);
+  const bool is_chosen = has_other_sources(sources, field) || places.empty();
+  input.options.discs_meet_area_sources = is_chosen;
   if (options.kind == ControlKind::Grid) {
-    return std::make_unique<ControlGrid>(surface.domain(), choose_grid(field, options.nodes),
-                                         points, space);
+    input.nodes = choose_grid_nodes(field, own);
+    input.places = std::move(places);
+    return input;
   }
-  std::vector<ControlNode> nodes = field.has_source() || points.empty()
-                                       ? choose_accurate_nodes(field, options.nodes)
-                                       : corners_like_nearest(field, points);
-  nodes.insert(nodes.end(), points.begin(), points.end());
-  if (options.inner_nodes) add_inner_nodes(surface, nodes);
-  return std::make_unique<ControlMesh>(surface.domain(), nodes, space);
+  input.nodes = is_chosen ? choose_accurate_nodes(field, own) : corners_like_nearest(surface, places);
+  input.nodes.insert(input.nodes.end(), places.begin(), places.end());
+  if (options.inner_nodes) add_inner_nodes(surface, input.nodes);
+  return input;
+}
+
+std::unique_ptr<ControlSpace> make_control(const ControlInput& input) {
+  if (input.kind == ControlKind::Grid) {
+    return std::make_unique<ControlGrid>(input.domain, input.nodes, input.places, input.options);
+  }
+  return std::make_unique<ControlMesh>(input.domain, input.nodes, input.options);
 }
 
 }  // namespace surfmesh

@@ -6,15 +6,10 @@
 
 #include "surfmesh/control/control_nodes.hh"
 #include "surfmesh/control/control_space.hh"
+#include "surfmesh/control/patch_sources.hh"
 #include "surfmesh/control/sizing.hh"
 
 namespace surfmesh {
-
-/// The user's sources of one patch.
-struct PatchSources {
-  std::vector<EverywhereSource> everywhere;
-  std::vector<AtSource> at;
-};
 
 /// What a control space is made of.
 enum class ControlKind { Mesh, Grid };
@@ -31,33 +26,32 @@ struct ControlOptions {
 /// Throws   InvalidOption naming the option, its value and its range
 void check(const ControlOptions& options);
 
-/// Make the control space of one patch from all sources of sizes.
+/// What the control space of one patch is made of.
+struct ControlInput {
+  Domain domain;
+  std::vector<ControlNode> nodes;   ///< those of a triangulation, or of a square grid
+  std::vector<ControlNode> places;  ///< beside a grid, nodes at places of their own
+  ControlKind kind = ControlKind::Mesh;
+  ControlSpaceOptions options = {};
+};
+
+/// Collect the nodes of one patch from all sources of sizes, and the options with the gradation.
 ///
-/// Nodes are chosen so that the control space represents the area sources; where it does not hold
-/// their ∫√det M to 1.5 % on an independent sample, it is made again with a finer precision, six
-/// times at most; what is reached then is taken. Nodes of
-/// `at` take the minimum with the area sources; without any of these the only other nodes are the
-/// corners, with the size of the nearest `at`. Gradation comes last.
+/// Nodes are chosen so that the control space represents the sources (choose_accurate_nodes). A
+/// precision that a source names wins over that of the options. Nodes of `at` take the minimum with
+/// the other sources; without any of these the only other nodes are the corners, with the size of
+/// the nearest `at`. Where gradation is off, a curve of sizes without a radius becomes nodes along
+/// it.
 ///
 /// Cost     about 5 µs a node
 /// Throws   InvalidOption for sizing out of range; InvalidInput for a source that is, or that lies
 ///          outside the domain, naming its (u,v)
 /// Source   paper, section 3.2
-std::unique_ptr<ControlSpace> make_control(const Surface& surface, const Sizing& sizing,
-                                           const PatchSources& sources, double diagonal,
-                                           const ControlOptions& options);
+ControlInput collect_control_input(const Surface& surface, const Sizing& sizing,
+                                   const PatchSources& sources, double diagonal,
+                                   const ControlOptions& options);
 
-/// ∫√det M, the number of unit squares that sizes ask for, of the exact field and of a control
-/// space, on the same quasi-random points.
-struct MetricArea {
-  double exact = 0;
-  double control = 0;
-};
-
-/// Estimate both integrals over the domain.
-///
-/// Error    about 1 % of either, much less of their ratio (the points are the same)
-/// Cost     `samples` evaluations of the field and queries of the control space
-MetricArea metric_area(const SizeField& field, const ControlSpace& control, int samples);
+/// Make the control space of what was collected; gradation comes last.
+std::unique_ptr<ControlSpace> make_control(const ControlInput& input);
 
 }  // namespace surfmesh

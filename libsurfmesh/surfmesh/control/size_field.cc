@@ -7,6 +7,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "surfmesh/control/node_interpolation.hh"
+#include "surfmesh/control/place_sources.hh"
+#include "surfmesh/control/point_nodes.hh"
+#include "surfmesh/control/regular_place.hh"
+#include "surfmesh/control/table_sizes.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/geometry/curvature.hh"
 #include "surfmesh/geometry/first_form.hh"
@@ -16,62 +21,68 @@
 namespace surfmesh {
 namespace {
 
-/// Where the first form is singular (a pole), sizes are taken this share of the way to the middle
-/// of the domain: near enough to be those of the pole, far enough for full accuracy.
-constexpr double kStepFromPole = 1e-3;
-
 /// Rays on which the ring around an extraordinary vertex is sampled, from side to side.
 constexpr int kRingSamples = 5;
 
-void check(bool is_good, const char* member, double value, const char* range) {
-  if (!is_good) {
-    throw Error(ErrorCode::InvalidOption,
-                fmt::format("sizing.{} = {} is outside its range: {}", member, value, range));
-  }
-}
-
 }  // namespace
 
-SizeField::SizeField(const Surface& surface, const Sizing& sizing,
-                     const std::vector<EverywhereSource>& everywhere, double diagonal)
+SizeField::SizeField(const Surface& surface, const Sizing& sizing, const PatchSources& sources,
+                     double diagonal, double precision)
     : surface_(surface),
       domain_(surface.domain()),
-      diagonal_(diagonal),
+      bounds_(sizing, diagonal),
       factor_(sizing.curvature),
-      hmin_(sizing.hmin.in_units(diagonal)),
-      hmax_(sizing.hmax.in_units(diagonal)),
       stretch_(sizing.stretch),
       rounded_sides_(surface.rounded_sides()) {
-  check(factor_ >= 0 && std::isfinite(factor_), "curvature", factor_, "0 (off) or above");
-  check(hmin_ > 0 && std::isfinite(hmin_), "hmin", hmin_, "above 0");
-  check(hmax_ >= hmin_ && std::isfinite(hmax_), "hmax", hmax_, "at least hmin");
-  check(stretch_ >= 1, "stretch", stretch_, "1 or above");
-  for (const EverywhereSource& source : everywhere) {
-    const SizeTensor size = clamp(tensor(source.size));
-    everywhere_ = everywhere_ ? clamp(minimum(*everywhere_, size)) : size;
-  }
+  check_sizing(factor_ >= 0 && std::isfinite(factor_), "curvature", factor_, "0 (off) or above");
+  check_sizing(stretch_ >= 1, "stretch", stretch_, "1 or above");
+  check_sizing(sizing.grade == 0 || (sizing.grade >= 1 && std::isfinite(sizing.grade)), "grade",
+               sizing.grade, "0 (off), or 1 and above");
+  take_sources(sources, sizing, precision);
   if (factor_ == 0) return;
   for (const SingularPoint& singular : surface.singular_points()) {
     discs_.push_back(make_disc(singular));
   }
 }
 
-SizeTensor SizeField::clamp(const SizeTensor& size) const {
-  return clamp_sizes(size, hmin_, hmax_);
+void SizeField::take_sources(const PatchSources& sources, const Sizing& sizing, double precision) {
+  for (const EverywhereSource& source : sources.everywhere) {
+    const SizeTensor size = bounds_.clamp(bounds_.tensor(source.size));
+    everywhere_ = everywhere_ ? bounds_.clamp(minimum(*everywhere_, size)) : size;
+  }
+  fields_ = sources.fields;
+  for (const TableSource& source : sources.tables) {
+    tables_.push_back(std::make_shared<NodeInterpolation>(
+        interpolate_table(source, surface_, bounds_, precision)));
+  }
+  std::vector<PlacedSize> placed;
+  for (const InsideSource& source : sources.inside) {
+    areas_.push_back({source.polygon, bounds_.clamp(bounds_.tensor(source.wish.size))});
+    add_border(source, surface_, bounds_, placed);
+  }
+  for (const AlongSource& source : sources.along) add_along(source, surface_, bounds_, placed);
+  const bool is_interpolated =
+      !has_area_source() && (!placed.empty() || !sources.trees.empty()) && !sources.at.empty();
+  if (is_interpolated) {
+    tables_.push_back(std::make_shared<NodeInterpolation>(
+        surface_, point_nodes(sources.at, surface_, bounds_)));
+  }
+  for (const AtSource& source : sources.at) add_at(source, surface_, bounds_, placed);
+  take_tree(std::make_shared<SourceTree>(std::move(placed), sizing.grade));
+  for (const auto& tree : sources.trees) take_tree(tree);
+  has_wishes_ = everywhere_ || !areas_.empty() || !fields_.empty() || !tables_.empty() ||
+                !trees_.empty();
 }
 
-SizeTensor SizeField::tensor(const Size& size) const {
-  const double along = size.along.in_units(diagonal_), across = size.across.in_units(diagonal_);
-  if (!(along > 0 && across > 0 && std::isfinite(along) && std::isfinite(across))) {
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("a size of [{}, {}] is not positive and finite", along, across));
-  }
-  if (!std::isfinite(size.angle)) {
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("the angle {} of a size is not finite", size.angle));
-  }
-  return size_tensor(along, across, size.angle);
+void SizeField::take_tree(std::shared_ptr<const SourceTree> tree) {
+  if (!tree->empty()) trees_.push_back(std::move(tree));
 }
+
+bool SizeField::has_area_source() const {
+  return factor_ > 0 || everywhere_ || !areas_.empty() || !fields_.empty() || !tables_.empty();
+}
+
+bool SizeField::has_source() const { return has_area_source() || !trees_.empty(); }
 
 /// The point itself, or one towards the far corner of the domain that lies outside of a rounding.
 Uv SizeField::beside_roundings(Uv uv) const {
@@ -87,21 +98,10 @@ Uv SizeField::beside_roundings(Uv uv) const {
   return uv;
 }
 
-/// A point near one without a tangent plane that has one; the point itself if there is none.
-Uv SizeField::beside_pole(Uv uv) const {
-  // Towards the middle first, which is inside; then across, for lines through the middle.
-  for (const Uv target : {domain_.at(0.5, 0.5), domain_.at(0.25, 0.4), domain_.at(0.6, 0.25)}) {
-    const Uv place = lerp(uv, target, kStepFromPole);
-    const Jet jet = surface_.evaluate(place, Order::First);
-    if (is_regular(first_form_factor(jet.du, jet.dv))) return place;
-  }
-  return uv;
-}
-
 SizeTensor SizeField::size_from_curvature(const Jet& jet) const {
   const PrincipalCurvatures k = principal_curvatures(jet);
-  double h1 = std::clamp(factor_ / std::abs(k.k1), hmin_, hmax_);
-  double h2 = std::clamp(factor_ / std::abs(k.k2), hmin_, hmax_);
+  double h1 = std::clamp(factor_ / std::abs(k.k1), bounds_.hmin, bounds_.hmax);
+  double h2 = std::clamp(factor_ / std::abs(k.k2), bounds_.hmin, bounds_.hmax);
   h1 = std::min(h1, stretch_ * h2);
   h2 = std::min(h2, stretch_ * h1);
   return size_tensor(h1, h2, k.angle);
@@ -114,7 +114,7 @@ double SizeField::least_size_on_ring(Uv corner, double distance, double& radius)
   const double width = domain_.u1 - domain_.u0, height = domain_.v1 - domain_.v0;
   const double towards_u = corner.u == domain_.u0 ? 1 : -1;
   const double towards_v = corner.v == domain_.v0 ? 1 : -1;
-  double size = hmax_;
+  double size = bounds_.hmax;
   radius = INFINITY;
   for (int i = 0; i < kRingSamples; ++i) {
     const double angle = 0.5 * std::numbers::pi * i / (kRingSamples - 1);
@@ -123,7 +123,7 @@ double SizeField::least_size_on_ring(Uv corner, double distance, double& radius)
     const Jet jet = surface_.evaluate(beside_roundings(domain_.fold(at)), Order::Second);
     const PrincipalCurvatures k = principal_curvatures(jet);
     const double greatest = std::max(std::abs(k.k1), std::abs(k.k2));
-    size = std::min(size, std::max(hmin_, factor_ / greatest));
+    size = std::min(size, std::max(bounds_.hmin, factor_ / greatest));
     radius = std::min(radius, (jet.point - centre).norm());
   }
   return size;
@@ -153,22 +153,56 @@ void SizeField::blend_with_discs(Sample& sample) const {
   }
 }
 
+/// Set the size that follows from the curvature, if there is a tangent plane here or beside.
+void SizeField::add_curvature(Uv uv, const Jet& jet, Sample& sample) const {
+  const Uv place = is_regular(sample.form) ? beside_roundings(uv) : beside_pole(surface_, uv);
+  const Jet there = place == uv ? jet : surface_.evaluate(place, Order::Second);
+  if (!is_regular(first_form_factor(there.du, there.dv))) return;
+  sample.size = size_from_curvature(there);
+  blend_with_discs(sample);
+}
+
+SizeTensor SizeField::size_of_field(const FieldSource& field, Uv uv, const Sample& sample) const {
+  if (field.metric) {
+    return size_from_metric_at(surface_, uv, sample.form, field.metric(uv, sample.point));
+  }
+  const double size = field.size(uv, sample.point);
+  if (!(size > 0 && std::isfinite(size))) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("the size {} that a field wants at (u,v) = ({}, {}) is not positive and "
+                            "finite",
+                            size, uv.u, uv.v));
+  }
+  return isotropic(size);
+}
+
+void SizeField::add_sources(Uv uv, const Jet& jet, Sample& sample) const {
+  SizeTensor& size = sample.size;
+  if (everywhere_) size = minimum(size, *everywhere_);
+  for (const Area& area : areas_) {
+    if (contains(area.polygon, uv)) size = minimum(size, area.size);
+  }
+  for (const FieldSource& field : fields_) {
+    size = minimum(size, bounds_.clamp(size_of_field(field, uv, sample)));
+  }
+  for (const auto& table : tables_) size = minimum(size, table->at({uv, sample.point, sample.form}).size);
+  if (!trees_.empty()) {
+    const TangentPlace place = tangent_place(jet);
+    for (const auto& tree : trees_) size = tree->minimum_at(place, size);
+  }
+  // Where stretched sizes cross, their minimum is shorter than both.
+  size = bounds_.clamp(size);
+}
+
 SizeField::Sample SizeField::at(Uv uv) const {
   uv = domain_.fold(uv);
-  Jet jet = surface_.evaluate(uv, factor_ > 0 ? Order::Second : Order::First);
+  const Jet jet = surface_.evaluate(uv, factor_ > 0 ? Order::Second : Order::First);
   Sample sample;
   sample.point = jet.point;
   sample.form = first_form_factor(jet.du, jet.dv);
-  sample.size = isotropic(hmax_);
-  if (factor_ > 0) {
-    const Uv place = is_regular(sample.form) ? beside_roundings(uv) : beside_pole(uv);
-    if (!(place == uv)) jet = surface_.evaluate(place, Order::Second);
-    if (!is_regular(first_form_factor(jet.du, jet.dv))) return sample;  // no curvature here
-    sample.size = size_from_curvature(jet);
-    blend_with_discs(sample);
-  }
-  // Where stretched sizes cross, their minimum is shorter than both.
-  if (everywhere_) sample.size = clamp(minimum(sample.size, *everywhere_));
+  sample.size = isotropic(bounds_.hmax);
+  if (factor_ > 0) add_curvature(uv, jet, sample);
+  if (has_wishes_) add_sources(uv, jet, sample);
   return sample;
 }
 

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "surfmesh/control/patch_sources.hh"
+#include "surfmesh/control/size_bounds.hh"
 #include "surfmesh/control/sizing.hh"
 #include "surfmesh/core/values.hh"
 #include "surfmesh/geometry/surface.hh"
 
 namespace surfmesh {
 
-/// What the area sources of one patch ask for, exactly and at every point: the field that the
-/// control space of the patch approximates.
+class NodeInterpolation;
+
+/// What the sources of one patch ask for, exactly and at every point: the field that the control
+/// space of the patch approximates.
 class SizeField {
  public:
   struct Sample {
@@ -20,39 +25,39 @@ class SizeField {
     SizeTensor size;
   };
 
-  /// The surface must outlive the field. `everywhere` holds the sources of this patch only.
+  /// The surface must outlive the field. `sources` are those of this patch only; tables are thinned
+  /// to `precision` where they name none of their own.
   ///
+  /// Sources of `at` alone are interpolated between each other, as nodes of a table are, where
+  /// another source with a place meets them.
   /// Throws   InvalidOption for sizing outside its legal range, InvalidInput for a bad source
-  SizeField(const Surface& surface, const Sizing& sizing,
-            const std::vector<EverywhereSource>& everywhere, double diagonal);
+  SizeField(const Surface& surface, const Sizing& sizing, const PatchSources& sources,
+            double diagonal, double precision = 0.1);
 
   /// Position, first form and wanted sizes at a point of the bounding rectangle of the domain;
   /// beyond the diagonal of a triangular domain those of its mirror point.
   ///
   /// Curvature gives the size factor × radius along each principal direction, clamped, then the
   /// larger limited to stretch times the smaller; then the minimum with the other sources is
-  /// taken. Around an extraordinary vertex, where curvature grows without bound, the size is
+  /// taken, in the order everywhere, inside, fields, tables, sizes around places; at last all are
+  /// clamped. Around an extraordinary vertex, where curvature grows without bound, the size is
   /// isotropic: h with h = factor / (greatest curvature on the ring at the distance h/2), so that it
   /// does not depend on how near to the vertex one looks. Beside a narrowly rounded side the
   /// curvature is taken where the rounding ends.
   ///
-  /// Cost     one surface evaluation with second derivatives
+  /// Cost     one surface evaluation with second derivatives, and what the sources cost
+  /// Throws   InvalidInput where a field is not positive (definite) and finite, naming (u,v)
   Sample at(Uv uv) const;
 
   const Surface& surface() const { return surface_; }
 
-  /// Clamp the sizes of any source to hmin and hmax.
-  SizeTensor clamp(const SizeTensor& size) const;
+  const SizeBounds& bounds() const { return bounds_; }
 
-  /// The size tensor of a user's size.
-  /// Throws   InvalidInput if a length is not positive and finite, or the angle not finite
-  SizeTensor tensor(const Size& size) const;
+  /// True if some source has a size at every point.
+  bool has_area_source() const;
 
-  /// True if some area source gives sizes below hmax; if not, the field is hmax everywhere.
-  bool has_source() const { return factor_ > 0 || everywhere_.has_value(); }
-
-  double hmin() const { return hmin_; }
-  double hmax() const { return hmax_; }
+  /// True if some source may give sizes below hmax; if not, the field is hmax everywhere.
+  bool has_source() const;
 
  private:
   /// Isotropic sizes around one extraordinary corner.
@@ -62,8 +67,18 @@ class SizeField {
     double size;
   };
 
+  /// A size inside a polygon.
+  struct Area {
+    std::vector<Uv> polygon;
+    SizeTensor size;
+  };
+
+  void take_sources(const PatchSources& sources, const Sizing& sizing, double precision);
+  void take_tree(std::shared_ptr<const SourceTree> tree);
   Uv beside_roundings(Uv uv) const;
-  Uv beside_pole(Uv uv) const;
+  void add_curvature(Uv uv, const Jet& jet, Sample& sample) const;
+  void add_sources(Uv uv, const Jet& jet, Sample& sample) const;
+  SizeTensor size_of_field(const FieldSource& field, Uv uv, const Sample& sample) const;
   SizeTensor size_from_curvature(const Jet& jet) const;
   Disc make_disc(const SingularPoint& singular) const;
   double least_size_on_ring(Uv corner, double distance, double& radius) const;
@@ -71,12 +86,15 @@ class SizeField {
 
   const Surface& surface_;
   Domain domain_;
-  double diagonal_;
+  SizeBounds bounds_;
   double factor_;
-  double hmin_;
-  double hmax_;
   double stretch_;
   std::optional<SizeTensor> everywhere_;
+  std::vector<Area> areas_;
+  std::vector<FieldSource> fields_;
+  std::vector<std::shared_ptr<const NodeInterpolation>> tables_;
+  std::vector<std::shared_ptr<const SourceTree>> trees_;
+  bool has_wishes_ = false;  ///< for more than the curvature
   std::vector<RoundedSide> rounded_sides_;
   std::vector<Disc> discs_;
 };

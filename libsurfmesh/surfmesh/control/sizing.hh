@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "surfmesh/core/values.hh"
+#include "surfmesh/geometry/curve.hh"
 
 namespace surfmesh {
 
@@ -23,6 +26,10 @@ struct Sizing {
   Length hmax = {0.2, true};    ///< upper clamp of all sizes, at least hmin
   double stretch = 2;           ///< greatest ratio of the two sizes from curvature, at least 1
   double grade = 1.5;           ///< sizes grow by at most ln(grade) per unit of length; 0 is off
+  /// Sizes from the curvature of true boundaries, creases and trims; off without `curvature`.
+  bool contour_curvature = true;
+  double proximity = 1;  ///< elements wanted across a gap between two parts of a boundary; 0 is off
+  bool features = true;  ///< short contours bound the sizes near them
 };
 
 /// Wanted edge lengths: l_s along the first axis turned by `angle`, l_t across.
@@ -32,23 +39,90 @@ struct Size {
   double angle = 0;  ///< radians, from the first tangent axis (along p_u)
 };
 
+/// What is wanted farther away: beyond `radius` of the source sizes change linearly to `size` over
+/// the length `radius` of this.
+/// Source   paper, section 3.1: M′ and r′
+struct Outer {
+  Size size;
+  Length radius;
+};
+
+/// A size around a place. It holds within `radius` of it and, with `outer`, goes over to the outer
+/// one; from there it grows by the grade. Without gradation it has no effect any farther.
+/// Distances are taken in space.
+struct PlaceSize {
+  Size size;
+  Length radius = {};
+  std::optional<Outer> outer = {};
+};
+
 /// An area source: one size in the whole patch.
 struct EverywhereSource {
   int patch = -1;
   Size size;
 };
 
-/// A node source: a size at one point of a patch.
+/// A node source: a size at one point of a patch, in any form of the paper's section 3.1.
 struct AtSource {
   int patch = -1;
   Uv at;
   Size size;
+  Length radius = {};
+  std::optional<Outer> outer = {};
+};
+
+/// A size along curves in the parameters of a patch.
+struct AlongSource {
+  int patch = -1;
+  std::vector<std::shared_ptr<const Curve>> curves;
+  PlaceSize wish;
+};
+
+/// An area source: a size inside a polygon in the parameters of a patch, its border included.
+struct InsideSource {
+  int patch = -1;
+  std::vector<Uv> polygon;  ///< at least three corners, either way round, without crossings
+  PlaceSize wish;
+};
+
+/// A size near a point or a polyline in space, on every patch.
+struct NearSource {
+  std::vector<Vec3> line;  ///< one point, or several
+  PlaceSize wish;
+};
+
+/// An area source: sizes as a function of the place, (u,v) and the position in space. One of the two
+/// functions is set; both are called from several threads at once.
+struct FieldSource {
+  int patch = -1;
+  std::function<double(Uv, const Vec3&)> size = {};    ///< one length, model units
+  std::function<Metric(Uv, const Vec3&)> metric = {};  ///< M in (u,v)
+  std::optional<double> precision = {};                ///< wins over that of the options
+};
+
+/// A point of a table: a size, or if `metric` is set, the metric in (u,v).
+struct TableNode {
+  Uv uv;
+  Size size = {};
+  Metric metric = {};
+};
+
+/// An area source: sizes given at points, between which they are interpolated.
+struct TableSource {
+  int patch = -1;
+  std::vector<TableNode> nodes = {};
+  std::optional<double> precision = {};  ///< wins over that of the options
 };
 
 /// All wishes of the user for sizes besides the curvature.
 struct Sources {
   std::vector<EverywhereSource> everywhere;
   std::vector<AtSource> at;
+  std::vector<AlongSource> along = {};
+  std::vector<InsideSource> inside = {};
+  std::vector<NearSource> near = {};
+  std::vector<FieldSource> fields = {};
+  std::vector<TableSource> tables = {};
 };
 
 }  // namespace surfmesh

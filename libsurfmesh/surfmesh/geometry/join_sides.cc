@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/geometry/contour_smoothness_detail.hh"
 #include "surfmesh/geometry/match_pieces_detail.hh"
 #include "surfmesh/geometry/near_misses_detail.hh"
 #include "surfmesh/geometry/split_sides_detail.hh"
@@ -177,6 +178,7 @@ Model model_from_patches(const std::vector<PatchInput>& patches,
     if (patch.loops.empty()) result.loops.push_back(whole_loop(patch.name, chains));
   }
   trim_patches(model, {patches, contours, chains, lengths.join});
+  set_smoothness(model);
   return model;
 }
 

@@ -30,9 +30,6 @@ constexpr double kContourGap = 1e-6;
 /// Contours that meet in space but differ by this share of the domain in (u,v) do not meet there.
 constexpr double kLoopJump = 1e-3;
 
-/// Tangent planes that differ by less than this angle (radians, about half a degree) are one.
-constexpr double kSmoothAngle = 0.01;
-
 std::string label(const ContourInput& contour) {
   return fmt::format("{}{}contour {}", contour.origin, contour.origin.empty() ? "" : ": ",
                      contour.name);
@@ -86,7 +83,6 @@ class Trimmer {
       if (!loops[p].empty()) finish(static_cast<int>(p), loops[p]);
     }
     unite_vertices();
-    set_smoothness();
     warn_of_unused();
     warn_of_neighbours();
   }
@@ -128,8 +124,6 @@ class Trimmer {
   void check_holes(int patch, const std::vector<LoopCurves>& curves,
                    const std::vector<std::size_t>& order) const;
   void unite_vertices();
-  void set_smoothness();
-  bool is_smooth(const Contour& contour) const;
   void warn_of_unused();
   void warn_of_neighbours();
 
@@ -483,32 +477,6 @@ void Trimmer::unite_vertices() {
     contour.start = numbers[static_cast<std::size_t>(contour.start)];
     contour.end = numbers[static_cast<std::size_t>(contour.end)];
   }
-}
-
-/// Of contours that loops name: true boundaries and edges are not smooth.
-void Trimmer::set_smoothness() {
-  for (const auto& [c, u] : used_) {
-    Contour& target = contour(c);
-    target.is_smooth = target.is_degenerate || (target.uses.size() > 1 && is_smooth(target));
-  }
-}
-
-/// True if all patches have the same tangent planes along the contour, also turned ones.
-bool Trimmer::is_smooth(const Contour& contour) const {
-  const auto normal = [&](const ContourUse& use, const Vec3& near, double t) {
-    const Surface& surface = *model_.patches[static_cast<std::size_t>(use.patch)].surface;
-    const double foot = use.is_same_speed ? t : project_to_curve(surface, *use.curve, near, t);
-    const Jet jet = surface.evaluate(use.curve->evaluate(foot), Order::First);
-    return Vec3(jet.du.cross(jet.dv).normalized());
-  };
-  for (const double t : sample_parameters(kLineSamples / 4)) {
-    const Vec3 near = point(contour.uses[0], t);
-    const Vec3 first = normal(contour.uses[0], near, t);
-    for (const ContourUse& use : contour.uses) {
-      if (first.cross(normal(use, near, t)).norm() > kSmoothAngle) return false;
-    }
-  }
-  return true;
 }
 
 void Trimmer::warn_of_unused() {

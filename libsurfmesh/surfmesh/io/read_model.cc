@@ -17,6 +17,7 @@
 #include "surfmesh/io/json_node_detail.hh"
 #include "surfmesh/io/model_values_detail.hh"
 #include "surfmesh/io/read_parts_detail.hh"
+#include "surfmesh/io/read_sources_detail.hh"
 
 namespace surfmesh {
 namespace {
@@ -75,44 +76,14 @@ std::shared_ptr<const Surface> make_surface(const JsonNode& node, const SurfaceF
   }
 }
 
-/// The patch that a source belongs to.
-struct PatchScope {
-  int index;
-  const Domain& domain;
-  const Constants& constants;
+/// What is the same for all patches: constants, and the folder that files are relative to.
+struct FileScope {
+  Constants constants;
+  std::filesystem::path folder;
 };
 
-Uv read_place(const JsonNode& node, const PatchScope& patch) {
-  const std::vector<JsonNode> values = node.elements(2);
-  const Uv uv = {number_or_expression(values[0], patch.constants),
-                 number_or_expression(values[1], patch.constants)};
-  const Domain& domain = patch.domain;
-  if (!(uv.u >= domain.u0 && uv.u <= domain.u1 && uv.v >= domain.v0 && uv.v <= domain.v1)) {
-    node.fail("this point is outside of the domain");
-  }
-  return uv;
-}
-
-constexpr std::array<std::string_view, 6> kPatchSources = {"everywhere", "at",    "along",
-                                                           "inside",     "field", "table"};
-
-void read_source(const JsonNode& node, const PatchScope& patch, Sources& sources) {
-  node.expect_keys({"everywhere", "at", "along", "inside", "field", "table", "size", "angle",
-                    "radius", "outer", "precision"});
-  const std::string kind = kind_of(node, kPatchSources);
-  if (kind != "everywhere" && kind != "at") node.at(kind).fail("this key is not built yet");
-  if (const auto radius = node.find("radius")) radius->expect_off({0});
-  if (const auto outer = node.find("outer")) outer->expect_off({});
-  if (const auto precision = node.find("precision")) precision->expect_off({0.1});
-  if (kind == "at") {
-    sources.at.push_back({patch.index, read_place(node.at("at"), patch), read_size(node)});
-  } else {
-    if (!node.at("everywhere").boolean()) node.at("everywhere").fail("must be true");
-    sources.everywhere.push_back({patch.index, read_size(node)});
-  }
-}
-
-void read_patch(const JsonNode& node, const Constants& constants, ModelFile& model) {
+void read_patch(const JsonNode& node, const FileScope& file, ModelFile& model) {
+  const Constants& constants = file.constants;
   node.expect_keys({"name", "surface", "domain", "sources", "loops"});
   PatchInput patch;
   patch.name = read_name(node.at("name"));
@@ -128,33 +99,19 @@ void read_patch(const JsonNode& node, const Constants& constants, ModelFile& mod
   if (const auto loops = node.find("loops")) patch.loops = read_loops(*loops);
   patch.origin = node.pointer();
   if (const auto sources = node.find("sources")) {
-    const PatchScope scope = {static_cast<int>(model.patches.size()), domain, constants};
-    for (const JsonNode& source : sources->elements()) {
-      read_source(source, scope, model.sources);
-    }
+    const PatchScope scope = {static_cast<int>(model.patches.size()), domain, constants,
+                              file.folder};
+    for (const JsonNode& source : sources->elements()) read_patch_source(source, scope, model);
   }
   model.patches.push_back(std::move(patch));
 }
 
 /// The patches; there must be some if there are no cages.
-void read_patches(const JsonNode& root, const Constants& constants, ModelFile& model) {
+void read_patches(const JsonNode& root, const FileScope& file, ModelFile& model) {
   if (!model.cages.empty() && !root.has("patches")) return;
   const JsonNode patches = root.at("patches");
-  for (const JsonNode& patch : patches.elements()) read_patch(patch, constants, model);
+  for (const JsonNode& patch : patches.elements()) read_patch(patch, file, model);
   if (model.patches.empty() && model.cages.empty()) patches.fail("the model has no patches");
-}
-
-/// A source that belongs to no one patch.
-void read_space_source(const JsonNode& node, ModelFile& model) {
-  node.expect_keys({"near", "group", "size", "angle", "radius", "outer", "precision"});
-  const std::string kind = kind_of(node, std::array<std::string_view, 2>{"near", "group"});
-  if (kind == "near") node.at(kind).fail("this key is not built yet");
-  for (const char* key : {"radius", "outer"}) {
-    if (node.has(key)) node.at(key).fail("a group has no radius");
-  }
-  if (const auto precision = node.find("precision")) precision->expect_off({0.1});
-  const JsonNode group = node.at("group");
-  model.groups.push_back({group.text(), read_size(node), group.pointer()});
 }
 
 Sizing read_sizing(const JsonNode& node) {
@@ -175,11 +132,11 @@ Sizing read_sizing(const JsonNode& node) {
     (node.has("hmax") ? node.at("hmax") : node.at("hmin")).fail("hmin must not be above hmax");
   }
   if (const auto sag = node.find("sag")) sag->expect_off({0, "off"});
-  if (const auto proximity = node.find("proximity")) proximity->expect_off({0, 1});
-  // Not built yet, but on is the default, so either value may stand there.
-  for (const char* key : {"contour_curvature", "features"}) {
-    if (const auto flag = node.find(key)) flag->boolean();
+  if (const auto proximity = node.find("proximity")) {
+    sizing.proximity = read_at_least(*proximity, 0);
   }
+  if (const auto flag = node.find("contour_curvature")) sizing.contour_curvature = flag->boolean();
+  if (const auto flag = node.find("features")) sizing.features = flag->boolean();
   return sizing;
 }
 
@@ -191,16 +148,18 @@ ModelFile parse_model(std::string_view text, const std::string& name) {
   root.expect_keys(
       {"$schema", "constants", "patches", "cages", "contours", "sources", "sizing", "options"});
   ModelFile model;
-  Constants constants;
-  if (const auto node = root.find("constants")) constants = read_constants(*node);
-  if (const auto node = root.find("cages")) {
-    model.cages = read_cages(*node, std::filesystem::path(name).parent_path());
+  FileScope file{{}, std::filesystem::path(name).parent_path()};
+  if (const auto node = root.find("constants")) file.constants = read_constants(*node);
+  if (const auto node = root.find("cages")) model.cages = read_cages(*node, file.folder);
+  read_patches(root, file, model);
+  if (const auto node = root.find("contours")) {
+    model.contours = read_contours(*node, file.constants);
   }
-  read_patches(root, constants, model);
-  if (const auto node = root.find("contours")) model.contours = read_contours(*node, constants);
   check_names(root, model);
   if (const auto node = root.find("sources")) {
-    for (const JsonNode& source : node->elements()) read_space_source(source, model);
+    for (const JsonNode& source : node->elements()) {
+      read_space_source(source, file.constants, model);
+    }
   }
   if (const auto node = root.find("sizing")) model.sizing = read_sizing(*node);
   if (const auto node = root.find("options")) {

@@ -28,6 +28,14 @@ struct GroupSource {
   std::string origin;  ///< JSON pointer
 };
 
+/// A source of sizes along a contour or side, in the patch that names it.
+struct AlongContour {
+  int patch = -1;
+  std::string contour;
+  PlaceSize wish;
+  std::string origin;  ///< JSON pointer
+};
+
 /// What a model file holds.
 struct ModelFile {
   std::vector<PatchInput> patches;  ///< formula surfaces on rectangles, with their loops
@@ -35,6 +43,7 @@ struct ModelFile {
   std::vector<CageInput> cages;
   Sources sources;                  ///< `patch` is an index into patches
   std::vector<GroupSource> groups;  ///< sources of groups
+  std::vector<AlongContour> along_contours;
   Sizing sizing;
   /// Names of options of the pipeline and their values as JSON text, in the order of the file.
   std::vector<std::pair<std::string, std::string>> options;
@@ -49,7 +58,7 @@ struct ModelFile {
 ModelFile read_model(const std::filesystem::path& path);
 
 /// Read a model from JSON text; `name` stands before the place in messages, and cages are relative
-/// to its folder. The files of cages are not looked at.
+/// to its folder. The files of cages are not looked at, those of tables are read.
 ///
 /// Throws   InvalidInput: with name:line:column where the text is not JSON; with the JSON pointer
 ///          for an unknown, missing or doubled key, a value of the wrong type or outside of its

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "surfmesh/control/model_sources.hh"
 #include "surfmesh/control/size_field.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/metric/tensor.hh"
@@ -35,13 +36,12 @@ bool has_parameters(const PolyMesh& mesh) {
 
 std::vector<std::unique_ptr<SizeField>> size_fields(const ModelInput& input) {
   std::vector<std::unique_ptr<SizeField>> fields;
+  const Sizing& sizing = input.options.sizing;
+  const auto sources = model_sources(input.model, input.sources, sizing);
   for (std::size_t p = 0; p < input.model.patches.size(); ++p) {
-    std::vector<EverywhereSource> everywhere;
-    for (const EverywhereSource& source : input.sources.everywhere) {
-      if (source.patch == static_cast<int>(p)) everywhere.push_back(source);
-    }
-    fields.push_back(std::make_unique<SizeField>(
-        *input.model.patches[p].surface, input.options.sizing, everywhere, input.model.diagonal));
+    fields.push_back(std::make_unique<SizeField>(*input.model.patches[p].surface, sizing,
+                                                 sources[p], input.model.diagonal,
+                                                 input.options.control.nodes.precision));
   }
   return fields;
 }
@@ -174,7 +174,7 @@ class Lines {
   void add_fit(const ModelFit& fit) {
     add("model", fit.is_projected ? "the mesh has no (u,v), nearest points were taken"
                                   : "by the (u,v) of the mesh");
-    if (fit.has_other_sizes) add("", "sizes without `at` and grade, which make it finer by right");
+    if (fit.has_other_sizes) add("", "sizes without grade and interpolation of `at`, which make it finer by right");
     add("edges", fmt::format("mean {:.3f}, deviation {:.3f}, from {:.3f} to {:.3f}, {:.1f} % in "
                              "[1/√2, √2]",
                              fit.edges.mean, fit.edges.stddev, fit.edges.min, fit.edges.max,

@@ -101,6 +101,41 @@ void add_group_sources(const ModelFile& file, const std::string& name, ModelInpu
   }
 }
 
+/// The uses of a side or a contour, by name, on one patch.
+std::vector<std::shared_ptr<const Curve>> curves_on(const Model& model, const std::string& name,
+                                                    int patch) {
+  std::vector<std::shared_ptr<const Curve>> curves;
+  const auto add = [&](const Contour& contour) {
+    for (const ContourUse& use : contour.uses) {
+      if (use.patch == patch) curves.push_back(use.curve);
+    }
+  };
+  if (name.find(':') != std::string::npos) {
+    for (const LoopEntry& entry : side_uses(model, name)) {
+      add(model.contours[static_cast<std::size_t>(entry.contour)]);
+    }
+    return curves;
+  }
+  for (const Contour& contour : model.contours) {
+    if (contour.name == name) add(contour);
+  }
+  return curves;
+}
+
+void add_along_sources(const ModelFile& file, const std::string& name, ModelInput& input) {
+  for (const AlongContour& along : file.along_contours) {
+    at_place(fmt::format("{}: {}", name, along.origin), [&] {
+      AlongSource source{along.patch, curves_on(input.model, along.contour, along.patch),
+                         along.wish};
+      if (source.curves.empty()) {
+        throw Error(ErrorCode::InvalidInput,
+                    fmt::format("{} is no contour or side of this patch", along.contour));
+      }
+      input.sources.along.push_back(std::move(source));
+    });
+  }
+}
+
 ModelInput load_model_file(const std::filesystem::path& path, Scheme scheme) {
   const std::string name = path.string();
   const ModelFile file = read_model(path);
@@ -121,6 +156,7 @@ ModelInput load_model_file(const std::filesystem::path& path, Scheme scheme) {
   append_cages(file, name, scheme, input.model);
   input.sources = file.sources;
   add_group_sources(file, name, input);
+  add_along_sources(file, name, input);
   return input;
 }
 

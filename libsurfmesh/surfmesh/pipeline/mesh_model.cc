@@ -12,7 +12,9 @@
 #include "surfmesh/assemble/assemble.hh"
 #include "surfmesh/assemble/turned_triangles.hh"
 #include "surfmesh/boundary/patch_boundary.hh"
+#include "surfmesh/control/contour_gradation.hh"
 #include "surfmesh/control/make_control.hh"
+#include "surfmesh/control/model_sources.hh"
 #include "surfmesh/control/parse_length.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/validate.hh"
@@ -40,12 +42,6 @@ class StageClock {
  private:
   double& seconds_;
   double start_;
-};
-
-/// What belongs to one patch during a run.
-struct PatchSizes {
-  std::unique_ptr<ControlSpace> control;
-  std::unique_ptr<SurfaceMetricField> field;
 };
 
 class Run {
@@ -94,28 +90,37 @@ class Run {
 
   void make_control_spaces() {
     const StageClock clock(report_.seconds.control);
-    sizes_.resize(model_.patches.size());
+    count_clamped_sizes();
+    patch_sources_ = model_sources(model_, sources_, options_.sizing);
     for_each_patch("control", [this](std::size_t p) { make_control_space(p); });
-    for (const PatchSizes& sizes : sizes_) {
-      report_.control.nodes += sizes.control->mesh().n_vertices();
-      report_.control.triangles += sizes.control->mesh().n_faces();
-      count_classes(sizes.control->mesh());
-      fields_.push_back(sizes.field.get());
+    if (!grade_across_contours(model_, inputs_, spaces_, options_.observer).has_converged) {
+      report_.shortfalls.push_back("gradation across contours has not come to an end");
+    }
+    inputs_.clear();
+    for (std::size_t p = 0; p < spaces_.size(); ++p) {
+      const TriMesh& mesh = spaces_[p]->mesh();
+      report_.control.nodes += mesh.n_vertices();
+      report_.control.triangles += mesh.n_faces();
+      count_classes(mesh);
+      surface_fields_.push_back(
+          std::make_unique<SurfaceMetricField>(*model_.patches[p].surface, *spaces_[p]));
+      fields_.push_back(surface_fields_.back().get());
     }
   }
 
+  void count_clamped_sizes() {
+    const SizeBounds bounds(options_.sizing, model_.diagonal);
+    const std::size_t count = count_clamped(sources_, bounds);
+    if (count == 0) return;
+    report_.warnings.push_back(
+        fmt::format("{} sizes of sources are brought into the bounds hmin = {} and hmax = {}",
+                    count, bounds.hmin, bounds.hmax));
+  }
+
   void make_control_space(std::size_t p) {
-    const Surface& surface = *model_.patches[p].surface;
-    PatchSources patch_sources;
-    for (const EverywhereSource& source : sources_.everywhere) {
-      if (source.patch == static_cast<int>(p)) patch_sources.everywhere.push_back(source);
-    }
-    for (const AtSource& source : sources_.at) {
-      if (source.patch == static_cast<int>(p)) patch_sources.at.push_back(source);
-    }
-    sizes_[p].control = make_control(surface, options_.sizing, patch_sources, model_.diagonal,
-                                      options_.control);
-    sizes_[p].field = std::make_unique<SurfaceMetricField>(surface, *sizes_[p].control);
+    inputs_.push_back(collect_control_input(*model_.patches[p].surface, options_.sizing,
+                                            patch_sources_[p], model_.diagonal, options_.control));
+    spaces_.push_back(make_control(inputs_.back()));
   }
 
   void count_classes(const TriMesh& mesh) {
@@ -228,7 +233,10 @@ class Run {
   const Sources& sources_;
   const PipelineOptions& options_;
   Report report_;
-  std::vector<PatchSizes> sizes_;
+  std::vector<ControlInput> inputs_;
+  std::vector<std::unique_ptr<ControlSpace>> spaces_;
+  std::vector<std::unique_ptr<SurfaceMetricField>> surface_fields_;
+  std::vector<PatchSources> patch_sources_;
   std::vector<const MetricField*> fields_;
   std::vector<ContourNodes> nodes_;
   std::unique_ptr<NodeNumbers> numbers_;
@@ -243,8 +251,15 @@ void check_patches(const Model& model, const Sources& sources) {
                   fmt::format("a source names patch {} of {}", patch, model.patches.size()));
     }
   };
-  for (const EverywhereSource& source : sources.everywhere) check_patch(source.patch);
-  for (const AtSource& source : sources.at) check_patch(source.patch);
+  const auto check_all = [&](const auto& list) {
+    for (const auto& source : list) check_patch(source.patch);
+  };
+  check_all(sources.everywhere);
+  check_all(sources.at);
+  check_all(sources.along);
+  check_all(sources.inside);
+  check_all(sources.fields);
+  check_all(sources.tables);
 }
 
 /// Throws   InvalidOption if hmin is above hmax, which only the size of the model may tell

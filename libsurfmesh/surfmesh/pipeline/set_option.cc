@@ -171,16 +171,14 @@ constexpr auto kOptions = std::to_array<OptionEntry>({
      [](Options& o, const Text& t) { o.sizing.stretch = t.number_from(1, "1 or above"); },
      [](const Options& o) -> OptionValue { return o.sizing.stretch; }},
     {"grade", true, set_grade, [](const Options& o) -> OptionValue { return o.sizing.grade; }},
-    // Sizes from contours are not built yet. Their default is on, so both values may be given.
-    {"contour_curvature", true, [](Options&, const Text& t) { t.boolean(); },
-     [](const Options&) -> OptionValue { return false; }},
+    {"contour_curvature", true,
+     [](Options& o, const Text& t) { o.sizing.contour_curvature = t.boolean(); },
+     [](const Options& o) -> OptionValue { return o.sizing.contour_curvature; }},
     {"proximity", true,
-     [](Options&, const Text& t) {
-       t.expect_number({0, 1}, kFromZero);
-     },
-     [](const Options&) -> OptionValue { return std::int64_t{0}; }},
-    {"features", true, [](Options&, const Text& t) { t.boolean(); },
-     [](const Options&) -> OptionValue { return false; }},
+     [](Options& o, const Text& t) { o.sizing.proximity = t.number_from(0, kFromZero); },
+     [](const Options& o) -> OptionValue { return o.sizing.proximity; }},
+    {"features", true, [](Options& o, const Text& t) { o.sizing.features = t.boolean(); },
+     [](const Options& o) -> OptionValue { return o.sizing.features; }},
     {"nodes", false, set_nodes, get_nodes},
     {"precision", false,
      [](Options& o, const Text& t) { o.control.nodes.precision = t.number(kPositive, is_positive); },

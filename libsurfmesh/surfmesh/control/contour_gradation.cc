@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/control/contour_gradation.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "surfmesh/geometry/first_form.hh"
+#include "surfmesh/geometry/project_to_curve.hh"
+#include "surfmesh/metric/conformity.hh"
+#include "surfmesh/metric/minimum.hh"
+#include "surfmesh/metric/tensor.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Sizes of two patches that differ by less agree: ln of their ratio. Interpolation between nodes
+/// on a contour differs by about as much.
+constexpr double kAgreement = 0.1;
+
+/// Sizes spread by one patch or more in each round.
+constexpr int kMaxRounds = 40;
+
+/// Greatest distance between two places where a contour is compared, in units of the smaller sizes.
+constexpr double kLongestStep = 2;
+constexpr int kFirstSteps = 4;
+/// 4 × 2^12 places: more than sizes differ along one contour.
+constexpr int kMaxHalvings = 12;
+
+/// Step of t for the direction of a contour: its error is of second order in the step.
+constexpr double kTangentStep = 1e-4;
+
+/// A place of a contour as one of its patches sees it.
+struct Side {
+  SurfacePoint at;
+  double cos = 1;  ///< of the angle from the first tangent axis to the contour's direction
+  double sin = 0;
+};
+
+/// H in the frame of the contour's direction and the direction to its left in the parameters.
+SizeTensor to_contour(const SizeTensor& h, const Side& side) {
+  const double c = side.cos, s = side.sin;
+  return {c * c * h.h11 + 2 * c * s * h.h12 + s * s * h.h22,
+          c * s * (h.h22 - h.h11) + (c * c - s * s) * h.h12,
+          s * s * h.h11 - 2 * c * s * h.h12 + c * c * h.h22};
+}
+
+SizeTensor from_contour(const SizeTensor& h, const Side& side) {
+  return to_contour(h, {side.at, side.cos, -side.sin});
+}
+
+/// Sizes of one patch in the tangent frame of another, unfolded around their contour. Where both
+/// lie on the same side of its direction, their left sides point away from each other.
+SizeTensor carried(const SizeTensor& h, const Side& from, const Side& to, bool is_mirrored) {
+  SizeTensor along = to_contour(h, from);
+  if (is_mirrored) along.h12 = -along.h12;
+  return from_contour(along, to);
+}
+
+/// A contour and the places where its patches are compared.
+class ComparedContour {
+ public:
+  ComparedContour(const Model& model, const Contour& contour) : model_(model), contour_(contour) {}
+
+  const Contour& contour() const { return contour_; }
+
+  /// The sides of all uses at t of the first; nothing where a patch has no tangent plane.
+  std::optional<std::vector<Side>> sides(double t) const {
+    const Vec3 tangent = direction(t);
+    const Vec3 point = space_point(t);
+    std::vector<Side> result;
+    for (const ContourUse& use : contour_.uses) {
+      const Surface& surface = *model_.patches[static_cast<std::size_t>(use.patch)].surface;
+      const bool is_same = use.is_same_speed && contour_.uses.front().is_same_speed;
+      const double own_t = is_same ? t : project_to_curve(surface, *use.curve, point, t);
+      const Uv uv = use.curve->evaluate(own_t);
+      const Jet jet = surface.evaluate(uv, Order::First);
+      const FirstFormFactor form = first_form_factor(jet.du, jet.dv);
+      if (!is_regular(form)) return std::nullopt;
+      const Vec3 first = jet.du.normalized();
+      const Vec3 second = jet.du.cross(jet.dv).cross(jet.du).normalized();
+      const double x = tangent.dot(first), y = tangent.dot(second);
+      const double length = std::hypot(x, y);
+      if (!(length > 0)) return std::nullopt;
+      result.push_back({{uv, jet.point, form}, x / length, y / length});
+    }
+    return result;
+  }
+
+ private:
+  Vec3 space_point(double t) const {
+    const ContourUse& use = contour_.uses.front();
+    const Surface& surface = *model_.patches[static_cast<std::size_t>(use.patch)].surface;
+    return surface.evaluate(use.curve->evaluate(t), Order::Position).point;
+  }
+
+  Vec3 direction(double t) const {
+    return space_point(std::min(1.0, t + kTangentStep)) -
+           space_point(std::max(0.0, t - kTangentStep));
+  }
+
+  const Model& model_;
+  const Contour& contour_;
+};
+
+class ContourGradation {
+ public:
+  ContourGradation(const Model& model, std::vector<ControlInput>& inputs,
+                   std::vector<std::unique_ptr<ControlSpace>>& spaces)
+      : model_(model),
+        inputs_(inputs),
+        spaces_(spaces),
+        is_changed_(spaces.size(), true),
+        is_lowered_(spaces.size(), false) {}
+
+  ContourGradationReport run(Observer* observer) {
+    for (int round = 0; round < kMaxRounds; ++round) {
+      throw_if_cancelled(observer);
+      for (const Contour& contour : model_.contours) {
+        if (is_compared(contour)) compare(contour);
+      }
+      if (!remake_spaces()) return report_;
+    }
+    report_.has_converged = false;
+    return report_;
+  }
+
+ private:
+  bool is_compared(const Contour& contour) const {
+    return contour.uses.size() > 1 && !contour.is_degenerate &&
+           std::any_of(contour.uses.begin(), contour.uses.end(), [this](const ContourUse& use) {
+             return is_changed_[static_cast<std::size_t>(use.patch)];
+           });
+  }
+
+  void compare(const Contour& contour) {
+    const ComparedContour compared(model_, contour);
+    for (int i = 0; i < kFirstSteps; ++i) {
+      const double from = double(i) / kFirstSteps, to = double(i + 1) / kFirstSteps;
+      compare_between(compared, from, to, kMaxHalvings);
+      lower(compared, to);
+    }
+    lower(compared, 0);
+  }
+
+  /// Compare within an interval of t, at places two units apart at most.
+  void compare_between(const ComparedContour& compared, double from, double to, int halvings) {
+    const auto a = compared.sides(from), b = compared.sides(to);
+    if (!a || !b || halvings == 0) return;
+    double units = 0;
+    for (std::size_t use = 0; use < a->size(); ++use) {
+      const double squared = ((*a)[use].at.point - (*b)[use].at.point).squaredNorm();
+      for (const Side& side : {(*a)[use], (*b)[use]}) {
+        const SizeTensor along = to_contour(size(compared.contour().uses[use], side), side);
+        units = std::max(units, std::sqrt(squared) / along.h11);
+      }
+    }
+    if (units <= kLongestStep) return;
+    const double middle = 0.5 * (from + to);
+    lower(compared, middle);
+    compare_between(compared, from, middle, halvings - 1);
+    compare_between(compared, middle, to, halvings - 1);
+  }
+
+  SizeTensor size(const ContourUse& use, const Side& side) const {
+    ControlSpace::Hint hint;
+    return spaces_[static_cast<std::size_t>(use.patch)]->size(side.at, hint);
+  }
+
+  /// Give each patch that asks for larger sizes than another a node at t.
+  void lower(const ComparedContour& compared, double t) {
+    const auto sides = compared.sides(t);
+    if (!sides) return;
+    const std::vector<ContourUse>& uses = compared.contour().uses;
+    std::vector<SizeTensor> sizes;
+    for (std::size_t use = 0; use < uses.size(); ++use) {
+      sizes.push_back(size(uses[use], (*sides)[use]));
+    }
+    for (std::size_t to = 0; to < uses.size(); ++to) {
+      SizeTensor least = sizes[to];
+      for (std::size_t from = 0; from < uses.size(); ++from) {
+        if (from == to) continue;
+        const bool is_mirrored = uses[from].is_forward == uses[to].is_forward;
+        least = minimum(least, carried(sizes[from], (*sides)[from], (*sides)[to], is_mirrored));
+      }
+      if (log_conformity(sizes[to], least) > kAgreement) add(uses[to].patch, (*sides)[to], least);
+    }
+  }
+
+  void add(int patch, const Side& side, const SizeTensor& size) {
+    const auto p = static_cast<std::size_t>(patch);
+    ControlInput& input = inputs_[p];
+    (input.kind == ControlKind::Grid ? input.places : input.nodes)
+        .push_back({side.at.uv, side.at.point, side.at.form, size});
+    is_lowered_[p] = true;
+    ++report_.nodes;
+  }
+
+  /// Make the control spaces anew that have got nodes. Returns whether there are any.
+  bool remake_spaces() {
+    is_changed_.swap(is_lowered_);
+    std::fill(is_lowered_.begin(), is_lowered_.end(), false);
+    bool is_any = false;
+    for (std::size_t p = 0; p < spaces_.size(); ++p) {
+      if (!is_changed_[p]) continue;
+      spaces_[p] = make_control(inputs_[p]);
+      ++report_.spaces;
+      is_any = true;
+    }
+    return is_any;
+  }
+
+  const Model& model_;
+  std::vector<ControlInput>& inputs_;
+  std::vector<std::unique_ptr<ControlSpace>>& spaces_;
+  std::vector<char> is_changed_;
+  std::vector<char> is_lowered_;
+  ContourGradationReport report_;
+};
+
+}  // namespace
+
+ContourGradationReport grade_across_contours(const Model& model, std::vector<ControlInput>& inputs,
+                                             std::vector<std::unique_ptr<ControlSpace>>& spaces,
+                                             Observer* observer) {
+  const bool is_off = std::all_of(inputs.begin(), inputs.end(), [](const ControlInput& input) {
+    return input.options.grade == 0;
+  });
+  return is_off ? ContourGradationReport() : ContourGradation(model, inputs, spaces).run(observer);
+}
+
+}  // namespace surfmesh

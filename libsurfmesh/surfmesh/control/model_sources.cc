@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/control/model_sources.hh"
+
+#include <cmath>
+#include <set>
+
+#include "surfmesh/control/contour_curvature.hh"
+#include "surfmesh/control/features.hh"
+#include "surfmesh/control/proximity.hh"
+
+namespace surfmesh {
+namespace {
+
+void append(std::vector<PlacedSize>& all, const std::vector<PlacedSize>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/// Sizes that a contour wants on the patches that share it.
+std::vector<PlacedSize> sizes_of_contour(const Model& model, const Contour& contour,
+                                         const Sizing& sizing, const SizeBounds& bounds) {
+  const ContourUse& use = contour.uses.front();
+  const CurveOnSurface curve(model.patches[static_cast<std::size_t>(use.patch)].surface, use.curve);
+  std::vector<PlacedSize> sizes;
+  if (sizing.contour_curvature && sizing.curvature > 0) {
+    append(sizes, contour_curvature_sizes(curve, sizing, bounds));
+  }
+  if (sizing.features) append(sizes, feature_sizes(curve, sizing, bounds));
+  return sizes;
+}
+
+/// By patch.
+std::vector<std::vector<PlacedSize>> boundary_sizes(const Model& model, const Sizing& sizing) {
+  const SizeBounds bounds(sizing, model.diagonal);
+  std::vector<std::vector<PlacedSize>> sizes(model.patches.size());
+  for (const Contour& contour : model.contours) {
+    if (contour.is_smooth || contour.is_degenerate || contour.uses.empty()) continue;
+    const auto own = sizes_of_contour(model, contour, sizing, bounds);
+    std::set<int> patches;
+    for (const ContourUse& use : contour.uses) patches.insert(use.patch);
+    for (const int patch : patches) append(sizes[static_cast<std::size_t>(patch)], own);
+  }
+  for (std::size_t p = 0; p < model.patches.size(); ++p) {
+    append(sizes[p], proximity_sizes(model, static_cast<int>(p), sizing, bounds));
+  }
+  return sizes;
+}
+
+}  // namespace
+
+std::vector<PatchSources> model_sources(const Model& model, const Sources& sources,
+                                        const Sizing& sizing) {
+  check_sizing(sizing.proximity >= 0 && std::isfinite(sizing.proximity), "proximity",
+               sizing.proximity, "0 (off) or above");
+  auto boundary = boundary_sizes(model, sizing);
+  const auto near = near_tree(sources, sizing, model.diagonal);
+  std::vector<PatchSources> result;
+  for (std::size_t p = 0; p < model.patches.size(); ++p) {
+    PatchSources& patch = result.emplace_back(sources_of_patch(sources, static_cast<int>(p)));
+    if (near) patch.trees.push_back(near);
+    if (boundary[p].empty()) continue;
+    patch.trees.push_back(std::make_shared<SourceTree>(std::move(boundary[p]), sizing.grade));
+  }
+  return result;
+}
+
+}  // namespace surfmesh

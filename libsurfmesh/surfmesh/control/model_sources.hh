@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "surfmesh/control/patch_sources.hh"
+#include "surfmesh/geometry/model.hh"
+
+namespace surfmesh {
+
+/// What has a say in the sizes of each patch of a model, by the index of the patch: the user's
+/// sources, and by the sizing the curvature of contours, short contours and gaps.
+///
+/// These three come from contours that are not smooth (true boundaries, creases, trims), and go to
+/// all patches that share the contour.
+/// Cost     about 0.1 ms a contour that is not smooth, and proximity_sizes of each patch
+/// Throws   InvalidInput for a size or radius of `near` that is none; InvalidOption for a sizing out
+///          of range
+std::vector<PatchSources> model_sources(const Model& model, const Sources& sources,
+                                        const Sizing& sizing);
+
+}  // namespace surfmesh

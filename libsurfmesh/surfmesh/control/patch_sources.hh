@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "surfmesh/control/size_bounds.hh"
+#include "surfmesh/control/sizing.hh"
+#include "surfmesh/control/source_tree.hh"
+
+namespace surfmesh {
+
+/// What has a say in the sizes of one patch besides its curvature.
+struct PatchSources {
+  std::vector<EverywhereSource> everywhere;
+  std::vector<AtSource> at;
+  std::vector<AlongSource> along = {};
+  std::vector<InsideSource> inside = {};
+  std::vector<FieldSource> fields = {};
+  std::vector<TableSource> tables = {};
+  /// Sizes around places in space, perhaps shared with other patches: `near`, contours.
+  std::vector<std::shared_ptr<const SourceTree>> trees = {};
+
+  /// The least precision that a source asks for itself.
+  std::optional<double> precision() const;
+};
+
+/// The sources that belong to one patch of a model. `near` belongs to all and is not among them.
+PatchSources sources_of_patch(const Sources& sources, int patch);
+
+/// The sizes of `near` of all patches; null if there is none.
+///
+/// Throws   InvalidInput for a size or radius that is none, or a line without points
+std::shared_ptr<const SourceTree> near_tree(const Sources& sources, const Sizing& sizing,
+                                            double diagonal);
+
+/// Number of sizes of the user beyond hmin and hmax; those of fields are not known.
+///
+/// Throws   InvalidInput for a size that is none
+std::size_t count_clamped(const Sources& sources, const SizeBounds& bounds);
+
+}  // namespace surfmesh

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "support/models.hh"
+#include "support/waves.hh"
+#include "surfmesh/control/curve_polyline.hh"
+#include "surfmesh/control/features.hh"
+#include "surfmesh/control/model_sources.hh"
+#include "surfmesh/control/proximity.hh"
+
+namespace surfmesh {
+namespace {
+
+using testing::model_of;
+using testing::rectangle;
+
+Sizing sizing(double hmax, double proximity = 1) {
+  Sizing result = testing::sizing_of(0, 1e-4, hmax, 2);
+  result.grade = 1.5;
+  result.proximity = proximity;
+  return result;
+}
+
+std::vector<PlacedSize> gaps(const Model& model, double hmax, double proximity = 1) {
+  const Sizing own = sizing(hmax, proximity);
+  return proximity_sizes(model, 0, own, SizeBounds(own, 1));
+}
+
+TEST(Proximity, IsTheWidthOfAStrip) {
+  const auto sizes = gaps(model_of({rectangle(0, 0, 3, 0.1)}), 1);
+  ASSERT_FALSE(sizes.empty());
+  for (const PlacedSize& placed : sizes) {
+    EXPECT_NEAR(placed.at_from.along, 0.1, 1e-12);
+    EXPECT_NEAR(placed.at_from.across, 0.2, 1e-12);
+    EXPECT_NEAR(std::abs(placed.to.y() - placed.from.y()), 0.1, 1e-12);
+    EXPECT_NEAR(placed.to.x(), placed.from.x(), 1e-12);
+  }
+}
+
+TEST(Proximity, CoversTheWholeStrip) {
+  const auto sizes = gaps(model_of({rectangle(0, 0, 3, 0.1)}), 1);
+  for (double x = 0; x <= 3; x += 0.01) {
+    EXPECT_TRUE(std::any_of(sizes.begin(), sizes.end(), [x](const PlacedSize& placed) {
+      return std::abs(placed.from.x() - x) <= placed.radius;
+    })) << x;
+  }
+}
+
+TEST(Proximity, DividesByTheNumberOfElements) {
+  for (const PlacedSize& placed : gaps(model_of({rectangle(0, 0, 3, 0.1)}), 0.7, 4)) {
+    EXPECT_NEAR(placed.at_from.along, 0.025, 1e-12);
+  }
+}
+
+TEST(Proximity, IsNothingWhereSizesAreSmallerOrItIsOff) {
+  EXPECT_TRUE(gaps(model_of({rectangle(0, 0, 3, 0.1)}), 0.09).empty());
+  EXPECT_TRUE(gaps(model_of({rectangle(0, 0, 3, 0.1)}), 1, 0).empty());
+  EXPECT_FALSE(gaps(model_of({rectangle(0, 0, 3, 0.1)}), 0.09, 2).empty());
+}
+
+TEST(Proximity, IsTheGapBesideAHole) {
+  double least = 1;
+  for (const PlacedSize& placed : gaps(testing::square_with_hole(0.9), 1)) {
+    least = std::min(least, placed.at_from.along);
+  }
+  EXPECT_NEAR(least, 0.1, 0.01);
+}
+
+TEST(Proximity, IsNotAcrossAHole) {
+  EXPECT_TRUE(gaps(testing::square_with_hole(0.1), 0.5).empty());
+}
+
+TEST(Proximity, IsNotInAnOrdinaryCorner) {
+  // The triangle (0,0), (1,0), (1,0.6) as a patch: a corner of 31° at its pole.
+  const auto wedge = make_callable_surface(
+      Domain{0, 1, 0, 1}, [](auto u, auto v) { return std::array{u, 0.6 * u * v, 0 * u}; });
+  for (const PlacedSize& placed : gaps(model_of({wedge}), 2)) {
+    EXPECT_GT(placed.at_from.along, 0.2);
+  }
+}
+
+std::vector<PlacedSize> features_of(double radius, double hmax, double grade) {
+  const CallableSpaceCurve circle([=](double t) -> Vec3 {
+    const double angle = 2 * std::numbers::pi * t;
+    return {radius * std::cos(angle), radius * std::sin(angle), 0};
+  });
+  Sizing own = sizing(hmax);
+  own.grade = grade;
+  return feature_sizes(circle, own, SizeBounds(own, 1));
+}
+
+TEST(Features, HaveTheLengthOfAShortContour) {
+  const double whole = 2 * std::numbers::pi * 0.01;
+  const auto sizes = features_of(0.01, 0.5, 1.5);
+  ASSERT_FALSE(sizes.empty());
+  for (const PlacedSize& placed : sizes) {
+    EXPECT_NEAR(placed.at_from.along, whole, 0.05 * whole);
+    EXPECT_EQ(placed.at_from.along, placed.at_to.across);
+  }
+}
+
+TEST(Features, AreNoneOfALongContour) { EXPECT_TRUE(features_of(0.1, 0.5, 1.5).empty()); }
+
+TEST(Features, ReachAnElementWithoutGradation) {
+  for (const PlacedSize& placed : features_of(0.01, 0.5, 0)) {
+    EXPECT_NEAR(placed.radius, 0.5 * placed.at_from.along, 1e-12);
+  }
+}
+
+TEST(CurvePolyline, StaysNearTheCurve) {
+  const CallableSpaceCurve circle([](double t) -> Vec3 {
+    return {std::cos(7 * t), std::sin(7 * t), t};
+  });
+  for (const double tolerance : {0.1, 0.01, 1e-3}) {
+    const auto points = curve_polyline(circle, tolerance);
+    EXPECT_EQ(points.front().t, 0);
+    EXPECT_EQ(points.back().t, 1);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const Vec3 middle = circle.evaluate(0.5 * (points[i - 1].t + points[i].t));
+      const Vec3 chord = points[i].point - points[i - 1].point;
+      EXPECT_LE((middle - points[i - 1].point).cross(chord).norm() / chord.norm(), tolerance);
+    }
+  }
+}
+
+TEST(CurvePolyline, HasTheLengthOfTheCurve) {
+  const CallableSpaceCurve circle([](double t) -> Vec3 {
+    return {std::cos(6 * t), std::sin(6 * t), 0};
+  });
+  EXPECT_NEAR(length(curve_polyline(circle, 1e-5)), 6, 1e-3);
+}
+
+TEST(ModelSources, GoToAllPatchesOfAContour) {
+  // Two half cylinders: their rims are curved, the joints between them are smooth and straight.
+  const double pi = std::numbers::pi;
+  const Model model = model_of({testing::cylinder(0, pi), testing::cylinder(pi, 2 * pi)});
+  Sizing own;
+  own.proximity = 0;
+  own.features = false;
+  for (const PatchSources& sources : model_sources(model, {}, own)) {
+    ASSERT_EQ(sources.trees.size(), 1u);
+    for (const PlacedSize& placed : sources.trees[0]->sizes()) {
+      EXPECT_NEAR(placed.at_from.along, 0.25, 1e-6);
+    }
+  }
+}
+
+TEST(ModelSources, HaveNothingOfContoursThatIsOff) {
+  const Model model = model_of({testing::cylinder(0, 1)});
+  Sizing own;
+  own.contour_curvature = own.features = false;
+  own.proximity = 0;
+  EXPECT_TRUE(model_sources(model, {}, own)[0].trees.empty());
+  own.contour_curvature = true;
+  own.curvature = 0;
+  EXPECT_TRUE(model_sources(model, {}, own)[0].trees.empty());
+}
+
+TEST(ModelSources, ShareWhatIsNearAPlaceInSpace) {
+  Sources sources;
+  sources.near.push_back({{Vec3::Zero()}, {testing::size_of(0.1)}});
+  Sizing own = sizing(0.01);
+  const auto all = model_sources(testing::model_of({rectangle(0, 0, 1, 1), rectangle(1, 0, 2, 1)}),
+                                 sources, own);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].trees.at(0), all[1].trees.at(0));
+}
+
+}  // namespace
+}  // namespace surfmesh

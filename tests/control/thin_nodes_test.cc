@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/control/thin_nodes.hh"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <set>
+
+#include "support/analytic.hh"
+#include "surfmesh/control/node_interpolation.hh"
+#include "surfmesh/geometry/first_form.hh"
+#include "surfmesh/metric/conformity.hh"
+#include "surfmesh/metric/size_tensor.hh"
+
+namespace surfmesh {
+namespace {
+
+const test::PlanePatch kPlane(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY());
+
+std::vector<ControlNode> grid(int n, const std::function<SizeTensor(Uv)>& size) {
+  std::vector<ControlNode> nodes;
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      const Uv uv{double(i) / (n - 1), double(j) / (n - 1)};
+      nodes.push_back({uv, Vec3(uv.u, uv.v, 0), {1, 0, 1}, size(uv), {}});
+    }
+  }
+  return nodes;
+}
+
+SizeTensor wave(Uv uv) {
+  const double size = 0.02 * std::exp(2 * uv.u);
+  return size_tensor(size, 2 * size, uv.v);
+}
+
+TEST(ThinNodes, KeepsThePrecisionAtAllNodes) {
+  const auto nodes = grid(60, wave);
+  for (const double precision : {0.4, 0.2, 0.1}) {
+    const NodeInterpolation kept(kPlane, thin_nodes(kPlane, nodes, precision));
+    for (const ControlNode& node : nodes) {
+      EXPECT_LE(log_conformity(node.size, kept.at(node.uv, node.form).size), precision);
+    }
+  }
+}
+
+TEST(ThinNodes, KeepsFewOfASmoothField) {
+  const auto nodes = grid(60, wave);
+  EXPECT_LT(thin_nodes(kPlane, nodes, 0.2).size(), nodes.size() / 10);
+  EXPECT_LT(thin_nodes(kPlane, nodes, 0.1).size(), nodes.size() / 3);
+}
+
+TEST(ThinNodes, KeepsCornersOfAConstantField) {
+  const auto kept = thin_nodes(kPlane, grid(20, [](Uv) { return isotropic(0.1); }), 0.1);
+  EXPECT_EQ(kept.size(), 4u);
+}
+
+TEST(ThinNodes, KeepsANodeThatStandsOut) {
+  auto nodes = grid(11, [](Uv) { return isotropic(0.2); });
+  nodes[60].size = isotropic(0.02);
+  std::set<std::pair<double, double>> places;
+  for (const ControlNode& node : thin_nodes(kPlane, nodes, 0.1)) {
+    places.insert({node.uv.u, node.uv.v});
+  }
+  EXPECT_TRUE(places.contains({0.5, 0.5}));
+}
+
+TEST(ThinNodes, EndsWithNodesOnTopOfEachOther) {
+  auto nodes = grid(5, [](Uv) { return isotropic(0.2); });
+  nodes.push_back(nodes[7]);
+  nodes.back().size = isotropic(0.05);
+  EXPECT_LE(thin_nodes(kPlane, nodes, 0.01).size(), nodes.size());
+  EXPECT_TRUE(thin_nodes(kPlane, {}, 0.1).empty());
+}
+
+}  // namespace
+}  // namespace surfmesh
