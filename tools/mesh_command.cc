@@ -40,6 +40,10 @@ constexpr NamedOption kNamedOptions[] = {
     {kControl, "nodes", "auto|N",
      "control nodes: chosen to the precision, or N regular ones a patch"},
     {kControl, "precision", "P", "conformity of the control space with the sizes asked for"},
+    {kControl, "control", "mesh|grid", "triangulated, or a regular grid"},
+    {kControl, "interpolation", "s|t|o|auto", "between control nodes, as in the paper"},
+    {kControl, "epsilon", "E", "accuracy of the interpolation auto"},
+    {kControl, "reuse", "F", "use a size again within this metric distance; 0 is off"},
     {kMeshing, "placement", "frontal|circumcentre", "where new nodes go"},
     {kMeshing, "threads", "N", "any number is accepted; for now the work is done by one"},
     {kMeshing, "max_elements", "N", "refuse to make more triangles"},
@@ -198,6 +202,11 @@ void MeshCommand::add_named_options(CLI::App& command) {
         ->default_str(to_text(get_option(defaults, name)))
         ->check([name](const std::string& value) { return fault_of(name, value); });
   }
+  command
+      .add_flag_callback(
+          "--inner-nodes", [this] { named_.emplace_back("inner_nodes", "true"); },
+          "refine the control mesh for the shape of its triangles")
+      ->group(kControl);
 }
 
 int MeshCommand::run() const {

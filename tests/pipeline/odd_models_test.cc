@@ -67,6 +67,21 @@ TEST(OddModel, WithASourceOfNoPatchIsRefused) {
   EXPECT_NE(error.find("patch 5 of 1"), std::string::npos) << error;
 }
 
+TEST(OddSizes, AreRefusedByName) {
+  const auto fault = [](Length hmin, Length hmax) {
+    return error_of(
+        [&] { mesh_model(testing::unit_square(), {}, {.sizing = {.hmin = hmin, .hmax = hmax}}); });
+  };
+  EXPECT_EQ(fault({0.1, true}, {-1, false}),
+            "invalid option: hmax = -1 is outside its range: a length above 0");
+  EXPECT_EQ(fault({kUnset, false}, {1, false}),
+            "invalid option: hmin = nan is outside its range: a length above 0");
+  EXPECT_EQ(
+      fault({1, true}, {0.5, false}),
+      "invalid option: hmin = 100% must not be above hmax = 0.5, which are lengths of 1.41421 "
+      "and 0.5");
+}
+
 TEST(OddModel, WithoutExtentIsRefused) {
   Model model = testing::unit_square();
   model.diagonal = 0;

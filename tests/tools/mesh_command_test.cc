@@ -135,6 +135,18 @@ TEST_F(MeshProgram, BeatsTheModelFileByTheCommandLine) {
   EXPECT_EQ(options["curvature"], 0);
 }
 
+TEST_F(MeshProgram, TakesTheOptionsOfTheControlSpace) {
+  EXPECT_EQ(mesh("torus.json", "--control mesh --interpolation s --epsilon 0.2 --inner-nodes "
+                               "--reuse 0.1 --report report.json"),
+            0)
+      << err_;
+  const Json options = report()["options"];
+  EXPECT_EQ(options["interpolation"], "s");
+  EXPECT_EQ(options["epsilon"], 0.2);
+  EXPECT_EQ(options["inner_nodes"], true);
+  EXPECT_EQ(options["reuse"], 0.1);
+}
+
 TEST_F(MeshProgram, GivesTheSameBytesTwice) {
   EXPECT_EQ(mesh("knob.obj", "--quiet"), 0);
   const std::string first = read_text(folder_ / "out.obj");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <memory>
 #include <utility>
@@ -262,8 +263,17 @@ void check_patches(const Model& model, const Sources& sources) {
   check_all(sources.tables);
 }
 
-/// Throws   InvalidOption if hmin is above hmax, which only the size of the model may tell
+void check_length(const char* name, const Length& length) {
+  if (length.value > 0 && std::isfinite(length.value)) return;
+  throw Error(ErrorCode::InvalidOption, fmt::format("{} = {} is outside its range: a length above 0",
+                                                    name, to_text(length)));
+}
+
+/// Throws   InvalidOption if hmin or hmax is no length, or hmin above hmax, which only the size of
+///          the model may tell
 void check_bounds(const Model& model, const Sizing& sizing) {
+  check_length("hmin", sizing.hmin);
+  check_length("hmax", sizing.hmax);
   const double hmin = sizing.hmin.in_units(model.diagonal);
   const double hmax = sizing.hmax.in_units(model.diagonal);
   if (hmin <= hmax) return;
