@@ -18,38 +18,6 @@
 namespace surfmesh {
 namespace {
 
-/// Options of the pipeline that have a flag of their own, in the order of the help text.
-struct NamedOption {
-  const char* group;
-  const char* name;
-  const char* unit;
-  const char* text;
-};
-
-constexpr const char* kSizes = "Sizes (lengths in model units, or with % of the model's diagonal)";
-constexpr const char* kControl = "Control space (where the sizes are kept)";
-constexpr const char* kMeshing = "Meshing";
-constexpr const char* kCages = "Cages";
-
-constexpr NamedOption kNamedOptions[] = {
-    {kSizes, "curvature", "C", "size = C × radius of curvature; 0 is off"},
-    {kSizes, "hmin", "H", "lower bound of all sizes: a length, or a share of the diagonal (0.1%)"},
-    {kSizes, "hmax", "H", "upper bound of all sizes"},
-    {kSizes, "stretch", "R", "greatest ratio of the two sizes from curvature"},
-    {kSizes, "grade", "G", "sizes grow by at most ln G per unit of length; 0 is off"},
-    {kControl, "nodes", "auto|N",
-     "control nodes: chosen to the precision, or N regular ones a patch"},
-    {kControl, "precision", "P", "conformity of the control space with the sizes asked for"},
-    {kControl, "control", "mesh|grid", "triangulated, or a regular grid"},
-    {kControl, "interpolation", "s|t|o|auto", "between control nodes, as in the paper"},
-    {kControl, "epsilon", "E", "accuracy of the interpolation auto"},
-    {kControl, "reuse", "F", "use a size again within this metric distance; 0 is off"},
-    {kMeshing, "placement", "frontal|circumcentre", "where new nodes go"},
-    {kMeshing, "threads", "N", "any number is accepted; for now the work is done by one"},
-    {kMeshing, "max_elements", "N", "refuse to make more triangles"},
-    {kCages, "patches", "auto|faces", "what is a patch of a cage"},
-};
-
 double processor_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -58,24 +26,12 @@ double processor_seconds() {
   return seconds.count();
 }
 
-/// "max-elements" for "max_elements".
-std::string flag_of(std::string name) {
-  for (char& c : name) c = c == '_' ? '-' : c;
-  return "--" + name;
-}
-
-std::string examples() {
-  std::string names;
-  for (const std::string_view name : option_names()) {
-    if (!names.empty()) names += names.size() - names.rfind('\n') > 70 ? ",\n  " : ", ";
-    names += name;
-  }
+std::string footer() {
   return fmt::format(
       "Examples:\n  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report "
       "knob.json\n"
-      "  surfmesh mesh wave.json -o wave.obj --nodes 40000 --set smoothing=4 --quiet\n"
-      "Names for --set:\n  {}\n",
-      names);
+      "  surfmesh mesh wave.json -o wave.obj --nodes 40000 --set smoothing=4 --quiet\n{}",
+      names_for_set());
 }
 
 void check_paths(const std::string& input, const std::string& output, const std::string& report) {
@@ -168,11 +124,10 @@ void print_messages(const Report& report) {
 void MeshCommand::add_to(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "mesh", "Mesh a control cage (.obj, .off) or a model file (.json) with triangles.");
-  command->footer(examples());
+  command->footer(footer());
   add_files(*command);
-  add_named_options(*command);
+  add_flags(*command, named_, FlagSet::Meshing);
   add_scheme(*command, scheme_);
-  command->get_option("--scheme")->group(kCages);
   add_set(*command, set_, "set any option by its name; beats the other flags and the model file");
 }
 
@@ -186,27 +141,6 @@ void MeshCommand::add_files(CLI::App& command) {
       ->type_name("FILE");
   command.add_option("--report", report_, "write the report as JSON")->type_name("FILE.json");
   command.add_flag("--quiet", is_quiet_, "print warnings and errors only");
-}
-
-void MeshCommand::add_named_options(CLI::App& command) {
-  const PipelineOptions defaults;
-  for (const NamedOption& option : kNamedOptions) {
-    const std::string name = option.name;
-    command
-        .add_option_function<std::string>(
-            flag_of(name),
-            [this, name](const std::string& value) { named_.emplace_back(name, value); },
-            option.text)
-        ->group(option.group)
-        ->type_name(option.unit)
-        ->default_str(to_text(get_option(defaults, name)))
-        ->check([name](const std::string& value) { return fault_of(name, value); });
-  }
-  command
-      .add_flag_callback(
-          "--inner-nodes", [this] { named_.emplace_back("inner_nodes", "true"); },
-          "refine the control mesh for the shape of its triangles")
-      ->group(kControl);
 }
 
 int MeshCommand::run() const {

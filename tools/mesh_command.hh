@@ -29,7 +29,6 @@ class MeshCommand {
 
  private:
   void add_files(CLI::App& command);
-  void add_named_options(CLI::App& command);
 
   std::string input_;
   std::string output_;

@@ -17,6 +17,16 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 /// Returns the reason, empty if there is none.
 std::string fault_of(const std::string& name, const std::string& value);
 
+/// Which options of the pipeline get flags of their own: those of the sizes, of the control space
+/// and of cages, or those of the meshing, too.
+enum class FlagSet { Control, Meshing };
+
+/// Add flags for the options that are most used, in groups.
+void add_flags(CLI::App& command, Settings& settings, FlagSet flags);
+
+/// The names of all options, for the help of --set.
+std::string names_for_set();
+
 /// Add --scheme to a command.
 void add_scheme(CLI::App& command, Scheme& scheme);
 

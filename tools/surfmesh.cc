@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "check_command.hh"
+#include "control_command.hh"
 #include "convert_command.hh"
 #include "mesh_command.hh"
 #include "usage.hh"
@@ -24,6 +25,7 @@ constexpr const char* kFooter =
     "  surfmesh mesh model.json -o mesh.obj     mesh what a model file describes\n"
     "  surfmesh check mesh.om --model cage.obj  tell how good the mesh is\n"
     "  surfmesh convert mesh.om mesh.ply        write it in another format\n"
+    "  surfmesh control model.json -o sizes.vtu look at the sizes it asks for\n"
     "Exit status: 0 done; 1 not done; 2 wrong usage; 3 done, but something asked for was not\n"
     "  reached, or check found a fault; 130, 143 stopped by a signal\n"
     "surfmesh COMMAND --help lists the options of a command with their defaults.\n";
@@ -40,6 +42,8 @@ int run(int argc, char** argv) {
   check.add_to(app);
   surfmesh::ConvertCommand convert;
   convert.add_to(app);
+  surfmesh::ControlCommand control;
+  control.add_to(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -47,6 +51,7 @@ int run(int argc, char** argv) {
   }
   if (app.got_subcommand("check")) return check.run();
   if (app.got_subcommand("convert")) return convert.run();
+  if (app.got_subcommand("control")) return control.run();
   return mesh.run();
 }
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
 #include <ctime>
+#include <iterator>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -13,12 +13,10 @@
 #include "surfmesh/assemble/assemble.hh"
 #include "surfmesh/assemble/turned_triangles.hh"
 #include "surfmesh/boundary/patch_boundary.hh"
-#include "surfmesh/control/contour_gradation.hh"
-#include "surfmesh/control/make_control.hh"
-#include "surfmesh/control/model_sources.hh"
-#include "surfmesh/control/parse_length.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/validate.hh"
+#include "surfmesh/pipeline/control_spaces.hh"
+#include "surfmesh/pipeline/for_each_patch_detail.hh"
 #include "surfmesh/refine/boundary_triangulation.hh"
 
 namespace surfmesh {
@@ -56,7 +54,7 @@ class Run {
 
   MeshResult mesh() {
     const auto start = std::chrono::steady_clock::now();
-    make_control_spaces();
+    make_spaces();
     place_nodes();
     mesh_patches();
     MeshResult result = assemble_patches();
@@ -69,35 +67,16 @@ class Run {
 
  private:
   void tell(std::string_view stage, std::size_t done, std::size_t total) const {
-    if (!options_.observer) return;
-    options_.observer->progress(stage, done, total);
-    throw_if_cancelled(options_.observer);
+    surfmesh::tell(options_.observer, stage, done, total);
   }
 
-  /// Call `body(index)`, and name the patch in its errors.
-  template <class Body>
-  void for_each_patch(std::string_view stage, Body body) {
-    for (std::size_t p = 0; p < model_.patches.size(); ++p) {
-      tell(stage, p, model_.patches.size());
-      try {
-        body(p);
-      } catch (const Error& error) {
-        throw Error(error.code(),
-                    fmt::format("patch {}: {}", model_.patches[p].name, error.what()));
-      }
-    }
-    tell(stage, model_.patches.size(), model_.patches.size());
-  }
-
-  void make_control_spaces() {
+  void make_spaces() {
     const StageClock clock(report_.seconds.control);
-    count_clamped_sizes();
-    patch_sources_ = model_sources(model_, sources_, options_.sizing);
-    for_each_patch("control", [this](std::size_t p) { make_control_space(p); });
-    if (!grade_across_contours(model_, inputs_, spaces_, options_.observer).has_converged) {
-      report_.shortfalls.push_back("gradation across contours has not come to an end");
-    }
-    inputs_.clear();
+    ControlSpaces made = make_control_spaces(model_, sources_, options_);
+    std::move(made.warnings.begin(), made.warnings.end(), std::back_inserter(report_.warnings));
+    std::move(made.shortfalls.begin(), made.shortfalls.end(),
+              std::back_inserter(report_.shortfalls));
+    spaces_ = std::move(made.spaces);
     for (std::size_t p = 0; p < spaces_.size(); ++p) {
       const TriMesh& mesh = spaces_[p]->mesh();
       report_.control.nodes += mesh.n_vertices();
@@ -107,21 +86,6 @@ class Run {
           std::make_unique<SurfaceMetricField>(*model_.patches[p].surface, *spaces_[p]));
       fields_.push_back(surface_fields_.back().get());
     }
-  }
-
-  void count_clamped_sizes() {
-    const SizeBounds bounds(options_.sizing, model_.diagonal);
-    const std::size_t count = count_clamped(sources_, bounds);
-    if (count == 0) return;
-    report_.warnings.push_back(
-        fmt::format("{} sizes of sources are brought into the bounds hmin = {} and hmax = {}",
-                    count, bounds.hmin, bounds.hmax));
-  }
-
-  void make_control_space(std::size_t p) {
-    inputs_.push_back(collect_control_input(*model_.patches[p].surface, options_.sizing,
-                                            patch_sources_[p], model_.diagonal, options_.control));
-    spaces_.push_back(make_control(inputs_.back()));
   }
 
   void count_classes(const TriMesh& mesh) {
@@ -147,7 +111,7 @@ class Run {
   void mesh_patches() {
     patches_.resize(model_.patches.size());
     std::size_t elements = 0;
-    for_each_patch("mesh", [&](std::size_t p) {
+    for_each_patch(model_, "mesh", options_.observer, [&](std::size_t p) {
       RefineOptions refine_options = options_.refine;
       refine_options.observer = options_.observer;
       refine_options.max_elements -= elements;
@@ -234,62 +198,19 @@ class Run {
   const Sources& sources_;
   const PipelineOptions& options_;
   Report report_;
-  std::vector<ControlInput> inputs_;
   std::vector<std::unique_ptr<ControlSpace>> spaces_;
   std::vector<std::unique_ptr<SurfaceMetricField>> surface_fields_;
-  std::vector<PatchSources> patch_sources_;
   std::vector<const MetricField*> fields_;
   std::vector<ContourNodes> nodes_;
   std::unique_ptr<NodeNumbers> numbers_;
   std::vector<PatchMesh> patches_;
 };
 
-/// Throws   InvalidInput for a source of a patch that does not exist
-void check_patches(const Model& model, const Sources& sources) {
-  const auto check_patch = [&](int patch) {
-    if (patch < 0 || static_cast<std::size_t>(patch) >= model.patches.size()) {
-      throw Error(ErrorCode::InvalidInput,
-                  fmt::format("a source names patch {} of {}", patch, model.patches.size()));
-    }
-  };
-  const auto check_all = [&](const auto& list) {
-    for (const auto& source : list) check_patch(source.patch);
-  };
-  check_all(sources.everywhere);
-  check_all(sources.at);
-  check_all(sources.along);
-  check_all(sources.inside);
-  check_all(sources.fields);
-  check_all(sources.tables);
-}
-
-void check_length(const char* name, const Length& length) {
-  if (length.value > 0 && std::isfinite(length.value)) return;
-  throw Error(ErrorCode::InvalidOption, fmt::format("{} = {} is outside its range: a length above 0",
-                                                    name, to_text(length)));
-}
-
-/// Throws   InvalidOption if hmin or hmax is no length, or hmin above hmax, which only the size of
-///          the model may tell
-void check_bounds(const Model& model, const Sizing& sizing) {
-  check_length("hmin", sizing.hmin);
-  check_length("hmax", sizing.hmax);
-  const double hmin = sizing.hmin.in_units(model.diagonal);
-  const double hmax = sizing.hmax.in_units(model.diagonal);
-  if (hmin <= hmax) return;
-  throw Error(ErrorCode::InvalidOption,
-              fmt::format("hmin = {} must not be above hmax = {}, which are lengths of {:.6g} and "
-                          "{:.6g}",
-                          to_text(sizing.hmin), to_text(sizing.hmax), hmin, hmax));
-}
-
 }  // namespace
 
 MeshResult mesh_model(const Model& model, const Sources& sources, const PipelineOptions& options) {
   check(options);
   check(model);
-  check_bounds(model, options.sizing);
-  check_patches(model, sources);
   return Run(model, sources, options).mesh();
 }
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "surfmesh/core/mesh.hh"
+#include "surfmesh/geometry/surface.hh"
+
+namespace surfmesh {
+
+/// The control mesh of one patch, to be written. The mesh and the surface must outlive it.
+struct ControlPicture {
+  std::string patch;
+  const TriMesh* mesh;
+  const Surface* surface;
+};
+
+/// Throws   Io, naming the file, unless its ending is .vtu or .obj
+void check_control_ending(const std::filesystem::path& path);
+
+/// Write the control meshes of patches on their surfaces, the format chosen by the ending.
+///
+/// .vtu, for ParaView: at points uv, the two sizes, the size tensor in space (symmetric, its
+/// eigenvectors tangent to the surface), radius and outer radius; at triangles the patch and the
+/// class of interpolation (0 V_s, 1 V_t, 2 V_o, -1 a cell of a grid). .obj: the triangles, a group
+/// for each patch. Written whole or not at all.
+///
+/// Reads    surf:uv, surf:size; surf:radius, surf:outer_radius and surf:class if they are there
+/// Cost     about 2 µs a node
+/// Throws   Io; Geometry for a position that is not finite; MissingProperty
+void write_control(const std::vector<ControlPicture>& pictures, const std::filesystem::path& path);
+
+}  // namespace surfmesh

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/pipeline/control_spaces.hh"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "surfmesh/control/contour_gradation.hh"
+#include "surfmesh/control/make_control.hh"
+#include "surfmesh/control/model_sources.hh"
+#include "surfmesh/control/parse_length.hh"
+#include "surfmesh/core/error.hh"
+#include "surfmesh/pipeline/for_each_patch_detail.hh"
+
+namespace surfmesh {
+namespace {
+
+void check_patches(const Model& model, const Sources& sources) {
+  const auto check_all = [&](const auto& list) {
+    for (const auto& source : list) {
+      if (source.patch >= 0 && static_cast<std::size_t>(source.patch) < model.patches.size()) {
+        continue;
+      }
+      throw Error(ErrorCode::InvalidInput, fmt::format("a source names patch {} of {}",
+                                                       source.patch, model.patches.size()));
+    }
+  };
+  check_all(sources.everywhere);
+  check_all(sources.at);
+  check_all(sources.along);
+  check_all(sources.inside);
+  check_all(sources.fields);
+  check_all(sources.tables);
+}
+
+void check_length(const char* name, const Length& length) {
+  if (length.value > 0 && std::isfinite(length.value)) return;
+  throw Error(ErrorCode::InvalidOption,
+              fmt::format("{} = {} is outside its range: a length above 0", name, to_text(length)));
+}
+
+/// Throws   InvalidOption if hmin or hmax is no length, or hmin above hmax, which only the size of
+///          the model may tell
+void check_bounds(const Model& model, const Sizing& sizing) {
+  check_length("hmin", sizing.hmin);
+  check_length("hmax", sizing.hmax);
+  const double hmin = sizing.hmin.in_units(model.diagonal);
+  const double hmax = sizing.hmax.in_units(model.diagonal);
+  if (hmin <= hmax) return;
+  throw Error(ErrorCode::InvalidOption,
+              fmt::format("hmin = {} must not be above hmax = {}, which are lengths of {:.6g} and "
+                          "{:.6g}",
+                          to_text(sizing.hmin), to_text(sizing.hmax), hmin, hmax));
+}
+
+void warn_of_clamped_sizes(const Sources& sources, const SizeBounds& bounds,
+                           std::vector<std::string>& warnings) {
+  const std::size_t count = count_clamped(sources, bounds);
+  if (count == 0) return;
+  warnings.push_back(
+      fmt::format("{} sizes of sources are brought into the bounds hmin = {} and hmax = {}", count,
+                  bounds.hmin, bounds.hmax));
+}
+
+}  // namespace
+
+ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
+                                  const PipelineOptions& options) {
+  check_bounds(model, options.sizing);
+  check_patches(model, sources);
+  ControlSpaces result;
+  warn_of_clamped_sizes(sources, SizeBounds(options.sizing, model.diagonal), result.warnings);
+  const auto patch_sources = model_sources(model, sources, options.sizing);
+  std::vector<ControlInput> inputs;
+  for_each_patch(model, "control", options.observer, [&](std::size_t p) {
+    inputs.push_back(collect_control_input(*model.patches[p].surface, options.sizing,
+                                           patch_sources[p], model.diagonal, options.control));
+    result.spaces.push_back(make_control(inputs.back()));
+  });
+  if (!grade_across_contours(model, inputs, result.spaces, options.observer).has_converged) {
+    result.shortfalls.push_back("gradation across contours has not come to an end");
+  }
+  return result;
+}
+
+}  // namespace surfmesh

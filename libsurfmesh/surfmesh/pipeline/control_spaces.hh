@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "surfmesh/control/control_space.hh"
+#include "surfmesh/control/sizing.hh"
+#include "surfmesh/geometry/model.hh"
+#include "surfmesh/pipeline/options.hh"
+
+namespace surfmesh {
+
+/// The control spaces of all patches of a model, and what there is to say of them.
+struct ControlSpaces {
+  std::vector<std::unique_ptr<ControlSpace>> spaces;  ///< in the order of the patches
+  std::vector<std::string> warnings;
+  std::vector<std::string> shortfalls;  ///< what was asked for and not reached
+};
+
+/// Make the control space of each patch, graded within patches and across their contours.
+///
+/// Throws   InvalidOption; InvalidInput for a source of a patch that does not exist, or that makes
+///          no sense; Geometry; Limit; errors name the patch
+ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
+                                  const PipelineOptions& options);
+
+}  // namespace surfmesh

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "control_command.hh"
+
+#include <fmt/format.h>
+
+#include "mesh_command.hh"
+#include "output_paths.hh"
+#include "progress.hh"
+#include "surfmesh/core/error.hh"
+#include "surfmesh/io/write_control.hh"
+#include "surfmesh/pipeline/control_spaces.hh"
+#include "surfmesh/pipeline/load_model.hh"
+#include "surfmesh/pipeline/set_option.hh"
+
+namespace surfmesh {
+namespace {
+
+std::string footer() {
+  return fmt::format(
+      "In a .vtu file points hold uv, the two sizes, the size tensor and the radii; triangles the "
+      "patch and\nthe class of interpolation. ParaView shows the tensors with its filter Tensor "
+      "Glyph.\n"
+      "Example:\n  surfmesh control wave.json -o wave.vtu --nodes 2500 --interpolation auto\n{}",
+      names_for_set());
+}
+
+std::vector<ControlPicture> pictures_of(const Model& model, const ControlSpaces& control) {
+  std::vector<ControlPicture> pictures;
+  for (std::size_t p = 0; p < model.patches.size(); ++p) {
+    pictures.push_back(
+        {model.patches[p].name, &control.spaces[p]->mesh(), model.patches[p].surface.get()});
+  }
+  return pictures;
+}
+
+}  // namespace
+
+void ControlCommand::add_to(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "control", "Write the control meshes of a cage or a model file, to look at the sizes.");
+  command->footer(footer());
+  command->add_option("INPUT", input_, "control cage (.obj, .off) or model file (.json)")
+      ->required()
+      ->type_name("");
+  command->add_option("-o,--output", output_, "file to write: .vtu or .obj")
+      ->required()
+      ->type_name("FILE");
+  command->add_flag("--quiet", is_quiet_, "print warnings and errors only");
+  add_flags(*command, named_, FlagSet::Control);
+  add_scheme(*command, scheme_);
+  add_set(*command, set_, "set any option by its name; beats the other flags and the model file");
+}
+
+int ControlCommand::write_control_meshes(Progress& progress) const {
+  check_control_ending(output_);
+  check_writable(output_);
+  if (is_same_file(input_, output_)) {
+    throw Error(ErrorCode::Io, fmt::format("{} is the input, it is not overwritten", output_));
+  }
+  ModelInput input = load_model(input_, {.scheme = scheme_});
+  for (const auto& [name, value] : named_) set_option(input.options, name, value);
+  for (const auto& [name, value] : set_) set_option(input.options, name, value);
+  input.options.observer = &progress;
+  const ControlSpaces control = make_control_spaces(input.model, input.sources, input.options);
+  const std::vector<ControlPicture> pictures = pictures_of(input.model, control);
+  write_control(pictures, output_);
+  progress.clear();
+  std::size_t nodes = 0, triangles = 0;
+  for (const ControlPicture& picture : pictures) {
+    nodes += picture.mesh->n_vertices();
+    triangles += picture.mesh->n_faces();
+  }
+  if (!is_quiet_) fmt::print("{}: {} nodes, {} triangles\n", output_, nodes, triangles);
+  std::vector<std::string> warnings = input.model.warnings;
+  warnings.insert(warnings.end(), control.warnings.begin(), control.warnings.end());
+  for (const std::string& text : warnings) fmt::print(stderr, "surfmesh: warning: {}\n", text);
+  for (const std::string& text : control.shortfalls) {
+    fmt::print(stderr, "surfmesh: not reached: {}\n", text);
+  }
+  return control.shortfalls.empty() ? kDone : kFellShort;
+}
+
+int ControlCommand::run() const {
+  catch_signals();
+  Progress progress(!is_quiet_ && is_terminal());
+  try {
+    return write_control_meshes(progress);
+  } catch (const std::exception& error) {
+    progress.clear();
+    if (caught_signal() != 0) {
+      fmt::print(stderr, "surfmesh: stopped by a signal\n");
+      return kKilledBySignal + caught_signal();
+    }
+    fmt::print(stderr, "surfmesh: error: {}\n", error.what());
+    return kFailed;
+  }
+}
+
+}  // namespace surfmesh
