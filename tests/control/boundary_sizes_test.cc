@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/errors.hh"
 #include "support/models.hh"
 #include "support/waves.hh"
 #include "surfmesh/control/curve_polyline.hh"
@@ -168,6 +169,18 @@ TEST(ModelSources, ShareWhatIsNearAPlaceInSpace) {
                                  sources, own);
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].trees.at(0), all[1].trees.at(0));
+}
+
+TEST(ModelSources, NeedARadiusNearAPlaceWithoutGradation) {
+  Sources sources;
+  sources.near.push_back({{Vec3(1, 2, 3)}, {testing::size_of(0.1)}});
+  Sizing own = sizing(1);
+  own.grade = 0;
+  const Model model = model_of({rectangle(0, 0, 1, 1)});
+  EXPECT_NE(error_of([&] { model_sources(model, sources, own); }).find("near (1, 2, 3)"),
+            std::string::npos);
+  sources.near[0].wish.radius = testing::units(0.1);
+  EXPECT_EQ(error_of([&] { model_sources(model, sources, own); }), "no error");
 }
 
 }  // namespace

@@ -100,6 +100,13 @@ TEST(PlacedSize, FollowsItsSegmentInAnyFrame) {
   expect_near(*size_around(placed, upright, kNoGrowth), isotropic(0.1), 1e-15);
 }
 
+TEST(PlacedSize, GrowsAlikeInBothLengthsIfItFollowsItsSegment) {
+  PlacedSize placed = along_x(2, {0.1, 0.4}, {0.1, 0.4});
+  placed.follows_segment = true;
+  expect_near(*size_around(placed, flat(1, 0.5), 0.4), {0.3, 0, 0.6}, 1e-14);
+  EXPECT_EQ(least_ratio(placed), 1);
+}
+
 TEST(PlacedSize, IsNeverBelowItsBound) {
   PlacedSize placed = along_x(2, {0.4, 0.1}, {0.2, 0.3});
   placed.radius = 0.1;

@@ -56,6 +56,77 @@ TEST(ReadModel, ReadsSources) {
   EXPECT_DOUBLE_EQ(sources.at[1].size.angle, std::numbers::pi / 6);
 }
 
+TEST(ReadModel, ReadsSizesAroundPlaces) {
+  const ModelFile file = read(model(R"("sources": [
+      {"at": [0, 1], "size": 1, "radius": "1%", "outer": {"size": [2, 3], "angle": 90, "radius": 4}},
+      {"along": [[0, 0], [1, 0.5], [2, 1]], "size": 5, "radius": 6},
+      {"along": "p:u0", "size": 7},
+      {"inside": [[0, 0], [1, 0], [1, "1/2"]], "size": 8}])"));
+  const AtSource& at = file.sources.at.at(0);
+  EXPECT_TRUE(at.radius.is_relative);
+  EXPECT_EQ(at.outer.value().size.across.value, 3);
+  EXPECT_DOUBLE_EQ(at.outer->size.angle, std::numbers::pi / 2);
+  EXPECT_EQ(at.outer->radius.value, 4);
+  ASSERT_EQ(file.sources.along.at(0).curves.size(), 2u);
+  EXPECT_EQ(file.sources.along[0].curves[1]->evaluate(1), (Uv{2, 1}));
+  EXPECT_EQ(file.sources.along[0].wish.radius.value, 6);
+  EXPECT_EQ(file.along_contours.at(0).contour, "p:u0");
+  EXPECT_EQ(file.along_contours[0].origin, "/patches/0/sources/2/along");
+  EXPECT_EQ(file.sources.inside.at(0).polygon.at(2), (Uv{1, 0.5}));
+}
+
+TEST(ReadModel, ReadsFields) {
+  const Sources sources = read(model(R"("sources": [
+      {"field": {"size": "a*u+v+x+10*y+z"}, "precision": 0.2},
+      {"field": {"m11": "1", "m12": "u", "m22": "v"}}])", R"("constants": {"a": 3})")).sources;
+  ASSERT_EQ(sources.fields.size(), 2u);
+  EXPECT_EQ(sources.fields[0].size({1, 2}, {4, 5, 6}), 3 + 2 + 4 + 50 + 6);
+  EXPECT_EQ(sources.fields[0].precision, 0.2);
+  EXPECT_EQ(sources.fields[1].metric({1, 2}, Vec3::Zero()), (Metric{1, 1, 2}));
+  EXPECT_FALSE(sources.fields[1].precision);
+}
+
+TEST(ReadModel, ReadsTablesBesideTheFile) {
+  const TestFolder folder;
+  write_text(folder / "t.csv", "u,v,size\n0,0,1\n2,1,3\n");
+  write_text(folder / "a.json", source(R"("table": "t.csv", "precision": 0.3)"));
+  const Sources sources = read_model(folder / "a.json").sources;
+  ASSERT_EQ(sources.tables.at(0).nodes.size(), 2u);
+  EXPECT_EQ(sources.tables[0].precision, 0.3);
+  write_text(folder / "t.csv", "u,v,size\n9,0,1\n");
+  EXPECT_NE(error_of([&] { read_model(folder / "a.json"); }).find("t.csv:2: the point (9, 0)"),
+            std::string::npos);
+}
+
+TEST(ReadModel, ReadsPlacesInSpace) {
+  const ModelFile file = read(model("", R"("constants": {"a": 2}, "sources": [
+      {"near": [0, "a", 1], "size": 1}, {"near": [[0, 0, 0], [1, 0, "a"]], "size": 1, "radius": 2}])"));
+  ASSERT_EQ(file.sources.near.size(), 2u);
+  EXPECT_EQ(file.sources.near[0].line.at(0), Vec3(0, 2, 1));
+  EXPECT_EQ(file.sources.near[1].line.at(1), Vec3(1, 0, 2));
+}
+
+TEST(ReadModelFaults, OfSourcesOfAllKinds) {
+  const std::string front = " /patches/0/sources/0";
+  EXPECT_EQ(fault(source(R"("along": [[0, 0]], "size": 1)")), front + "/along: needs at least 2 points");
+  EXPECT_EQ(fault(source(R"("inside": [[0, 0], [1, 0], [3, 0]], "size": 1)")),
+            front + "/inside/2: this point is outside of the domain");
+  EXPECT_EQ(fault(source(R"("at": [0, 0], "size": 1, "radius": -1)")), front + "/radius: must be above 0");
+  EXPECT_EQ(fault(source(R"("at": [0, 0], "size": 1, "outer": {"size": 1})")),
+            front + "/outer/radius: this key is missing");
+  EXPECT_EQ(fault(source(R"("at": [0, 0], "size": 1, "precision": 0.2)")),
+            front + "/precision: a size that is not of a field or table has no precision");
+  EXPECT_EQ(fault(source(R"("everywhere": true, "size": 1, "radius": 1)")),
+            front + "/radius: a whole patch has no radius");
+  EXPECT_EQ(fault(source(R"("field": {"size": "u", "m11": "1"})")),
+            front + "/field/m11: a field of one size has no m11");
+  EXPECT_TRUE(fault(source(R"("field": {"size": "u+q"})")).starts_with(front + "/field/size: "));
+  EXPECT_EQ(fault(source(R"("field": {"m11": "1", "m22": "1"})")), front + "/field/m12: this key is missing");
+  EXPECT_EQ(fault(source(R"("field": {"size": "u"}, "precision": 0)")), front + "/precision: must be above 0");
+  EXPECT_TRUE(fault(source(R"("table": "no.csv")")).starts_with(front + "/table: cannot read"));
+  EXPECT_EQ(fault(model("", R"("sources": [{"near": [0, 0], "size": 1}])")).find(" /sources/0/near"), 0u);
+}
+
 TEST(ReadModel, GivesSourcesTheIndexOfTheirPatch) {
   const std::string rest =
       R"("surface": {"z": "0"}, "domain": {"u": [0, 1], "v": [0, 1]},

@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, ExampleModels,
     ::testing::Values(Example{"perforated.json", -1, 1}, Example{"window.json", -1, 1},
                       Example{"pipes.json", -1, 1}, Example{"pipe_on_plate.json", 0, 1},
-                      Example{"knob_on_plate.json", 3, 2}),
+                      Example{"knob_on_plate.json", 3, 2}, Example{"sizes.json", 5, 5}),
     [](const auto& test) { return test.param.name.substr(0, test.param.name.find('.')); });
 
 /// The half plane of this angle (radians) about the z axis, which ends at the contour `rim`.

@@ -124,6 +124,25 @@ std::string trimmed(const std::string& loops, const std::string& contours) {
          loops + R"(]}], "contours": [)" + contours + "]}";
 }
 
+TEST(LoadModel, FindsTheSidesThatSizesAreAlong) {
+  const TestFolder folder;
+  const auto load = [&](const std::string& name) {
+    write_text(folder / "a.json",
+               R"({"patches": [{"name": "p", "surface": {"z": "0"},
+                   "domain": {"u": [0, 1], "v": [0, 2]},
+                   "sources": [{"along": ")" + name + R"(", "size": 0.1}]}]})");
+    return load_model(folder / "a.json").sources.along;
+  };
+  const auto along = load("p:v1");
+  ASSERT_EQ(along.at(0).curves.size(), 1u);
+  EXPECT_EQ(along[0].curves[0]->evaluate(0.5), (Uv{0.5, 2}));
+  const std::string front = "/patches/0/sources/0/along: ";
+  EXPECT_NE(error_of([&] { load("q:v1"); }).find(front + "there is no side q:v1"),
+            std::string::npos);
+  EXPECT_NE(error_of([&] { load("rim"); }).find(front + "rim is no contour or side of this patch"),
+            std::string::npos);
+}
+
 TEST(LoadModel, NamesThePlaceOfBadLoops) {
   const TestFolder folder;
   const std::string front = (folder / "a.json").string() + ": ";

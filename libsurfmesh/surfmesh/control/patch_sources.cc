@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/control/patch_sources.hh"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
 #include "surfmesh/control/place_sources.hh"
+#include "surfmesh/core/error.hh"
 
 namespace surfmesh {
 namespace {
@@ -62,7 +65,15 @@ std::shared_ptr<const SourceTree> near_tree(const Sources& sources, const Sizing
   if (sources.near.empty()) return nullptr;
   const SizeBounds bounds(sizing, diagonal);
   std::vector<PlacedSize> sizes;
-  for (const NearSource& source : sources.near) add_near(source, bounds, sizes);
+  for (const NearSource& source : sources.near) {
+    add_near(source, bounds, sizes);
+    if (sizing.grade == 0 && !(reach(sizes.back()) > 0)) {
+      const Vec3& p = source.line.front();
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("the source near ({}, {}, {}) needs a radius, as grade is off", p.x(),
+                              p.y(), p.z()));
+    }
+  }
   return std::make_shared<SourceTree>(std::move(sizes), sizing.grade);
 }
 

@@ -31,7 +31,8 @@ PatchSources sources_of_patch(const Sources& sources, int patch);
 
 /// The sizes of `near` of all patches; null if there is none.
 ///
-/// Throws   InvalidInput for a size or radius that is none, or a line without points
+/// Throws   InvalidInput for a size or radius that is none, a line without points, or without a
+///          radius where gradation is off
 std::shared_ptr<const SourceTree> near_tree(const Sources& sources, const Sizing& sizing,
                                             double diagonal);
 

@@ -81,6 +81,9 @@ std::optional<SizeTensor> size_around(const PlacedSize& placed, const TangentPla
     size = rest >= 0 ? far : mix(size, far, (distance - placed.radius) / outer.radius);
   }
   if (rest <= 0) return size;
+  if (placed.follows_segment) {
+    return SizeTensor{size.h11 + growth * rest, size.h12, size.h22 + growth * rest};
+  }
   return scaled(size, 1 + growth * rest * length_per_unit(size, step / distance, place));
 }
 
@@ -101,6 +104,7 @@ double least_ratio(const PlacedSize& placed) {
   const auto ratio = [](const SizeLengths& s) {
     return std::min(s.along / s.across, s.across / s.along);
   };
+  if (placed.follows_segment) return 1;
   if (placed.outer) return ratio(placed.outer->lengths);
   return std::min(ratio(placed.at_from), ratio(placed.at_to));
 }

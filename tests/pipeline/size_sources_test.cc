@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lengths of the edges of the final mesh near the places of sources, on flat patches and on cages.
+#include "geometry/cages.hh"
+
+// After cages, for Scheme::Loop of a later header would shadow the Loop of a model.
+#include "surfmesh/pipeline/mesh_model.hh"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "support/models.hh"
+#include "support/waves.hh"
+#include "surfmesh/geometry/cage_model.hh"
+
+namespace surfmesh {
+namespace {
+
+using testing::size_of;
+using testing::units;
+using Where = std::function<bool(const Vec3&)>;
+
+/// Sizes of 0.2 at most, nothing from the shape.
+PipelineOptions coarse(double grade = 1.5) {
+  PipelineOptions options;
+  options.sizing = {.curvature = 0, .hmin = units(1e-3), .hmax = units(0.2), .grade = grade};
+  options.sizing.proximity = 0;
+  options.sizing.features = false;
+  return options;
+}
+
+/// Mean length of the edges with their middle at a place.
+double mean_length(const PolyMesh& mesh, const Where& is_there) {
+  double sum = 0;
+  int count = 0;
+  for (const auto edge : mesh.edges()) {
+    const Vec3 a = to_eigen(mesh.point(edge.v0())), b = to_eigen(mesh.point(edge.v1()));
+    if (!is_there(0.5 * (a + b))) continue;
+    sum += (a - b).norm();
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+Where within(const Vec3& centre, double radius) {
+  return [=](const Vec3& p) { return (p - centre).norm() < radius; };
+}
+
+/// A square, or one face of a cage without curvature, as the model's first patch.
+class SizesOn : public ::testing::TestWithParam<std::string> {
+ protected:
+  Model model() const {
+    if (GetParam() == "square") return testing::unit_square();
+    return model_from_cage(testing::sheet(1, 1), {.scheme = Scheme::Bilinear});
+  }
+
+  Vec3 at(Uv uv) const {
+    return model_.patches[0].surface->evaluate(uv, Order::Position).point;
+  }
+
+  double mean_near(const Sources& sources, Uv uv, double radius, double grade = 1.5) const {
+    return mean_length(mesh_model(model_, sources, coarse(grade)).mesh, within(at(uv), radius));
+  }
+
+  Model model_ = model();
+};
+
+constexpr double kTolerance = 0.15;
+
+TEST_P(SizesOn, HoldAroundAPoint) {
+  Sources sources;
+  sources.everywhere.push_back({0, size_of(0.2)});
+  sources.at.push_back({0, {0.4, 0.4}, size_of(0.02), units(0.15)});
+  EXPECT_NEAR(mean_near(sources, {0.4, 0.4}, 0.12), 0.02, kTolerance * 0.02);
+  EXPECT_NEAR(mean_near(sources, {0.4, 0.4}, 0.12, 0), 0.02, kTolerance * 0.02);
+}
+
+TEST_P(SizesOn, GoOverToTheOuterOne) {
+  Sources sources;
+  sources.everywhere.push_back({0, size_of(0.2)});
+  sources.at.push_back(
+      {0, {0.5, 0.5}, size_of(0.02), units(0.1), Outer{size_of(0.06), units(0.15)}});
+  EXPECT_NEAR(mean_near(sources, {0.5, 0.5}, 0.08), 0.02, kTolerance * 0.02);
+  // From 0.25 on; within it sizes change by less than the grade allows.
+  const Where ring = [this](const Vec3& p) {
+    return std::abs((p - at({0.5, 0.5})).norm() - 0.26) < 0.02;
+  };
+  EXPECT_NEAR(mean_length(mesh_model(model_, sources, coarse()).mesh, ring), 0.06, 0.25 * 0.06);
+}
+
+TEST_P(SizesOn, HoldAlongACurve) {
+  Sources sources;
+  sources.along.push_back({0, {std::make_shared<SegmentCurve>(Uv{0.1, 0.5}, Uv{0.9, 0.5})},
+                           {size_of(0.02), units(0.05)}});
+  for (const double u : {0.2, 0.5, 0.8}) {
+    EXPECT_NEAR(mean_near(sources, {u, 0.5}, 0.05), 0.02, kTolerance * 0.02) << u;
+  }
+}
+
+TEST_P(SizesOn, HoldInsideAPolygon) {
+  Sources sources;
+  sources.inside.push_back({0, {{0.2, 0.2}, {0.7, 0.2}, {0.7, 0.7}, {0.2, 0.7}}, {size_of(0.03)}});
+  EXPECT_NEAR(mean_near(sources, {0.45, 0.45}, 0.2), 0.03, kTolerance * 0.03);
+}
+
+TEST_P(SizesOn, HoldNearAPlaceInSpace) {
+  Sources sources;
+  sources.near.push_back({{at({0.3, 0.6})}, {size_of(0.02), units(0.1)}});
+  EXPECT_NEAR(mean_near(sources, {0.3, 0.6}, 0.08), 0.02, kTolerance * 0.02);
+}
+
+TEST_P(SizesOn, FollowAField) {
+  Sources sources;
+  sources.fields.push_back({0, [](Uv uv, const Vec3&) { return 0.02 + 0.05 * uv.u; }});
+  EXPECT_NEAR(mean_near(sources, {0.8, 0.5}, 0.15), 0.06, kTolerance * 0.06);
+  EXPECT_NEAR(mean_near(sources, {0.1, 0.5}, 0.08), 0.025, kTolerance * 0.025);
+}
+
+TEST_P(SizesOn, FollowATable) {
+  Sources sources;
+  TableSource table{.patch = 0, .nodes = {}};
+  for (const double u : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    for (const double v : {0.0, 0.5, 1.0}) table.nodes.push_back({{u, v}, size_of(0.02 + 0.05 * u)});
+  }
+  sources.tables.push_back(table);
+  EXPECT_NEAR(mean_near(sources, {0.8, 0.5}, 0.15), 0.06, kTolerance * 0.06);
+}
+
+INSTANTIATE_TEST_SUITE_P(Surfaces, SizesOn, ::testing::Values("square", "cage"),
+                         [](const auto& test) { return test.param; });
+
+TEST(SizesOfContours, FollowTheirCurvature) {
+  const Model model = testing::square_with_hole(0.2);
+  PipelineOptions options = coarse();
+  options.sizing.curvature = 0.25;
+  const Where rim = [](const Vec3& p) { return p.norm() < 0.2; };
+  EXPECT_NEAR(mean_length(mesh_model(model, {}, options).mesh, rim), 0.05, kTolerance * 0.05);
+  options.sizing.contour_curvature = false;
+  EXPECT_GT(mean_length(mesh_model(model, {}, options).mesh, rim), 0.1);
+}
+
+TEST(SizesOfContours, FillGaps) {
+  const Model model = testing::model_of({testing::rectangle(0, 0, 1, 0.05)});
+  PipelineOptions options = coarse();
+  options.sizing.proximity = 3;
+  const PolyMesh mesh = mesh_model(model, {}, options).mesh;
+  const Where middle = [](const Vec3& p) { return std::abs(p.x() - 0.5) < 0.3; };
+  EXPECT_NEAR(mean_length(mesh, middle), 0.05 / 3 * 1.6, 0.3 * 0.05 / 3 * 1.6);
+}
+
+TEST(SizesOfContours, ShrinkBesideAShortOne) {
+  const Model model = testing::square_with_hole(0.01);
+  PipelineOptions options = coarse();
+  options.sizing.features = true;
+  const Where beside = within(Vec3::Zero(), 0.06);
+  const double length = mean_length(mesh_model(model, {}, options).mesh, beside);
+  EXPECT_GT(length, 0.01);
+  EXPECT_LT(length, 0.09);
+}
+
+TEST(ClampedSizes, AreCountedInOneWarning) {
+  Sources sources;
+  sources.everywhere = {{0, size_of(0.1)}, {0, size_of(9)}, {0, size_of(1e-9, 0.1)}};
+  PipelineOptions options = coarse();
+  options.sizing.hmin = units(0.05);
+  const auto warnings = mesh_model(testing::unit_square(), sources, options).report.warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(warnings[0].starts_with("2 sizes of sources")) << warnings[0];
+}
+
+}  // namespace
+}  // namespace surfmesh
