@@ -12,6 +12,7 @@
 #include "support/errors.hh"
 #include "support/tensors.hh"
 #include "support/waves.hh"
+#include "surfmesh/control/accurate_nodes.hh"
 #include "surfmesh/geometry/limit_surface.hh"
 
 namespace surfmesh {
@@ -49,7 +50,7 @@ MetricArea stratified_area(const SizeField& field, const ControlSpace& control, 
 std::unique_ptr<ControlSpace> control_of(const Surface& surface, const Sizing& sizing,
                                          const PatchSources& sources = {},
                                          const ControlOptions& options = {}) {
-  return make_control(surface, sizing, sources, 1, options);
+  return make_control(collect_control_input(surface, sizing, sources, 1, options));
 }
 
 SizeTensor query(const ControlSpace& control, Uv uv) {

@@ -16,7 +16,7 @@ namespace {
 
 /// Sizes of two patches that differ by less agree: ln of their ratio. Interpolation between nodes
 /// on a contour differs by about as much.
-constexpr double kAgreement = 0.1;
+constexpr double kAgreement = 0.05;
 
 /// Sizes spread by one patch or more in each round.
 constexpr int kMaxRounds = 40;

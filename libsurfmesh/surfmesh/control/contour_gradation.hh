@@ -15,11 +15,13 @@ struct ContourGradationReport {
   std::size_t nodes = 0;   ///< that were added on contours
   std::size_t spaces = 0;  ///< control spaces that were made anew, each time
   bool has_converged = true;
+
+  friend bool operator==(const ContourGradationReport&, const ContourGradationReport&) = default;
 };
 
 /// Let gradation go on from patch to patch: where a patch asks on a contour for larger sizes than
 /// another patch there, it gets nodes with the minimum of both, and its sizes are graded from them;
-/// until all agree to a tenth, or forty rounds are over.
+/// until all agree to a twentieth, or forty rounds are over.
 ///
 /// Sizes are carried across a contour as if the two tangent planes were unfolded around it. Contours
 /// are compared at places two units apart at most. Nothing is done where gradation is off.
