@@ -59,6 +59,17 @@ TEST(SizeField, OnATorusFollowsBothCurvatures) {
   expect_near(field.at({1, pi}).size, {0.25 * 2, 0, 0.25}, 1e-12);
 }
 
+TEST(SizeField, IsNearlyTheSameByDifferences) {
+  const test::Torus surface(3, 1, {0, 2 * pi, 0, 2 * pi});
+  Sizing sizing = sizing_of(0.25, 0.01, 10, 100);
+  const SizeField exact = field_of(surface, sizing);
+  sizing.curvature_from = CurvatureFrom::Differences;
+  const SizeField found = field_of(surface, sizing);
+  for (const Uv uv : {Uv{1, 1}, Uv{3, 0.2}, Uv{0, 4}}) {
+    expect_near(found.at(uv).size, exact.at(uv).size, 0.01);
+  }
+}
+
 TEST(SizeField, OnAPlaneIsTheLargest) {
   const auto surface = plane();
   EXPECT_EQ(field_of(surface, sizing_of(0.25, 0.01, 0.7, 2)).at({0.3, 0.4}).size, isotropic(0.7));

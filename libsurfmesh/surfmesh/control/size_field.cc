@@ -14,6 +14,7 @@
 #include "surfmesh/control/table_sizes.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/geometry/curvature.hh"
+#include "surfmesh/geometry/difference_surface.hh"
 #include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/metric/minimum.hh"
 #include "surfmesh/metric/size_tensor.hh"
@@ -29,6 +30,9 @@ constexpr int kRingSamples = 5;
 SizeField::SizeField(const Surface& surface, const Sizing& sizing, const PatchSources& sources,
                      double diagonal, double precision)
     : surface_(surface),
+      differences_(sizing.curvature_from == CurvatureFrom::Differences
+                       ? std::make_shared<DifferenceSurface>(surface)
+                       : nullptr),
       domain_(surface.domain()),
       bounds_(sizing, diagonal),
       factor_(sizing.curvature),
@@ -120,7 +124,7 @@ double SizeField::least_size_on_ring(Uv corner, double distance, double& radius)
     const double angle = 0.5 * std::numbers::pi * i / (kRingSamples - 1);
     const Uv at{corner.u + towards_u * distance * width * std::cos(angle),
                 corner.v + towards_v * distance * height * std::sin(angle)};
-    const Jet jet = surface_.evaluate(beside_roundings(domain_.fold(at)), Order::Second);
+    const Jet jet = second_order(beside_roundings(domain_.fold(at)));
     const PrincipalCurvatures k = principal_curvatures(jet);
     const double greatest = std::max(std::abs(k.k1), std::abs(k.k2));
     size = std::min(size, std::max(bounds_.hmin, factor_ / greatest));
@@ -153,10 +157,14 @@ void SizeField::blend_with_discs(Sample& sample) const {
   }
 }
 
+Jet SizeField::second_order(Uv uv) const {
+  return (differences_ ? *differences_ : surface_).evaluate(uv, Order::Second);
+}
+
 /// Set the size that follows from the curvature, if there is a tangent plane here or beside.
 void SizeField::add_curvature(Uv uv, const Jet& jet, Sample& sample) const {
   const Uv place = is_regular(sample.form) ? beside_roundings(uv) : beside_pole(surface_, uv);
-  const Jet there = place == uv ? jet : surface_.evaluate(place, Order::Second);
+  const Jet there = place == uv ? jet : second_order(place);
   if (!is_regular(first_form_factor(there.du, there.dv))) return;
   sample.size = size_from_curvature(there);
   blend_with_discs(sample);
@@ -196,7 +204,7 @@ void SizeField::add_sources(Uv uv, const Jet& jet, Sample& sample) const {
 
 SizeField::Sample SizeField::at(Uv uv) const {
   uv = domain_.fold(uv);
-  const Jet jet = surface_.evaluate(uv, factor_ > 0 ? Order::Second : Order::First);
+  const Jet jet = factor_ > 0 ? second_order(uv) : surface_.evaluate(uv, Order::First);
   Sample sample;
   sample.point = jet.point;
   sample.form = first_form_factor(jet.du, jet.dv);

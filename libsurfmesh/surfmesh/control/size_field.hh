@@ -76,6 +76,7 @@ class SizeField {
   void take_sources(const PatchSources& sources, const Sizing& sizing, double precision);
   void take_tree(std::shared_ptr<const SourceTree> tree);
   Uv beside_roundings(Uv uv) const;
+  Jet second_order(Uv uv) const;
   void add_curvature(Uv uv, const Jet& jet, Sample& sample) const;
   void add_sources(Uv uv, const Jet& jet, Sample& sample) const;
   SizeTensor size_of_field(const FieldSource& field, Uv uv, const Sample& sample) const;
@@ -85,6 +86,7 @@ class SizeField {
   void blend_with_discs(Sample& sample) const;
 
   const Surface& surface_;
+  std::shared_ptr<const Surface> differences_;  ///< of the surface; none for exact curvature
   Domain domain_;
   SizeBounds bounds_;
   double factor_;

@@ -19,6 +19,12 @@ struct Length {
   double in_units(double diagonal) const { return is_relative ? value * diagonal : value; }
 };
 
+/// Where the curvature of a surface comes from.
+enum class CurvatureFrom {
+  Exact,       ///< its second derivatives
+  Differences  ///< differences of its positions, for surfaces that give no derivatives
+};
+
 /// What sizes follow from the shape, and the bounds of all sizes.
 struct Sizing {
   double curvature = 0.25;      ///< size = factor × radius of curvature; 0 is off
@@ -30,6 +36,7 @@ struct Sizing {
   bool contour_curvature = true;
   double proximity = 1;  ///< elements wanted across a gap between two parts of a boundary; 0 is off
   bool features = true;  ///< short contours bound the sizes near them
+  CurvatureFrom curvature_from = CurvatureFrom::Exact;
 };
 
 /// Wanted edge lengths: l_s along the first axis turned by `angle`, l_t across.

@@ -116,7 +116,7 @@ void read_patches(const JsonNode& root, const FileScope& file, ModelFile& model)
 
 Sizing read_sizing(const JsonNode& node) {
   node.expect_keys({"curvature", "sag", "hmin", "hmax", "stretch", "grade", "contour_curvature",
-                    "proximity", "features"});
+                    "proximity", "features", "curvature_from"});
   Sizing sizing;
   if (const auto curvature = node.find("curvature")) {
     sizing.curvature = read_at_least(*curvature, 0);
@@ -137,6 +137,11 @@ Sizing read_sizing(const JsonNode& node) {
   }
   if (const auto flag = node.find("contour_curvature")) sizing.contour_curvature = flag->boolean();
   if (const auto flag = node.find("features")) sizing.features = flag->boolean();
+  if (const auto from = node.find("curvature_from")) {
+    const std::string text = from->text();
+    if (text != "exact" && text != "differences") from->fail("must be exact or differences");
+    if (text == "differences") sizing.curvature_from = CurvatureFrom::Differences;
+  }
   return sizing;
 }
 

@@ -179,6 +179,16 @@ constexpr auto kOptions = std::to_array<OptionEntry>({
      [](const Options& o) -> OptionValue { return o.sizing.proximity; }},
     {"features", true, [](Options& o, const Text& t) { o.sizing.features = t.boolean(); },
      [](const Options& o) -> OptionValue { return o.sizing.features; }},
+    {"curvature_from", true,
+     [](Options& o, const Text& t) {
+       o.sizing.curvature_from = t.choice({"exact", "differences"}) == 0
+                                     ? CurvatureFrom::Exact
+                                     : CurvatureFrom::Differences;
+     },
+     [](const Options& o) -> OptionValue {
+       const bool is_exact = o.sizing.curvature_from == CurvatureFrom::Exact;
+       return std::string(is_exact ? "exact" : "differences");
+     }},
     {"nodes", false, set_nodes, get_nodes},
     {"precision", false,
      [](Options& o, const Text& t) { o.control.nodes.precision = t.number(kPositive, is_positive); },
