@@ -47,9 +47,7 @@ void field_at(benchmark::State& state) {
 }
 
 BENCHMARK(field_at)->ArgNames({"sources", "ratio"})->ArgsProduct({{0}, {1}});
-BENCHMARK(field_at)
-    ->ArgNames({"sources", "ratio"})
-    ->ArgsProduct({{10, 1000, 100'000}, {1, 2}});
+BENCHMARK(field_at)->ArgNames({"sources", "ratio"})->ArgsProduct({{10, 1000, 100'000}, {1, 2}});
 
 }  // namespace
 }  // namespace surfmesh

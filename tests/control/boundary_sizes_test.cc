@@ -77,8 +77,9 @@ TEST(Proximity, IsNotAcrossAHole) {
 
 TEST(Proximity, IsNotInAnOrdinaryCorner) {
   // The triangle (0,0), (1,0), (1,0.6) as a patch: a corner of 31° at its pole.
-  const auto wedge = make_callable_surface(
-      Domain{0, 1, 0, 1}, [](auto u, auto v) { return std::array{u, 0.6 * u * v, 0 * u}; });
+  const auto wedge = make_callable_surface(Domain{0, 1, 0, 1}, [](auto u, auto v) {
+    return std::array{u, 0.6 * u * v, 0 * u};
+  });
   for (const PlacedSize& placed : gaps(model_of({wedge}), 2)) {
     EXPECT_GT(placed.at_from.along, 0.2);
   }

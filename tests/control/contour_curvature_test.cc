@@ -23,8 +23,8 @@ CallableSpaceCurve ellipse(double a, double b, double speed = 0) {
 const CallableSpaceCurve kLine([](double t) -> Vec3 { return {t, 2 * t * t, 0}; });
 const CallableSpaceCurve kStraight([](double t) -> Vec3 { return {t, 2 * t, 3}; });
 
-std::vector<PlacedSize> sizes_of(const SpaceCurve& curve, double curvature = 0.25,
-                                 double hmax = 10, double grade = 1.5) {
+std::vector<PlacedSize> sizes_of(const SpaceCurve& curve, double curvature = 0.25, double hmax = 10,
+                                 double grade = 1.5) {
   Sizing sizing = testing::sizing_of(curvature, 0.001, hmax, 2);
   sizing.grade = grade;
   return contour_curvature_sizes(curve, sizing, SizeBounds(sizing, 1));

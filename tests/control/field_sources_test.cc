@@ -78,7 +78,8 @@ TEST(FieldSources, InsideAPolygonReachOutOfIt) {
 
 TEST(FieldSources, MayBeFormulasOfThePlace) {
   PatchSources sources;
-  sources.fields.push_back({0, [](Uv uv, const Vec3& p) { return 0.01 + 0.1 * uv.v + 0.1 * p.x(); }});
+  sources.fields.push_back(
+      {0, [](Uv uv, const Vec3& p) { return 0.01 + 0.1 * uv.v + 0.1 * p.x(); }});
   EXPECT_NEAR(field_of(sources).at({0.25, 0.5}).size.h11, 0.11, 1e-12);
 }
 

@@ -136,6 +136,8 @@ TEST(TangentPlace, IsOrthonormalAtAPole) {
   EXPECT_NEAR(place.first.z(), 1, 1e-15);
   EXPECT_NEAR(place.first.dot(place.second), 0, 1e-15);
   EXPECT_NEAR(place.second.norm(), 1, 1e-15);
+  jet.dv = Vec3::Zero();
+  EXPECT_EQ(tangent_place(jet).first.cross(tangent_place(jet).second), Vec3::UnitZ());
 }
 
 }  // namespace

@@ -40,9 +40,7 @@ std::vector<PlacedSize> random_sizes(int count, bool is_isotropic) {
   return sizes;
 }
 
-TangentPlace random_place(Random& random) {
-  return {random.point(), Vec3::UnitX(), Vec3::UnitY()};
-}
+TangentPlace random_place(Random& random) { return {random.point(), Vec3::UnitX(), Vec3::UnitY()}; }
 
 TEST(SourceTree, GivesTheLeastOfAllIsotropicSizes) {
   const auto sizes = random_sizes(300, true);

@@ -39,14 +39,16 @@ TEST(ReadTable, ReadsMetrics) {
 TEST(ReadTable, TellsTheLineOfAFault) {
   const std::string front = "invalid input: t.csv:";
   EXPECT_EQ(fault("u,v\n"),
-            front + "1: the first line must name the columns: u,v,size or u,v,ls,lt,angle or "
-                    "u,v,m11,m12,m22");
+            front +
+                "1: the first line must name the columns: u,v,size or u,v,ls,lt,angle or "
+                "u,v,m11,m12,m22");
   EXPECT_EQ(fault("u,v,size\n0,0\n"), front + "2: the row has 2 values, the table 3 columns");
   EXPECT_EQ(fault("u,v,size\n\n0,0,x\n"), front + "3: 'x' is not a number");
   EXPECT_EQ(fault("u,v,size\n0,0,nan\n"), front + "2: 'nan' is not a number");
   EXPECT_EQ(fault("u,v,size\n0,0,0\n"), front + "2: a size must be above 0");
   EXPECT_EQ(fault("u,v,size\n0,2,1\n"), front + "2: the point (0, 2) is outside of the domain");
-  EXPECT_EQ(fault("u,v,m11,m12,m22\n0,0,1,2,1\n"), front + "2: the metric is not positive definite");
+  EXPECT_EQ(fault("u,v,m11,m12,m22\n0,0,1,2,1\n"),
+            front + "2: the metric is not positive definite");
   EXPECT_EQ(fault("u,v,size\n"), front + " the table has no rows");
   EXPECT_EQ(fault(""), front + " the table has no rows");
   EXPECT_EQ(error_of([] { read_table("no.csv", {}); }),

@@ -56,9 +56,7 @@ class SizesOn : public ::testing::TestWithParam<std::string> {
     return model_from_cage(testing::sheet(1, 1), {.scheme = Scheme::Bilinear});
   }
 
-  Vec3 at(Uv uv) const {
-    return model_.patches[0].surface->evaluate(uv, Order::Position).point;
-  }
+  Vec3 at(Uv uv) const { return model_.patches[0].surface->evaluate(uv, Order::Position).point; }
 
   double mean_near(const Sources& sources, Uv uv, double radius) const {
     return mean_length(mesh_model(model_, sources, coarse()).mesh, within(at(uv), radius));
@@ -91,7 +89,8 @@ TEST_P(SizesOn, GoOverToTheOuterOne) {
 
 TEST_P(SizesOn, HoldAlongACurve) {
   Sources sources;
-  sources.along.push_back({0, {std::make_shared<SegmentCurve>(Uv{0.1, 0.5}, Uv{0.9, 0.5})},
+  sources.along.push_back({0,
+                           {std::make_shared<SegmentCurve>(Uv{0.1, 0.5}, Uv{0.9, 0.5})},
                            {size_of(0.02), units(0.05)}});
   for (const double u : {0.2, 0.5, 0.8}) {
     EXPECT_NEAR(mean_near(sources, {u, 0.5}, 0.05), 0.02, kTolerance * 0.02) << u;
@@ -121,7 +120,8 @@ TEST_P(SizesOn, FollowATable) {
   Sources sources;
   TableSource table{.patch = 0, .nodes = {}};
   for (const double u : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-    for (const double v : {0.0, 0.5, 1.0}) table.nodes.push_back({{u, v}, size_of(0.02 + 0.05 * u)});
+    for (const double v : {0.0, 0.5, 1.0})
+      table.nodes.push_back({{u, v}, size_of(0.02 + 0.05 * u)});
   }
   sources.tables.push_back(table);
   EXPECT_NEAR(mean_near(sources, {0.8, 0.5}, 0.15), 0.06, kTolerance * 0.06);

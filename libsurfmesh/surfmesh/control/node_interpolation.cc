@@ -38,8 +38,7 @@ std::vector<ControlNode> corners_like_nearest(const Surface& surface,
         nodes.begin(), nodes.end(), [&](const ControlNode& a, const ControlNode& b) {
           return (a.point - jet.point).squaredNorm() < (b.point - jet.point).squaredNorm();
         });
-    corners.push_back(
-        {uv, jet.point, first_form_factor(jet.du, jet.dv), nearest->size, {}});
+    corners.push_back({uv, jet.point, first_form_factor(jet.du, jet.dv), nearest->size, {}});
   }
   return corners;
 }

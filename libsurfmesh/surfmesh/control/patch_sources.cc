@@ -54,9 +54,12 @@ std::optional<double> PatchSources::precision() const {
 }
 
 PatchSources sources_of_patch(const Sources& sources, int patch) {
-  return {select(sources.everywhere, patch), select(sources.at, patch),
-          select(sources.along, patch),      select(sources.inside, patch),
-          select(sources.fields, patch),     select(sources.tables, patch),
+  return {select(sources.everywhere, patch),
+          select(sources.at, patch),
+          select(sources.along, patch),
+          select(sources.inside, patch),
+          select(sources.fields, patch),
+          select(sources.tables, patch),
           {}};
 }
 

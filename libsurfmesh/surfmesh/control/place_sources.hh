@@ -21,13 +21,13 @@ void add_at(const AtSource& source, const Surface& surface, const SizeBounds& bo
 
 /// Chords of the curves, which deviate by a tenth of the size at most.
 /// Pre      the curves lie in the domain, up to rounding
-void add_along(const AlongSource& source, const Surface& surface,
-               const SizeBounds& bounds, std::vector<PlacedSize>& sizes);
+void add_along(const AlongSource& source, const Surface& surface, const SizeBounds& bounds,
+               std::vector<PlacedSize>& sizes);
 
 /// The border of the polygon.
 /// Throws   InvalidInput for a polygon of less than three corners, or one outside the domain
-void add_border(const InsideSource& source, const Surface& surface,
-                const SizeBounds& bounds, std::vector<PlacedSize>& sizes);
+void add_border(const InsideSource& source, const Surface& surface, const SizeBounds& bounds,
+                std::vector<PlacedSize>& sizes);
 
 /// Throws   InvalidInput for no points, or one that is not finite
 void add_near(const NearSource& source, const SizeBounds& bounds, std::vector<PlacedSize>& sizes);

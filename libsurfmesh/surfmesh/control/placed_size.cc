@@ -58,6 +58,7 @@ double length_per_unit(const SizeTensor& size, const Vec3& unit, const TangentPl
 
 TangentPlace tangent_place(const Jet& jet) {
   const Vec3& main = jet.du.squaredNorm() > 0 ? jet.du : jet.dv;
+  if (main.squaredNorm() == 0) return {jet.point, Vec3::UnitX(), Vec3::UnitY()};
   const Vec3 first = main.normalized();
   const Vec3 across = jet.dv - jet.dv.dot(first) * first;
   if (!is_regular(first_form_factor(jet.du, jet.dv))) {
@@ -92,8 +93,8 @@ double growth_of_grade(double grade) {
 }
 
 double least_length(const PlacedSize& placed) {
-  double least = std::min({placed.at_from.along, placed.at_from.across, placed.at_to.along,
-                           placed.at_to.across});
+  double least = std::min(
+      {placed.at_from.along, placed.at_from.across, placed.at_to.along, placed.at_to.across});
   if (placed.outer) {
     least = std::min({least, placed.outer->lengths.along, placed.outer->lengths.across});
   }

@@ -16,8 +16,8 @@ struct TangentPlace {
   Vec3 second;  ///< towards p_v
 };
 
-/// The place of a jet of order First or more; where p_u and p_v are parallel, the second axis is any
-/// that is perpendicular.
+/// The place of a jet of order First or more; where p_u and p_v are parallel, the second axis is
+/// any that is perpendicular, and where both vanish the axes are those of x and y.
 TangentPlace tangent_place(const Jet& jet);
 
 /// Sizes wanted around a point or a segment in space, in closed form.
@@ -26,10 +26,10 @@ TangentPlace tangent_place(const Jet& jet);
 /// for d up to `radius`; with `outer`, linearly in H from these to the outer sizes over the outer
 /// radius; beyond, H grows by the grade, H (1 + ln g · l) with l the metric length of the rest of
 /// the way. What is out of the tangent plane counts with the larger size. Sizes that follow their
-/// segment grow by ln g per unit of distance in both lengths, H + ln g · d · I: the gradation of the
-/// control space, which comes last, lowers that to the law where the way is in the direction of the
-/// larger one, and a chain of thousands of segments can be searched fast, for the larger size of the
-/// nearest is soon below the smaller ones of all others.
+/// segment grow by ln g per unit of distance in both lengths, H + ln g · d · I: the gradation of
+/// the control space, which comes last, lowers that to the law where the way is in the direction of
+/// the larger one, and a chain of thousands of segments can be searched fast, for the larger size
+/// of the nearest is soon below the smaller ones of all others.
 struct PlacedSize {
   struct OuterSize {
     SizeLengths lengths;
@@ -58,8 +58,8 @@ std::optional<SizeTensor> size_around(const PlacedSize& placed, const TangentPla
 /// Least length that a placed size asks for anywhere.
 double least_length(const PlacedSize& placed);
 
-/// Sizes grow by at least so much times ln g per unit of distance: the least ratio of the smaller to
-/// the larger length, 1 where both grow alike.
+/// Sizes grow by at least so much times ln g per unit of distance: the least ratio of the smaller
+/// to the larger length, 1 where both grow alike.
 double least_ratio(const PlacedSize& placed);
 
 /// ln g; infinite if gradation is off (0).

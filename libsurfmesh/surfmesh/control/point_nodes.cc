@@ -26,8 +26,7 @@ void add_curve_nodes(const Curve& curve, const Size& wish, const SizeField& fiel
   const Surface& surface = field.surface();
   const auto add = [&](double t) {
     nodes.push_back(node_at(curve.evaluate(t), surface, size));
-    nodes.back().size =
-        field.bounds().clamp(minimum(size, field.at(nodes.back().uv).size));
+    nodes.back().size = field.bounds().clamp(minimum(size, field.at(nodes.back().uv).size));
   };
   double rest = 0;
   add(0);

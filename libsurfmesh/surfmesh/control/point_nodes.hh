@@ -17,8 +17,8 @@ namespace surfmesh {
 std::vector<ControlNode> point_nodes(const std::vector<AtSource>& sources, const Surface& surface,
                                      const SizeBounds& bounds);
 
-/// The control nodes that sources with a place need besides the chosen ones: those of `at`, with the
-/// minimum of the field where that has other sources; without gradation also those along curves
+/// The control nodes that sources with a place need besides the chosen ones: those of `at`, with
+/// the minimum of the field where that has other sources; without gradation also those along curves
 /// that have no radius, a size apart.
 ///
 /// Throws   as point_nodes

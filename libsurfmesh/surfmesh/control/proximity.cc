@@ -24,8 +24,8 @@ constexpr double kLongestPiece = 2;
 /// Halvings of one chord.
 constexpr int kMaxHalvings = 7;
 
-/// Distance of chords from contours as a share of hmax; gaps below it are seen with finer pieces, as
-/// these are halved on the contour itself.
+/// Distance of chords from contours as a share of hmax; gaps below it are seen with finer pieces,
+/// as these are halved on the contour itself.
 constexpr double kChordShare = 0.02;
 
 /// Ratio of the size along the boundary to that across the gap.
@@ -84,13 +84,19 @@ class GapSearch {
     if (c.is_smooth || c.is_degenerate) return;
     const auto& curve = c.uses[static_cast<std::size_t>(entry.use)].curve;
     const auto surface = model_.patches[static_cast<std::size_t>(patch_)].surface;
-    const auto points =
-        curve_polyline(CurveOnSurface(surface, curve), kChordShare * bounds_.hmax);
+    const auto points = curve_polyline(CurveOnSurface(surface, curve), kChordShare * bounds_.hmax);
     const double whole = length(points);
     double way = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
-      Piece piece{entry.contour, entry.use, points[i - 1].t, points[i].t, points[i - 1].point,
-                  points[i].point, Vec3::Zero(), 0, whole};
+      Piece piece{entry.contour,
+                  entry.use,
+                  points[i - 1].t,
+                  points[i].t,
+                  points[i - 1].point,
+                  points[i].point,
+                  Vec3::Zero(),
+                  0,
+                  whole};
       const double step = (piece.to - piece.from).norm();
       piece.way = way + 0.5 * step;
       way += step;
@@ -137,8 +143,8 @@ class GapSearch {
       const Vec3 q = nearest_point(other, p);
       const double gap = (q - p).norm();
       if (!(gap > 0 && gap < least)) continue;
-      const bool is_facing = (q - p).dot(piece.inward) >= kFacing * gap &&
-                             (p - q).dot(other.inward) >= kFacing * gap;
+      const bool is_facing =
+          (q - p).dot(piece.inward) >= kFacing * gap && (p - q).dot(other.inward) >= kFacing * gap;
       if (!is_facing || way_between(piece, other) <= kLeastWay * gap) continue;
       least = gap;
       found = q;

@@ -14,9 +14,9 @@ namespace surfmesh {
 /// is looked for that lies inwards, within 60° of the inward direction of either, and whose inward
 /// direction is against it (beyond 120°). With its distance, the gap, a segment across wants the
 /// size gap / Sizing::proximity along itself and twice that the other way. Pieces are halved until
-/// they are no longer than twice their gap. Pieces of one contour, or of two that end at one vertex,
-/// do not count unless the way along them is more than six times the gap: so corners down to 20° are
-/// no gaps, nor are round ends.
+/// they are no longer than twice their gap. Pieces of one contour, or of two that end at one
+/// vertex, do not count unless the way along them is more than six times the gap: so corners down
+/// to 20° are no gaps, nor are round ends.
 ///
 /// Gaps are measured in space.
 /// Cost     O(n²) for n pieces of the boundary that are within reach of each other

@@ -43,7 +43,8 @@ struct SizeBounds {
   double radius(const Length& length) const;
 };
 
-/// Throw InvalidOption, naming the member of the sizing, its value and its range, if it is not good.
+/// Throw InvalidOption, naming the member of the sizing, its value and its range, if it is not
+/// good.
 void check_sizing(bool is_good, const char* member, double value, const char* range);
 
 }  // namespace surfmesh

@@ -68,14 +68,14 @@ void SizeField::take_sources(const PatchSources& sources, const Sizing& sizing, 
   const bool is_interpolated =
       !has_area_source() && (!placed.empty() || !sources.trees.empty()) && !sources.at.empty();
   if (is_interpolated) {
-    tables_.push_back(std::make_shared<NodeInterpolation>(
-        surface_, point_nodes(sources.at, surface_, bounds_)));
+    tables_.push_back(
+        std::make_shared<NodeInterpolation>(surface_, point_nodes(sources.at, surface_, bounds_)));
   }
   for (const AtSource& source : sources.at) add_at(source, surface_, bounds_, placed);
   take_tree(std::make_shared<SourceTree>(std::move(placed), sizing.grade));
   for (const auto& tree : sources.trees) take_tree(tree);
-  has_wishes_ = everywhere_ || !areas_.empty() || !fields_.empty() || !tables_.empty() ||
-                !trees_.empty();
+  has_wishes_ =
+      everywhere_ || !areas_.empty() || !fields_.empty() || !tables_.empty() || !trees_.empty();
 }
 
 void SizeField::take_tree(std::shared_ptr<const SourceTree> tree) {
@@ -176,10 +176,11 @@ SizeTensor SizeField::size_of_field(const FieldSource& field, Uv uv, const Sampl
   }
   const double size = field.size(uv, sample.point);
   if (!(size > 0 && std::isfinite(size))) {
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("the size {} that a field wants at (u,v) = ({}, {}) is not positive and "
-                            "finite",
-                            size, uv.u, uv.v));
+    throw Error(
+        ErrorCode::InvalidInput,
+        fmt::format("the size {} that a field wants at (u,v) = ({}, {}) is not positive and "
+                    "finite",
+                    size, uv.u, uv.v));
   }
   return isotropic(size);
 }

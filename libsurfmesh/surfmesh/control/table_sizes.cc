@@ -23,9 +23,8 @@ constexpr double kThinningShare = 0.5;
 
 SizeTensor size_from_metric_at(const Surface& surface, Uv uv, const FirstFormFactor& form,
                                const Metric& m) {
-  const bool is_positive = m.m11 > 0 && m.m22 > 0 && determinant(m) > 0 &&
-                           std::isfinite(m.m11) && std::isfinite(m.m22) &&
-                           std::isfinite(determinant(m));
+  const bool is_positive = m.m11 > 0 && m.m22 > 0 && determinant(m) > 0 && std::isfinite(m.m11) &&
+                           std::isfinite(m.m22) && std::isfinite(determinant(m));
   if (!is_positive) {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("the metric [{}, {}, {}] wanted at (u,v) = ({}, {}) is not positive "

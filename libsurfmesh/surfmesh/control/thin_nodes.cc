@@ -31,7 +31,9 @@ class Thinning {
       const Vec3 point = surface_.evaluate(domain.fold(corner), Order::Position).point;
       std::size_t nearest = 0;
       for (std::size_t i = 1; i < nodes_.size(); ++i) {
-        const auto distance = [&](std::size_t k) { return (nodes_[k].point - point).squaredNorm(); };
+        const auto distance = [&](std::size_t k) {
+          return (nodes_[k].point - point).squaredNorm();
+        };
         if (distance(i) < distance(nearest)) nearest = i;
       }
       is_kept_[nearest] = 1;

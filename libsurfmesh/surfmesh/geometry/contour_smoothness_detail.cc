@@ -16,8 +16,7 @@ bool has_common_planes(const Model& model, const Contour& contour) {
     return *model.patches[static_cast<std::size_t>(use.patch)].surface;
   };
   const auto normal = [&](const ContourUse& use, const Vec3& near, double t) {
-    const double foot =
-        use.is_same_speed ? t : project_to_curve(surface(use), *use.curve, near, t);
+    const double foot = use.is_same_speed ? t : project_to_curve(surface(use), *use.curve, near, t);
     const Jet jet = surface(use).evaluate(use.curve->evaluate(foot), Order::First);
     return Vec3(jet.du.cross(jet.dv).normalized());
   };
@@ -36,8 +35,8 @@ bool has_common_planes(const Model& model, const Contour& contour) {
 
 void set_smoothness(Model& model) {
   for (Contour& contour : model.contours) {
-    contour.is_smooth = contour.is_degenerate ||
-                        (contour.uses.size() > 1 && has_common_planes(model, contour));
+    contour.is_smooth =
+        contour.is_degenerate || (contour.uses.size() > 1 && has_common_planes(model, contour));
   }
 }
 

@@ -39,8 +39,8 @@ Jet DifferenceSurface::evaluate(Uv uv, Order order) const {
   const Vec3 middle = at(u, v);
   jet.duu = (right - 2 * middle + left) / (a * a);
   jet.dvv = (above - 2 * middle + below) / (b * b);
-  jet.duv = (at(u + a, v + b) - at(u + a, v - b) - at(u - a, v + b) + at(u - a, v - b)) /
-            (4 * a * b);
+  jet.duv =
+      (at(u + a, v + b) - at(u + a, v - b) - at(u - a, v + b) + at(u - a, v - b)) / (4 * a * b);
   return jet;
 }
 

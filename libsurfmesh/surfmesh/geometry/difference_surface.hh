@@ -11,8 +11,8 @@ namespace surfmesh {
 /// all derivatives is moved inwards by as much.
 ///
 /// Error    relative 1e-7 of a surface that turns once over its domain, from the step in first and
-///          second derivatives alike, and up to 1e-8 from rounding in second ones; beside the border
-///          of the domain 1e-3 (test DifferenceSurface.*)
+///          second derivatives alike, and up to 1e-8 from rounding in second ones; beside the
+///          border of the domain 1e-3 (test DifferenceSurface.*)
 /// Cost     up to 9 evaluations of position
 class DifferenceSurface : public Surface {
  public:

@@ -31,9 +31,7 @@ void refuse(const JsonNode& node, std::string_view subject,
   }
 }
 
-Length read_radius(const JsonNode& node) {
-  return node.json() == 0 ? Length{} : read_length(node);
-}
+Length read_radius(const JsonNode& node) { return node.json() == 0 ? Length{} : read_length(node); }
 
 /// `size`, `angle`, `radius` and `outer` of a source with a place.
 PlaceSize read_wish(const JsonNode& node) {
@@ -75,8 +73,7 @@ std::vector<Uv> read_places(const JsonNode& node, const PatchScope& patch, std::
 void read_along(const JsonNode& node, const PatchScope& patch, ModelFile& model) {
   const JsonNode along = node.at("along");
   if (along.json().is_string()) {
-    model.along_contours.push_back(
-        {patch.index, along.text(), read_wish(node), along.pointer()});
+    model.along_contours.push_back({patch.index, along.text(), read_wish(node), along.pointer()});
     return;
   }
   const std::vector<Uv> places = read_places(along, patch, 2);
@@ -100,9 +97,9 @@ std::shared_ptr<const FormulaProgram> read_formulas(const JsonNode& node,
 
 template <std::size_t count>
 std::array<double, count> evaluate(const FormulaProgram& program, Uv uv, const Vec3& p) {
-  const std::array<JetNumber<0>, 5> variables = {
-      JetNumber<0>(uv.u), JetNumber<0>(uv.v), JetNumber<0>(p.x()), JetNumber<0>(p.y()),
-      JetNumber<0>(p.z())};
+  const std::array<JetNumber<0>, 5> variables = {JetNumber<0>(uv.u), JetNumber<0>(uv.v),
+                                                 JetNumber<0>(p.x()), JetNumber<0>(p.y()),
+                                                 JetNumber<0>(p.z())};
   std::array<JetNumber<0>, count> results;
   program.evaluate<0>(variables, results);
   std::array<double, count> values;
@@ -119,7 +116,8 @@ void read_field(const JsonNode& node, const PatchScope& patch, Sources& sources)
   source.precision = read_precision(node);
   if (field.has("size")) {
     refuse(field, "a field of one size", {"m11", "m12", "m22"});
-    const auto program = read_formulas(field.at("size"), {field.at("size").text()}, patch.constants);
+    const auto program =
+        read_formulas(field.at("size"), {field.at("size").text()}, patch.constants);
     source.size = [program](Uv uv, const Vec3& p) { return evaluate<1>(*program, uv, p)[0]; };
   } else {
     const auto program = read_formulas(

@@ -21,7 +21,8 @@ std::vector<TableNode> read_table(const std::filesystem::path& path, const Domai
 
 /// Read a table from text; `name` stands in messages.
 ///
-/// Throws   InvalidInput with "name:line: reason" for other columns, a row with too many or too few,
+/// Throws   InvalidInput with "name:line: reason" for other columns, a row with too many or too
+/// few,
 ///          what is no number, a point outside the domain, a length that is not above 0, a metric
 ///          that is not positive definite; for a table without rows
 std::vector<TableNode> parse_table(std::string_view text, const std::string& name,
