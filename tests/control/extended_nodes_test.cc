@@ -30,7 +30,7 @@ ControlNode with_disc(Uv uv, const SizeTensor& inner, double radius) {
 
 ControlNode with_ring(Uv uv) {
   ControlNode node = with_disc(uv, kInner, kRadius);
-  node.size = kOuter;
+  node.size = node.outer = kOuter;
   node.outer_radius = kOuterRadius;
   return node;
 }

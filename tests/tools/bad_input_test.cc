@@ -157,8 +157,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "a.json: /patches/0: patch p: the position of the surface at (u,v) = (0, 0) is "
                  "not finite"},
         BadInput{"InfiniteDerivative", "a.json", formula("sqrt(u)"),
-                 "patch p: the position or a derivative of the surface at (u,v) = (0, 0.75) is not "
-                 "finite"},
+                 "patch p: the position or a derivative of the surface at (u,v) = (0, "},
         BadInput{"PoleInTheDomain", "a.json", formula("1/(u-0.3721)"),
                  "contour p:v0 on patch p: sizes near (u,v) = (0.37209"},
         BadInput{"EmptyDomain", "a.json", patch("\"z\": \"0\"", R"("u": [1, 1], "v": [0, 1])"),

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <tuple>
 
 #include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
@@ -183,8 +185,23 @@ class ContourGradation {
         const bool is_mirrored = uses[from].is_forward == uses[to].is_forward;
         least = minimum(least, carried(sizes[from], (*sides)[from], (*sides)[to], is_mirrored));
       }
-      if (log_conformity(sizes[to], least) > kAgreement) add(uses[to].patch, (*sides)[to], least);
+      if (log_conformity(sizes[to], least) > kAgreement && is_news(compared, to, t, least)) {
+        add(uses[to].patch, (*sides)[to], least);
+      }
     }
+  }
+
+  /// False if the patch has got such a size at this place before. That the control space gives
+  /// another one is then interpolation, which further nodes at one place do not change.
+  bool is_news(const ComparedContour& compared, std::size_t use, double t,
+               const SizeTensor& size) {
+    const auto index = static_cast<std::size_t>(&compared.contour() - model_.contours.data());
+    const auto [entry, is_first] = given_.try_emplace({index, use, t}, size);
+    if (is_first) return true;
+    const SizeTensor lowered = minimum(entry->second, size);
+    if (log_conformity(entry->second, lowered) <= kAgreement) return false;
+    entry->second = lowered;
+    return true;
   }
 
   void add(int patch, const Side& side, const SizeTensor& size) {
@@ -213,6 +230,7 @@ class ContourGradation {
   const Model& model_;
   std::vector<ControlInput>& inputs_;
   std::vector<std::unique_ptr<ControlSpace>>& spaces_;
+  std::map<std::tuple<std::size_t, std::size_t, double>, SizeTensor> given_;  ///< contour, use, t
   std::vector<char> is_changed_;
   std::vector<char> is_lowered_;
   ContourGradationReport report_;

@@ -21,7 +21,8 @@ struct ControlNode {
   /// M, which holds within `radius` of the node in space; unset in the form (P,M).
   SizeTensor inner = {};
   double radius = 0;        ///< r, model units
-  double outer_radius = 0;  ///< r′: over so much more `inner` changes to `size`
+  SizeTensor outer = {};    ///< M′, `size` itself before it meets other sources
+  double outer_radius = 0;  ///< r′: over so much more `inner` changes to `outer`
 };
 
 /// Cells shorter than this share of the elements wanted there need not be finer: elements cannot

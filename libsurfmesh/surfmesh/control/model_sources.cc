@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/control/model_sources.hh"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <set>
 
 #include "surfmesh/control/contour_curvature.hh"
 #include "surfmesh/control/features.hh"
 #include "surfmesh/control/proximity.hh"
+#include "surfmesh/core/error.hh"
 
 namespace surfmesh {
 namespace {
@@ -28,19 +31,35 @@ std::vector<PlacedSize> sizes_of_contour(const Model& model, const Contour& cont
   return sizes;
 }
 
+/// Call `body`, and say in its errors where it was.
+template <class Body>
+auto at_place(const std::string& place, Body body) {
+  try {
+    return body();
+  } catch (const Error& error) {
+    throw Error(error.code(), fmt::format("{}: {}", place, error.what()));
+  }
+}
+
 /// By patch.
 std::vector<std::vector<PlacedSize>> boundary_sizes(const Model& model, const Sizing& sizing) {
   const SizeBounds bounds(sizing, model.diagonal);
   std::vector<std::vector<PlacedSize>> sizes(model.patches.size());
   for (const Contour& contour : model.contours) {
     if (contour.is_smooth || contour.is_degenerate || contour.uses.empty()) continue;
-    const auto own = sizes_of_contour(model, contour, sizing, bounds);
+    const int first = contour.uses.front().patch;
+    const auto own = at_place(
+        fmt::format("contour {} on patch {}", contour.name,
+                    model.patches[static_cast<std::size_t>(first)].name),
+        [&] { return sizes_of_contour(model, contour, sizing, bounds); });
     std::set<int> patches;
     for (const ContourUse& use : contour.uses) patches.insert(use.patch);
     for (const int patch : patches) append(sizes[static_cast<std::size_t>(patch)], own);
   }
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
-    append(sizes[p], proximity_sizes(model, static_cast<int>(p), sizing, bounds));
+    append(sizes[p], at_place(fmt::format("patch {}", model.patches[p].name), [&] {
+             return proximity_sizes(model, static_cast<int>(p), sizing, bounds);
+           }));
   }
   return sizes;
 }

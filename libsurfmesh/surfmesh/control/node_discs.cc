@@ -35,7 +35,7 @@ std::optional<SizeTensor> extended_size(const ControlNode& node, const Vec3& poi
   const double distance = (point - node.point).norm();
   if (distance <= node.radius) return node.inner;
   if (distance > node.radius + node.outer_radius) return std::nullopt;
-  return lerp(node.inner, node.size, (distance - node.radius) / node.outer_radius);
+  return lerp(node.inner, node.outer, (distance - node.radius) / node.outer_radius);
 }
 
 NodeDiscs::NodeDiscs(const std::vector<ControlNode>& nodes) {

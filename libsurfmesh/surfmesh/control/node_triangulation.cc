@@ -27,7 +27,11 @@ constexpr std::size_t kMostInnerNodes = 8;
 void merge(ControlNode& old, const ControlNode& other) {
   old.size = minimum(old.size, other.size);
   if (!std::isfinite(other.inner.h11)) return;
-  old.inner = std::isfinite(old.inner.h11) ? minimum(old.inner, other.inner) : other.inner;
+  const auto least = [](const SizeTensor& a, const SizeTensor& b) {
+    return !std::isfinite(a.h11) ? b : !std::isfinite(b.h11) ? a : minimum(a, b);
+  };
+  old.inner = least(old.inner, other.inner);
+  old.outer = least(old.outer, other.outer);
   old.radius = std::max(old.radius, other.radius);
   old.outer_radius = std::max(old.outer_radius, other.outer_radius);
 }

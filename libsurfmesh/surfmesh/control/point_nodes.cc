@@ -56,7 +56,7 @@ std::vector<ControlNode> point_nodes(const std::vector<AtSource>& sources, const
     if (node.radius > 0 || source.outer) node.inner = size;
     if (source.outer) {
       node.outer_radius = bounds.radius(source.outer->radius);
-      node.size = bounds.clamp(bounds.tensor(source.outer->size));
+      node.size = node.outer = bounds.clamp(bounds.tensor(source.outer->size));
     }
     nodes.push_back(node);
   }
