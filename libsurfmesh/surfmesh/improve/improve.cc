@@ -23,6 +23,10 @@ constexpr double kGoodQuality = 0.8;
 /// Gain of score for which a vertex is moved: far above rounding, so that a search ends.
 constexpr double kLeastGain = 1e-6;
 
+/// By so much the score of a place within a fifth of a unit may differ with its own metric and with
+/// that of the vertex.
+constexpr double kMetricChange = 0.02;
+
 /// Steps of a search for a better place; four halvings and a few moves are usual.
 constexpr int kMaxSearchRounds = 40;
 
@@ -109,13 +113,13 @@ class Improvement {
     Uv step = spring_step(old);
     const double length = std::sqrt(squared_length(old.metric, step));
     if (!(length >= kLeastMove && length < INFINITY)) return;
-    const double bound = std::min(star_.quality(old), kGoodQuality);
     for (int attempt = 0; attempt < 2; ++attempt) {
       const Uv place = old.uv + step;
       // Far moves that invert a triangle are not worth a query.
-      if (star_.quality({place, old.metric}) > 0) {
+      if (star_.sees(place)) {
         const MetricCorner p = at(place);
-        if (star_.quality(p) >= bound) {
+        const double reached = star_.quality(p);
+        if (reached >= kGoodQuality || reached >= star_.quality(old)) {
           move(vh, p);
           return;
         }
@@ -154,7 +158,8 @@ class Improvement {
         const double angle = 2 * std::numbers::pi * i / directions;
         const double y = step * std::sin(angle) / l22;
         const Uv place = from.uv + Uv{(step * std::cos(angle) - l21 * y) / l11, y};
-        if (star_.quality({place, from.metric}) <= 0) continue;
+        // Most places are worse by far already in the metric of the vertex.
+        if (score({place, from.metric}) <= best_score - kMetricChange) continue;
         const MetricCorner p = at(place);
         const double value = score(p);
         if (value > best_score + kLeastGain) {

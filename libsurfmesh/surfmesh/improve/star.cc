@@ -20,6 +20,15 @@ bool Star::collect(const DelaunayMesh& delaunay, VertexHandle vh) {
   return true;
 }
 
+bool Star::sees(Uv p) const {
+  const MetricCorner* previous = &ring_.back();
+  for (const MetricCorner& next : ring_) {
+    if (orient2d(p, previous->uv, next.uv) <= 0) return false;
+    previous = &next;
+  }
+  return true;
+}
+
 double Star::quality(const MetricCorner& p) const {
   double least = 1;
   const MetricCorner* previous = &ring_.back();

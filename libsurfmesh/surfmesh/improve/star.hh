@@ -15,6 +15,9 @@ class Star {
 
   const std::vector<MetricCorner>& ring() const { return ring_; }
 
+  /// True if no triangle is inverted with the vertex at p, by exact orientation.
+  bool sees(Uv p) const;
+
   /// Least quality of the triangles if the vertex is at p; negative if one of them is inverted,
   /// by exact orientation.
   double quality(const MetricCorner& p) const;
