@@ -13,7 +13,9 @@
 #include "support/tensors.hh"
 #include "support/waves.hh"
 #include "surfmesh/control/accurate_nodes.hh"
+#include "surfmesh/control/control_mesh.hh"
 #include "surfmesh/geometry/limit_surface.hh"
+#include "surfmesh/metric/conformity.hh"
 
 namespace surfmesh {
 namespace {
@@ -126,6 +128,43 @@ TEST(MetricArea, OfATriangleIsHalfThatOfItsRectangle) {
 
 test::PlanePatch plane(const Domain& domain = {}) {
   return {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), domain};
+}
+
+/// Shares of points, independent of those that the choice looks at, that miss the precision of 0.1
+/// and three times it.
+std::pair<double, double> misses_of(const Surface& surface, const Sizing& sizing) {
+  constexpr int samples = 20'000;
+  constexpr double precision = 0.1;
+  const SizeField field(surface, sizing, {}, 1, precision);
+  const ControlMesh control(surface.domain(), choose_accurate_nodes(field, {0, precision}), {});
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  ControlSpace::Hint hint;
+  int once = 0, thrice = 0;
+  for (int i = 0; i < samples; ++i) {
+    const double s = uniform(random);
+    const Uv uv = surface.domain().at(s, uniform(random));
+    const SizeField::Sample exact = field.at(uv);
+    const double miss =
+        log_conformity(exact.size, control.size({uv, exact.point, exact.form}, hint));
+    once += miss > precision ? 1 : 0;
+    thrice += miss > 3 * precision ? 1 : 0;
+  }
+  return {double(once) / samples, double(thrice) / samples};
+}
+
+TEST(AccurateNodes, HoldASmoothFieldToThePrecisionAtNearlyAllPoints) {
+  // The outside of a torus, where no curvature is zero, has no kinks in its sizes.
+  const test::Torus torus(3, 1, {0, 6, -1, 1});
+  const auto [once, thrice] = misses_of(torus, sizing_of(0.25, 1e-3, 100, 100));
+  EXPECT_LE(once, 0.01);
+  EXPECT_EQ(thrice, 0);
+}
+
+TEST(AccurateNodes, HoldAFieldWithKinksAtMostPoints) {
+  const auto [once, thrice] = misses_of(*testing::paper_wave(), testing::paper_sizing());
+  EXPECT_LE(once, 0.02);
+  EXPECT_EQ(thrice, 0);
 }
 
 TEST(MakeControl, TakesTheMinimumOfPointAndAreaSources) {
