@@ -13,6 +13,7 @@
 
 #include "support/models.hh"
 #include "support/waves.hh"
+#include "surfmesh/control/tables_from_mesh.hh"
 #include "surfmesh/geometry/cage_model.hh"
 
 namespace surfmesh {
@@ -167,6 +168,49 @@ TEST(ClampedSizes, AreCountedInOneWarning) {
   const auto warnings = mesh_model(testing::unit_square(), sources, options).report.warnings;
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(warnings[0].starts_with("2 sizes of sources")) << warnings[0];
+}
+
+/// The options of a mesh whose sizes come from curvature alone.
+PipelineOptions from_curvature() {
+  PipelineOptions options;
+  options.sizing = {.curvature = 0.25, .hmin = units(0.02), .hmax = units(1)};
+  options.sizing.contour_curvature = options.sizing.features = false;
+  options.sizing.proximity = 0;
+  return options;
+}
+
+TEST(Adaptation, OfAMeshToItsOwnMetricKeepsItsSizes) {
+  const Model model = testing::model_of({testing::whole_torus()});
+  const MeshResult first = mesh_model(model, {}, from_curvature());
+  Sources sources;
+  sources.tables = tables_from_mesh(first.mesh);
+  PipelineOptions options = from_curvature();
+  options.sizing.curvature = 0;
+  const MeshResult second = mesh_model(model, sources, options);
+  const auto count = static_cast<double>(first.report.mesh.triangles);
+  EXPECT_NEAR(static_cast<double>(second.report.mesh.triangles), count, 0.1 * count);
+  EXPECT_GT(second.report.edges.unit_fraction, 0.98);
+}
+
+TEST(Adaptation, FollowsTheMetricThatASimulationWrites) {
+  const Model model = testing::unit_square();
+  MeshResult first = mesh_model(model, {}, coarse());
+  const auto uv = require(first.mesh, keys::corner_uv);
+  const auto metric = require(first.mesh, keys::corner_metric);
+  for (const HalfedgeHandle heh : first.mesh.halfedges()) {
+    if (first.mesh.is_boundary(heh)) continue;
+    // Layers along v near u = 0.
+    const double across = 0.02 + 0.1 * first.mesh.property(uv, heh).u;
+    first.mesh.property(metric, heh) = {1 / (across * across), 0, 1 / 0.01};
+  }
+  Sources sources;
+  sources.tables = tables_from_mesh(first.mesh);
+  PipelineOptions options = coarse();
+  options.sizing.grade = 0;
+  const MeshResult second = mesh_model(model, sources, options);
+  // ∫√det M = ∫ 10 / (0.02 + 0.1 u) du, two triangles of √3/4 each a unit.
+  const double expected = 100 * std::log(0.12 / 0.02) / (0.25 * std::sqrt(3.0));
+  EXPECT_NEAR(static_cast<double>(second.report.mesh.triangles), expected, 0.2 * expected);
 }
 
 }  // namespace

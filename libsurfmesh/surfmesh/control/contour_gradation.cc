@@ -75,7 +75,7 @@ class ComparedContour {
       const Surface& surface = *model_.patches[static_cast<std::size_t>(use.patch)].surface;
       const bool is_same = use.is_same_speed && contour_.uses.front().is_same_speed;
       const double own_t = is_same ? t : project_to_curve(surface, *use.curve, point, t);
-      const Uv uv = use.curve->evaluate(own_t);
+      const Uv uv = surface.domain().clamp(use.curve->evaluate(own_t));
       const Jet jet = surface.evaluate(uv, Order::First);
       const FirstFormFactor form = first_form_factor(jet.du, jet.dv);
       if (!is_regular(form)) return std::nullopt;

@@ -12,6 +12,10 @@
 namespace surfmesh {
 namespace {
 
+/// Share of a domain's width by which points on its boundary may lie outside: a few roundings, also
+/// of a file's decimal digits.
+constexpr double kOutsideByRounding = 1e-12;
+
 /// Greatest distance of a chord from its curve, as a share of the least size there: far below what
 /// elements of that size can follow.
 constexpr double kChordShare = 0.1;
@@ -59,20 +63,21 @@ class CurveSeenOn : public SpaceCurve {
 
 }  // namespace
 
-void check_inside(const Surface& surface, Uv uv) {
+Uv inside_domain(const Surface& surface, Uv uv) {
   const Domain domain = surface.domain();
-  const bool is_inside = uv.u >= domain.u0 && uv.u <= domain.u1 && uv.v >= domain.v0 &&
-                         uv.v <= domain.v1 && domain.fold(uv) == uv;
-  if (!is_inside) {
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("a source at (u,v) = ({}, {}) lies outside the domain", uv.u, uv.v));
-  }
+  const Uv inside = domain.fold(domain.clamp(uv));
+  const Uv step = inside - uv;
+  const bool is_near = std::abs(step.u) <= kOutsideByRounding * (domain.u1 - domain.u0) &&
+                       std::abs(step.v) <= kOutsideByRounding * (domain.v1 - domain.v0);
+  if (is_near) return inside;
+  throw Error(ErrorCode::InvalidInput,
+              fmt::format("a source at (u,v) = ({}, {}) lies outside the domain", uv.u, uv.v));
 }
 
 void add_at(const AtSource& source, const Surface& surface, const SizeBounds& bounds,
             std::vector<PlacedSize>& sizes) {
-  check_inside(surface, source.at);
-  const Vec3 point = surface.evaluate(source.at, Order::Position).point;
+  const Vec3 point =
+      surface.evaluate(inside_domain(surface, source.at), Order::Position).point;
   add_segment(wish_of({source.size, source.radius, source.outer}, bounds), point, point, sizes);
 }
 
@@ -91,7 +96,7 @@ void add_border(const InsideSource& source, const Surface& surface, const SizeBo
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("a polygon needs three corners or more, this one has {}", count));
   }
-  for (const Uv corner : source.polygon) check_inside(surface, corner);
+  for (const Uv corner : source.polygon) inside_domain(surface, corner);
   const PlacedSize placed = wish_of(source.wish, bounds);
   for (std::size_t i = 0; i < count; ++i) {
     const SegmentCurve side(source.polygon[i], source.polygon[(i + 1) % count]);

@@ -12,8 +12,9 @@
 /// become nothing. All throw InvalidInput for a size or a radius that is none.
 namespace surfmesh {
 
-/// Throw InvalidInput unless a point lies in the domain of a surface, naming the point.
-void check_inside(const Surface& surface, Uv uv);
+/// A point in the domain of a surface; one that lies outside by rounding is moved to the boundary.
+/// Throws   InvalidInput for a point outside, naming it
+Uv inside_domain(const Surface& surface, Uv uv);
 
 /// Throws   InvalidInput for a point outside the domain
 void add_at(const AtSource& source, const Surface& surface, const SizeBounds& bounds,

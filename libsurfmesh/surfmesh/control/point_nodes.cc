@@ -49,9 +49,8 @@ std::vector<ControlNode> point_nodes(const std::vector<AtSource>& sources, const
                                      const SizeBounds& bounds) {
   std::vector<ControlNode> nodes;
   for (const AtSource& source : sources) {
-    check_inside(surface, source.at);
     const SizeTensor size = bounds.clamp(bounds.tensor(source.size));
-    ControlNode node = node_at(source.at, surface, size);
+    ControlNode node = node_at(inside_domain(surface, source.at), surface, size);
     node.radius = bounds.radius(source.radius);
     if (node.radius > 0 || source.outer) node.inner = size;
     if (source.outer) {

@@ -41,13 +41,13 @@ std::vector<ControlNode> table_nodes(const TableSource& source, const Surface& s
   std::vector<ControlNode> nodes;
   nodes.reserve(source.nodes.size());
   for (const TableNode& node : source.nodes) {
-    check_inside(surface, node.uv);
-    const Jet jet = surface.evaluate(node.uv, Order::First);
+    const Uv uv = inside_domain(surface, node.uv);
+    const Jet jet = surface.evaluate(uv, Order::First);
     const FirstFormFactor form = first_form_factor(jet.du, jet.dv);
     const bool is_size = std::isnan(node.metric.m11);
     const SizeTensor size = is_size ? bounds.tensor(node.size)
-                                    : size_from_metric_at(surface, node.uv, form, node.metric);
-    nodes.push_back({node.uv, jet.point, form, bounds.clamp(size), {}});
+                                    : size_from_metric_at(surface, uv, form, node.metric);
+    nodes.push_back({uv, jet.point, form, bounds.clamp(size), {}});
   }
   return nodes;
 }
