@@ -66,6 +66,12 @@ class ComparedContour {
 
   const Contour& contour() const { return contour_; }
 
+  Vec3 space_point(double t) const {
+    const ContourUse& use = contour_.uses.front();
+    const Surface& surface = *model_.patches[static_cast<std::size_t>(use.patch)].surface;
+    return surface.evaluate(use.curve->evaluate(t), Order::Position).point;
+  }
+
   /// The sides of all uses at t of the first; nothing where a patch has no tangent plane.
   std::optional<std::vector<Side>> sides(double t) const {
     const Vec3 tangent = direction(t);
@@ -90,12 +96,6 @@ class ComparedContour {
   }
 
  private:
-  Vec3 space_point(double t) const {
-    const ContourUse& use = contour_.uses.front();
-    const Surface& surface = *model_.patches[static_cast<std::size_t>(use.patch)].surface;
-    return surface.evaluate(use.curve->evaluate(t), Order::Position).point;
-  }
-
   Vec3 direction(double t) const {
     return space_point(std::min(1.0, t + kTangentStep)) -
            space_point(std::max(0.0, t - kTangentStep));
@@ -147,21 +147,28 @@ class ContourGradation {
 
   /// Compare within an interval of t, at places two units apart at most.
   void compare_between(const ComparedContour& compared, double from, double to, int halvings) {
-    const auto a = compared.sides(from), b = compared.sides(to);
-    if (!a || !b || halvings == 0) return;
-    double units = 0;
-    for (std::size_t use = 0; use < a->size(); ++use) {
-      const double squared = ((*a)[use].at.point - (*b)[use].at.point).squaredNorm();
-      for (const Side& side : {(*a)[use], (*b)[use]}) {
-        const SizeTensor along = to_contour(size(compared.contour().uses[use], side), side);
-        units = std::max(units, std::sqrt(squared) / along.h11);
-      }
-    }
-    if (units <= kLongestStep) return;
+    if (halvings == 0 || units_between(compared, from, to) <= kLongestStep) return;
     const double middle = 0.5 * (from + to);
     lower(compared, middle);
     compare_between(compared, from, middle, halvings - 1);
     compare_between(compared, middle, to, halvings - 1);
+  }
+
+  /// Length of an interval in the smallest sizes at its ends. Where one end is a pole, the other
+  /// one tells.
+  double units_between(const ComparedContour& compared, double from, double to) const {
+    const double length = (compared.space_point(to) - compared.space_point(from)).norm();
+    double units = 0;
+    for (const double t : {from, to}) {
+      const auto sides = compared.sides(t);
+      if (!sides) continue;
+      for (std::size_t use = 0; use < sides->size(); ++use) {
+        const Side& side = (*sides)[use];
+        const SizeTensor along = to_contour(size(compared.contour().uses[use], side), side);
+        units = std::max(units, length / along.h11);
+      }
+    }
+    return units;
   }
 
   SizeTensor size(const ContourUse& use, const Side& side) const {

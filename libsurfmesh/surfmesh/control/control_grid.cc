@@ -57,6 +57,7 @@ ControlGrid::ControlGrid(const Domain& domain, std::vector<ControlNode> regular,
   if (options.grade > 0) {
     grade_sizes(regular, neighbours_in_grid(static_cast<int>(side_)), options.grade);
   }
+  take_node_metrics(regular);
   make_mesh(regular);
   values_.reserve(regular.size());
   for (const ControlNode& node : regular) {

@@ -52,6 +52,7 @@ ControlMesh::ControlMesh(const Domain& domain, const std::vector<ControlNode>& n
   const NodeTriangulation triangulation(domain, nodes);
   std::vector<ControlNode> graded = triangulation.nodes();
   if (options.grade > 0) grade_sizes(graded, neighbours_in(triangulation.mesh()), options.grade);
+  take_node_metrics(graded);
   make_mesh(triangulation, graded);
   collect_nodes(graded);
   collect_triangles();
@@ -279,12 +280,6 @@ int ControlMesh::find_triangle(Uv uv, Hint& hint) const {
 SizeTensor ControlMesh::interpolate(const SurfacePoint& at, Hint& hint) const {
   const int index = find_triangle(at.uv, hint);
   const Triangle& t = triangle(index);
-  if (!extended_.empty()) {
-    if (const auto extended = extended_size_at(t, at.point)) {
-      ++hint.answers.extended;
-      return *extended;
-    }
-  }
   switch (t.interpolation) {
     case Interpolation::Single:
       ++hint.answers.single;
@@ -302,14 +297,14 @@ SizeTensor ControlMesh::size_of(const SizeTensor& value) const {
   return options().blend == Blend::Logarithmic ? exp_size(value) : value;
 }
 
-/// The minimum of the extended nodes at a triangle in whose discs the point lies.
-std::optional<SizeTensor> ControlMesh::extended_size_at(const Triangle& t,
-                                                        const Vec3& point) const {
+std::optional<SizeTensor> ControlMesh::extended_size_by_vertices(const SurfacePoint& at,
+                                                                 Hint& hint) const {
   std::optional<SizeTensor> least;
-  for (const int i : t.nodes) {
+  if (extended_.empty()) return least;
+  for (const int i : triangle(find_triangle(at.uv, hint)).nodes) {
     const int extended = extended_of_[static_cast<std::size_t>(i)];
     if (extended < 0) continue;
-    const auto size = extended_size(extended_[static_cast<std::size_t>(extended)], point);
+    const auto size = extended_size(extended_[static_cast<std::size_t>(extended)], at.point);
     if (size) least = least ? minimum(*least, *size) : *size;
   }
   return least;

@@ -34,6 +34,9 @@ class ControlMesh : public ControlSpace {
   ///          triangles are not in the near cache and cost 60 ns more at random
   SizeTensor interpolate(const SurfacePoint& at, Hint& hint) const override;
 
+  std::optional<SizeTensor> extended_size_by_vertices(const SurfacePoint& at,
+                                                      Hint& hint) const override;
+
  private:
   /// What a query reads of a node.
   struct Node {
@@ -83,7 +86,6 @@ class ControlMesh : public ControlSpace {
   int exit_towards(Uv uv, int triangle, int entered_from, RandomBits& random) const;
   int walk(Uv uv, int start, RandomBits& random) const;
   int find_triangle(Uv uv, Hint& hint) const;
-  std::optional<SizeTensor> extended_size_at(const Triangle& triangle, const Vec3& point) const;
   SizeTensor from_vertices(const Triangle& triangle, Uv uv, const FirstFormFactor& form) const;
   SizeTensor from_circles(int triangle, Uv uv, const FirstFormFactor& form, Hint& hint) const;
   bool is_in_circle(int triangle, Uv uv) const;

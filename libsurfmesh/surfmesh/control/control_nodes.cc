@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <unordered_map>
 
 #include "surfmesh/core/error.hh"
@@ -31,6 +32,7 @@ constexpr std::size_t kMaxNodes = 4'000'000;
 
 struct Cell {
   std::uint32_t i0, j0, i1, j1;
+  std::vector<int> places;  ///< those of sources inside
 };
 
 /// Samples of the field inside one cell, rows along u.
@@ -46,9 +48,11 @@ class NodeChooser {
     std::vector<Cell> cells;
     for (std::uint32_t j = 0; j < kGridSize; j += step)
       for (std::uint32_t i = 0; i < kGridSize; i += step)
-        cells.push_back({i, j, i + step, j + step});
+        cells.push_back({i, j, i + step, j + step, {}});
+    const std::vector<int> all = all_places();
+    for (Cell& cell : cells) take_places(cell, all);
     while (!cells.empty()) {
-      const Cell cell = cells.back();
+      const Cell cell = std::move(cells.back());
       if (nodes_.size() > kMaxNodes) {
         const Uv uv = at(cell.i0, cell.j0);
         throw Error(ErrorCode::Limit,
@@ -99,20 +103,74 @@ class NodeChooser {
     const CellSamples samples = sample(cell);
     const bool can_split_u = is_long(cell, samples, true);
     const bool can_split_v = is_long(cell, samples, false);
-    if ((!can_split_u && !can_split_v) || conforms(cell, corners, samples)) {
-      keep(cell);
+    if ((can_split_u || can_split_v) && !conforms(cell, corners, samples)) {
+      split(cell,
+            can_split_u && (!can_split_v || variation(samples, true) >= variation(samples, false)),
+            cells);
       return;
     }
-    const bool along_u =
-        can_split_u && (!can_split_v || variation(samples, true) >= variation(samples, false));
-    Cell first = cell, second = cell;
+    const Missed missed = missed_place(cell, corners);
+    if (missed.is_any) {
+      split(cell, missed.is_longer_along_u, cells);
+    } else {
+      keep(cell);
+    }
+  }
+
+  void split(const Cell& cell, bool along_u, std::vector<Cell>& cells) const {
+    Cell first{cell.i0, cell.j0, cell.i1, cell.j1, {}};
+    Cell second = first;
     if (along_u) {
       first.i1 = second.i0 = cell.i0 + (cell.i1 - cell.i0) / 2;
     } else {
       first.j1 = second.j0 = cell.j0 + (cell.j1 - cell.j0) / 2;
     }
-    cells.push_back(second);
-    cells.push_back(first);
+    take_places(first, cell.places);
+    take_places(second, cell.places);
+    cells.push_back(std::move(second));
+    cells.push_back(std::move(first));
+  }
+
+  std::vector<int> all_places() const {
+    std::vector<int> all(field_.places().size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+
+  void take_places(Cell& cell, const std::vector<int>& places) const {
+    const Uv lower = at(cell.i0, cell.j0), upper = at(cell.i1, cell.j1);
+    for (const int place : places) {
+      const Uv uv = field_.places()[static_cast<std::size_t>(place)];
+      if (uv.u >= lower.u && uv.u <= upper.u && uv.v >= lower.v && uv.v <= upper.v) {
+        cell.places.push_back(place);
+      }
+    }
+  }
+
+  /// Whether the cell hides a place of a source, and its longer side in the sizes there.
+  struct Missed {
+    bool is_any = false;
+    bool is_longer_along_u = false;
+  };
+
+  Missed missed_place(const Cell& cell, const std::array<ControlNode, 4>& corners) const {
+    const Uv u_step{(domain_.u1 - domain_.u0) * (cell.i1 - cell.i0) / kGridSize, 0};
+    const Uv v_step{0, (domain_.v1 - domain_.v0) * (cell.j1 - cell.j0) / kGridSize};
+    for (const int place : cell.places) {
+      const Uv uv = field_.places()[static_cast<std::size_t>(place)];
+      const SizeField::Sample exact = field_.at(uv);
+      const Metric metric = metric_from_size(exact.form, exact.size);
+      const double along_u = squared_length(metric, u_step);
+      const double along_v = squared_length(metric, v_step);
+      // A cell of few grid lines is left as it is, whatever is asked for in it.
+      const bool is_long = std::max(along_u, along_v) > kLeastCellLength * kLeastCellLength &&
+                           std::min(cell.i1 - cell.i0, cell.j1 - cell.j0) > 1;
+      if (!is_long || log_conformity(exact.size, from_corners(corners, uv, exact)) <= precision_) {
+        continue;
+      }
+      return {true, along_u >= along_v};
+    }
+    return {};
   }
 
   /// Tell the corners of a cell how far their neighbours are: those of the finest cell count.
@@ -194,6 +252,10 @@ class NodeChooser {
 
 std::vector<ControlNode> regular_nodes(const SizeField& field, int count) {
   const Domain domain = field.surface().domain();
+  if (static_cast<std::size_t>(count) > kMaxNodes) {
+    throw Error(ErrorCode::Limit, fmt::format("{} control nodes in one patch are more than {}",
+                                              count, kMaxNodes));
+  }
   const int side = std::max(2, static_cast<int>(std::lround(std::sqrt(count))));
   const double width = (domain.u1 - domain.u0) / (side - 1);
   const double height = (domain.v1 - domain.v0) / (side - 1);

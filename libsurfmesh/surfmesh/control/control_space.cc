@@ -57,14 +57,23 @@ SizeTensor ControlSpace::size(const SurfacePoint& at, Hint& hint) const {
 }
 
 SizeTensor ControlSpace::size_anew(const SurfacePoint& at, Hint& hint) const {
-  if (discs_.is_empty()) return interpolate(at, hint);
-  const auto extended = discs_.size_at(at.point);
+  const auto extended = options_.lookup == DiscLookup::Disc
+                            ? discs_.size_at(at.point)
+                            : extended_size_by_vertices(at, hint);
   if (!extended) return interpolate(at, hint);
   if (options_.grade == 0 && !options_.discs_meet_area_sources) {
     ++hint.answers.extended;
     return *extended;
   }
   return minimum(*extended, interpolate(at, hint));
+}
+
+void ControlSpace::take_node_metrics(const std::vector<ControlNode>& nodes) {
+  node_metrics_.reserve(nodes.size());
+  for (const ControlNode& node : nodes) {
+    if (!is_regular(node.form)) continue;  // a pole has no metric
+    node_metrics_.push_back({node.uv, metric_from_size(node.form, node.size)});
+  }
 }
 
 Metric ControlSpace::metric(const SurfacePoint& at, Hint& hint) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "surfmesh/control/control_nodes.hh"
@@ -9,6 +10,7 @@
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/delaunay/locate.hh"
 #include "surfmesh/geometry/first_form.hh"
+#include "surfmesh/metric/triangle.hh"
 
 namespace surfmesh {
 
@@ -101,11 +103,24 @@ class ControlSpace {
   /// The nodes with surf:uv, surf:size and positions in space, and the triangles between them.
   virtual const TriMesh& mesh() const = 0;
 
+  /// The nodes with the metrics of their sizes: where sizes change, so that no element may miss
+  /// them.
+  const std::vector<MetricCorner>& node_metrics() const { return node_metrics_; }
+
  protected:
   /// `discs` are the nodes of extended forms.
   ControlSpace(const ControlSpaceOptions& options, const std::vector<ControlNode>& nodes);
 
   const ControlSpaceOptions& options() const { return options_; }
+
+  /// Tell the nodes after gradation.
+  void take_node_metrics(const std::vector<ControlNode>& nodes);
+
+  /// The sizes of the extended nodes of the triangle that contains a point, in whose discs it lies;
+  /// a grid has no such triangles.
+  virtual std::optional<SizeTensor> extended_size_by_vertices(const SurfacePoint&, Hint&) const {
+    return std::nullopt;
+  }
 
   /// The sizes from the nodes around a point, without any extended form.
   virtual SizeTensor interpolate(const SurfacePoint& at, Hint& hint) const = 0;
@@ -115,6 +130,7 @@ class ControlSpace {
 
   ControlSpaceOptions options_;
   NodeDiscs discs_;
+  std::vector<MetricCorner> node_metrics_;
 };
 
 }  // namespace surfmesh

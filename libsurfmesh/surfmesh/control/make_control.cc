@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/control/make_control.hh"
 
+#include <algorithm>
+
 #include "surfmesh/control/accurate_nodes.hh"
 #include "surfmesh/control/control_grid.hh"
 #include "surfmesh/control/control_mesh.hh"
@@ -13,6 +15,28 @@ namespace {
 /// True if there is more than `at`.
 bool has_other_sources(const PatchSources& sources, const SizeField& field) {
   return field.has_area_source() || !sources.along.empty() || !sources.trees.empty();
+}
+
+/// Sources of `at` alone are a table, too, where it takes more than their own nodes to hold them: on
+/// a grid, and where their discs end and gradation begins. Without any curvature, that is.
+PatchSources with_interpolated_points(const PatchSources& sources, const Sizing& sizing,
+                                      const ControlOptions& options) {
+  const bool has_others = sizing.curvature > 0 || !sources.everywhere.empty() ||
+                          !sources.along.empty() || !sources.inside.empty() ||
+                          !sources.fields.empty() || !sources.tables.empty() ||
+                          !sources.trees.empty();
+  const bool has_disc = std::any_of(
+      sources.at.begin(), sources.at.end(),
+      [](const AtSource& source) { return source.radius.value > 0 || source.outer.has_value(); });
+  const bool needs_more = options.kind == ControlKind::Grid || options.nodes.regular > 0 ||
+                          (has_disc && sizing.grade > 0);
+  PatchSources result = sources;
+  if (has_others || sources.at.empty() || !needs_more) return result;
+  TableSource& table = result.tables.emplace_back();
+  for (const AtSource& source : sources.at) {
+    table.nodes.push_back({source.at, source.outer ? source.outer->size : source.size, {}});
+  }
+  return result;
 }
 
 /// Refine the triangulation of the nodes for shape; the new nodes have the sizes it gives there.
@@ -35,8 +59,9 @@ void check(const ControlOptions& options) {
 }
 
 ControlInput collect_control_input(const Surface& surface, const Sizing& sizing,
-                                   const PatchSources& sources, double diagonal,
+                                   const PatchSources& given, double diagonal,
                                    const ControlOptions& options) {
+  const PatchSources sources = with_interpolated_points(given, sizing, options);
   ControlNodeOptions own = options.nodes;
   own.precision = sources.precision().value_or(own.precision);
   check(own);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
+#include <span>
 
 #include "surfmesh/control/control_space.hh"
 #include "surfmesh/geometry/first_form.hh"
@@ -19,6 +19,9 @@ class MetricField {
 
   /// Metric at a point of the domain; `hint` is the caller's own, for points near each other.
   virtual Metric at(Uv uv, Hint& hint) const = 0;
+
+  /// Places with their metrics that no element may miss, however large those around want to be.
+  virtual std::span<const MetricCorner> places() const { return {}; }
 };
 
 /// Metric from the sizes of a control space and the exact first form of the surface.
@@ -32,6 +35,8 @@ class SurfaceMetricField : public MetricField {
     const Jet jet = surface_.evaluate(uv, Order::First);
     return control_.metric({uv, jet.point, first_form_factor(jet.du, jet.dv)}, hint);
   }
+
+  std::span<const MetricCorner> places() const override { return control_.node_metrics(); }
 
  private:
   const Surface& surface_;

@@ -51,6 +51,7 @@ NodeDiscs::NodeDiscs(const std::vector<ControlNode>& nodes) {
 }
 
 std::optional<SizeTensor> NodeDiscs::size_at(const Vec3& point) const {
+  if (nodes_.empty()) return std::nullopt;
   DiscsAround around{point, {}};
   Eigen::BVIntersect(tree_, around);
   std::sort(around.found.begin(), around.found.end());

@@ -22,8 +22,6 @@ class NodeDiscs {
   /// Keeps the nodes that have a radius.
   explicit NodeDiscs(const std::vector<ControlNode>& nodes);
 
-  bool is_empty() const { return nodes_.empty(); }
-
   /// The minimum of the sizes of all discs that contain a point, in the order of the nodes.
   ///
   /// Cost     O(log n + number of these discs)

@@ -118,16 +118,30 @@ Metric NodeTriangulation::around(FaceHandle fh) const {
   return mean(delaunay_.metric(a), delaunay_.metric(b), delaunay_.metric(c));
 }
 
+/// Merge with a node nearby: the vertices of the triangle, and those opposite its sides.
 bool NodeTriangulation::merge_with_neighbour(const ControlNode& node, FaceHandle fh) {
-  const Metric metric = metric_from_size(node.form, node.size);
-  for (const VertexHandle vh : vertices(delaunay_.mesh(), fh)) {
-    ControlNode& old = nodes_[static_cast<std::size_t>(vh.idx())];
-    if (!std::isfinite(old.size.h11)) continue;  // a corner of the rectangle, not met yet
-    if (squared_length(metric, node.uv - old.uv) >= kMergeLength * kMergeLength) continue;
-    merge(old, node);
-    return true;
+  const TriMesh& mesh = delaunay_.mesh();
+  HalfedgeHandle heh = mesh.halfedge_handle(fh);
+  for (int k = 0; k < 3; ++k, heh = mesh.next_halfedge_handle(heh)) {
+    if (merge_with(node, mesh.to_vertex_handle(heh))) return true;
+    const HalfedgeHandle opposite = mesh.opposite_halfedge_handle(heh);
+    if (mesh.is_boundary(opposite)) continue;
+    if (merge_with(node, mesh.to_vertex_handle(mesh.next_halfedge_handle(opposite)))) return true;
   }
   return false;
+}
+
+/// Merge with the node of a vertex if the two are a tenth of the smaller size apart or less.
+bool NodeTriangulation::merge_with(const ControlNode& node, VertexHandle vh) {
+  ControlNode& old = nodes_[static_cast<std::size_t>(vh.idx())];
+  if (!std::isfinite(old.size.h11)) return false;  // a corner of the rectangle, not met yet
+  const Uv step = node.uv - old.uv;
+  for (const ControlNode* either : {&node, static_cast<const ControlNode*>(&old)}) {
+    const double squared = squared_length(metric_from_size(either->form, either->size), step);
+    if (squared >= kMergeLength * kMergeLength) return false;
+  }
+  merge(old, node);
+  return true;
 }
 
 std::vector<Uv> NodeTriangulation::add_inner_nodes() {

@@ -50,6 +50,7 @@ class NodeTriangulation {
   FaceHandle face_at(VertexHandle vh) const;
   Metric around(FaceHandle fh) const;
   bool merge_with_neighbour(const ControlNode& node, FaceHandle fh);
+  bool merge_with(const ControlNode& node, VertexHandle vh);
   VertexHandle improve(FaceHandle fh);
   VertexHandle insert_alone(Uv uv, FaceHandle fh);
 

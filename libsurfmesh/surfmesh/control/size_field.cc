@@ -22,6 +22,9 @@
 namespace surfmesh {
 namespace {
 
+/// Intervals of a curve or of a side of a polygon between whose ends its size is looked for.
+constexpr int kPlacesOnCurve = 64;
+
 /// Rays on which the ring around an extraordinary vertex is sampled, from side to side.
 constexpr int kRingSamples = 5;
 
@@ -72,10 +75,28 @@ void SizeField::take_sources(const PatchSources& sources, const Sizing& sizing, 
         std::make_shared<NodeInterpolation>(surface_, point_nodes(sources.at, surface_, bounds_)));
   }
   for (const AtSource& source : sources.at) add_at(source, surface_, bounds_, placed);
+  take_places(sources);
   take_tree(std::make_shared<SourceTree>(std::move(placed), sizing.grade));
   for (const auto& tree : sources.trees) take_tree(tree);
   has_wishes_ =
       everywhere_ || !areas_.empty() || !fields_.empty() || !tables_.empty() || !trees_.empty();
+}
+
+void SizeField::take_places(const PatchSources& sources) {
+  const auto take_curve = [this](const Curve& curve) {
+    for (int i = 0; i <= kPlacesOnCurve; ++i) {
+      places_.push_back(domain_.fold(domain_.clamp(curve.evaluate(double(i) / kPlacesOnCurve))));
+    }
+  };
+  for (const AtSource& source : sources.at) places_.push_back(domain_.clamp(source.at));
+  for (const AlongSource& source : sources.along) {
+    for (const auto& curve : source.curves) take_curve(*curve);
+  }
+  for (const InsideSource& source : sources.inside) {
+    for (std::size_t i = 0; i < source.polygon.size(); ++i) {
+      take_curve(SegmentCurve(source.polygon[i], source.polygon[(i + 1) % source.polygon.size()]));
+    }
+  }
 }
 
 void SizeField::take_tree(std::shared_ptr<const SourceTree> tree) {

@@ -53,6 +53,10 @@ class SizeField {
 
   const SizeBounds& bounds() const { return bounds_; }
 
+  /// Points of the domain at the places of `at`, `along` and `inside`: what they ask for may be too
+  /// small to be seen from far apart.
+  const std::vector<Uv>& places() const { return places_; }
+
   /// True if some source has a size at every point.
   bool has_area_source() const;
 
@@ -75,6 +79,7 @@ class SizeField {
 
   void take_sources(const PatchSources& sources, const Sizing& sizing, double precision);
   void take_tree(std::shared_ptr<const SourceTree> tree);
+  void take_places(const PatchSources& sources);
   Uv beside_roundings(Uv uv) const;
   Jet second_order(Uv uv) const;
   void add_curvature(Uv uv, const Jet& jet, Sample& sample) const;
@@ -96,6 +101,7 @@ class SizeField {
   std::vector<FieldSource> fields_;
   std::vector<std::shared_ptr<const NodeInterpolation>> tables_;
   std::vector<std::shared_ptr<const SourceTree>> trees_;
+  std::vector<Uv> places_;
   bool has_wishes_ = false;  ///< for more than the curvature
   std::vector<RoundedSide> rounded_sides_;
   std::vector<Disc> discs_;

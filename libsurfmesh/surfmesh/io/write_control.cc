@@ -5,9 +5,11 @@
 
 #include <Eigen/Geometry>
 
+#include "surfmesh/control/placed_size.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/io/file_writer.hh"
+#include "surfmesh/io/input_file.hh"
 #include "surfmesh/metric/size_tensor.hh"
 
 namespace surfmesh {
@@ -40,11 +42,9 @@ void for_each_triangle(const ControlPicture& picture, std::size_t first, Visit v
 /// H in space: its eigenvectors are tangent, along the normal it is 0.
 Eigen::Matrix3d space_tensor(const ControlPicture& picture, Uv uv, const SizeTensor& h) {
   const Surface& surface = *picture.surface;
-  const Jet jet = surface.evaluate(surface.domain().fold(uv), Order::First);
-  // The first axis is along p_u, along p_v where that vanishes.
-  const Vec3 along = jet.du.squaredNorm() > 0 ? jet.du : jet.dv;
-  const Vec3 first = along.stableNormalized();
-  const Vec3 second = jet.du.cross(jet.dv).cross(jet.du).stableNormalized();
+  const TangentPlace place =
+      tangent_place(surface.evaluate(surface.domain().fold(uv), Order::First));
+  const Vec3 &first = place.first, &second = place.second;
   const Eigen::Matrix3d mixed = first * second.transpose() + second * first.transpose();
   return h.h11 * first * first.transpose() + h.h12 * mixed + h.h22 * second * second.transpose();
 }
@@ -200,7 +200,7 @@ void write_obj(const std::vector<ControlPicture>& pictures, OutputFile& file) {
 }  // namespace
 
 void check_control_ending(const std::filesystem::path& path) {
-  if (path.extension() == ".vtu" || path.extension() == ".obj") return;
+  if (lower_case_ending(path) == ".vtu" || lower_case_ending(path) == ".obj") return;
   throw Error(ErrorCode::Io,
               fmt::format("{}: control meshes are written as .vtu or .obj", path.string()));
 }
@@ -208,7 +208,7 @@ void check_control_ending(const std::filesystem::path& path) {
 void write_control(const std::vector<ControlPicture>& pictures, const std::filesystem::path& path) {
   check_control_ending(path);
   OutputFile file(path);
-  if (path.extension() == ".vtu") {
+  if (lower_case_ending(path) == ".vtu") {
     VtuWriter(pictures, file).write();
   } else {
     write_obj(pictures, file);

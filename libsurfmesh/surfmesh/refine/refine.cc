@@ -20,6 +20,9 @@ double accepted_size(Placement placement) {
   return placement == Placement::Frontal ? 0.72 * 0.72 : 0.74 * 0.74;
 }
 
+/// How many times too large a triangle may be for a place inside it that its vertices do not show.
+constexpr double kMissedSize = 2;
+
 /// Least metric distance of a new node from the others.
 double least_distance(Placement placement) { return placement == Placement::Frontal ? 0.7 : 0.5; }
 
@@ -41,6 +44,21 @@ class Refinement {
     for (std::size_t f = 0; f < delaunay_.n_faces(); ++f) {
       activate(FaceHandle(static_cast<int>(f)));
     }
+    empty_queue();
+    if (insert_missed_places()) empty_queue();
+    report_.queries = hint_.answers;
+    return report_;
+  }
+
+ private:
+  struct State {
+    double squared_radius = 0;
+    std::uint32_t stamp = 0;
+    bool is_accepted = false;
+    bool is_active = false;
+  };
+
+  void empty_queue() {
     FrontQueue::Entry entry;
     std::size_t steps = 0;
     while (queue_.pop(entry)) {
@@ -55,17 +73,34 @@ class Refinement {
         accept(entry.face);
       }
     }
-    report_.queries = hint_.answers;
-    return report_;
   }
 
- private:
-  struct State {
-    double squared_radius = 0;
-    std::uint32_t stamp = 0;
-    bool is_accepted = false;
-    bool is_active = false;
-  };
+  /// Insert places of the field that lie in triangles much too large for them: what lies between
+  /// the vertices of a triangle alone is never asked for.
+  bool insert_missed_places() {
+    bool is_any = false;
+    FaceHandle near(0);
+    for (const MetricCorner& place : field_.places()) {
+      const Location location = delaunay_.locate(place.uv, near);
+      near = location.face;
+      if (!is_insertable(location) || !is_missed(place, location.face)) continue;
+      delaunay_.find_cavity(place.uv, location, rule_, cavity_);
+      if (!is_good_place(place)) continue;
+      insert(place.uv, place.metric, location);
+      near = delaunay_.mesh().face_handle(delaunay_.mesh().halfedge_handle(
+          VertexHandle(static_cast<int>(delaunay_.n_vertices()) - 1)));
+      is_any = true;
+    }
+    return is_any;
+  }
+
+  bool is_missed(const MetricCorner& place, FaceHandle fh) const {
+    const BaseTriangle t = triangle_at(delaunay_.mesh().halfedge_handle(fh));
+    const Metric& m = place.metric;
+    const double squared =
+        squared_circumradius({t.a.uv, m}, {t.b.uv, m}, {t.apex.uv, m});
+    return squared > kMissedSize * kMissedSize * accepted_size_;
+  }
 
   static std::size_t index(FaceHandle fh) { return static_cast<std::size_t>(fh.idx()); }
 
