@@ -121,6 +121,21 @@ TEST(ContourGradation, LowersGridsToo) {
   EXPECT_LT(size_at(controls, 1, {1, 0.5}).h11, 0.03);
 }
 
+TEST(ContourGradation, ReachesThePoleAtTheEndOfAContour) {
+  // Two half cones that share two rulings and their apex, at v = 0.
+  const auto half = [](double from) -> testing::Shape {
+    return std::make_shared<test::Cone>(1, Domain{from, from + std::numbers::pi, 0, 1});
+  };
+  const Controls controls =
+      graded_controls(testing::model_of({half(0), half(std::numbers::pi)}),
+                      {size_of(0.05, 0.05), size_of(1, 1)});
+  // The pole's own node has no tangent plane to compare in, and shows half a unit around it.
+  EXPECT_LT(size_at(controls, 1, {std::numbers::pi, 0.02}).h11, 0.1);
+  for (const double v : {0.1, 0.3, 0.9}) {
+    EXPECT_LT(size_at(controls, 1, {std::numbers::pi, v}).h11, 0.07) << v;
+  }
+}
+
 TEST(ContourGradation, JoinsTheTwoSidesOfASeam) {
   // A cylinder of one patch: a small size at one end of u has to act beyond the seam.
   const Model model = testing::model_of({testing::cylinder(0, 2 * std::numbers::pi)});

@@ -260,6 +260,49 @@ TEST(MakeControl, ChecksItsOptionsAlsoWithoutAreaSources) {
   EXPECT_THROW(control_of(surface, sizing_of(0, 0.01, 1, 2), sources, {.nodes = {3, 0.1}}), Error);
 }
 
+TEST(MakeControl, HoldsPointsAloneOnAGridToo) {
+  const auto surface = plane();
+  const PatchSources sources{{}, {{0, {0.1, 0.1}, size_of(0.1)}, {0, {0.8, 0.9}, size_of(0.4)}}};
+  const Sizing sizing = sizing_of(0, 0.01, 1, 2);
+  const auto mesh = control_of(surface, sizing, sources);
+  const auto grid = control_of(surface, sizing, sources, {.kind = ControlKind::Grid});
+  for (const Uv uv : {Uv{0.1, 0.1}, Uv{0.8, 0.9}, Uv{0.5, 0.5}, Uv{1, 0}}) {
+    EXPECT_NEAR(query(*grid, uv).h11, query(*mesh, uv).h11, 0.25 * query(*mesh, uv).h11);
+  }
+}
+
+TEST(MakeControl, GradesFromTheRimOfADiscOfPointsAlone) {
+  const Domain domain{-5, 5, -5, 5};
+  const auto surface = plane(domain);
+  AtSource at{0, {0, 0}, size_of(0.2)};
+  at.radius = {2, false};
+  const PatchSources sources{{}, {at, {0, {4, 4}, size_of(2)}}};
+  Sizing sizing = sizing_of(0, 0.01, 4, 2);
+  sizing.grade = 1.5;
+  const auto control = control_of(surface, sizing, sources);
+  EXPECT_LE(query(*control, {2.5, 0}).h11, 1.3 * (0.2 + std::log(1.5) * 0.5));
+}
+
+TEST(MakeControl, SeesASmallSourceInAWidePatch) {
+  const Domain domain{-6, 6, -6, 6};
+  const auto surface = plane(domain);
+  InsideSource inside;
+  inside.patch = 0;
+  inside.polygon = {{1.1, 2.3}, {1.4, 2.3}, {1.4, 2.6}, {1.1, 2.6}};
+  inside.wish.size = size_of(0.02);
+  const PatchSources sources{{}, {}, {}, {inside}};
+  const auto control = control_of(surface, sizing_of(0, 0.001, 3, 2), sources);
+  EXPECT_NEAR(query(*control, {1.25, 2.45}).h11, 0.02, 0.002);
+  EXPECT_NEAR(query(*control, {-3, -3}).h11, 3, 0.3);
+}
+
+TEST(MakeControl, RefusesMoreNodesThanItCanHold) {
+  const auto surface = plane();
+  const std::string error = error_of(
+      [&] { control_of(surface, sizing_of(0.25, 0.01, 1, 2), {}, {.nodes = {2147483647, 0.1}}); });
+  EXPECT_EQ(error.rfind(name(ErrorCode::Limit), 0), 0U) << error;
+}
+
 TEST(MakeControl, IsDeterministic) {
   const auto surface = testing::paper_wave();
   const auto a = control_of(*surface, testing::paper_sizing());

@@ -36,6 +36,22 @@ double worst_shape(const NodeTriangulation& triangulation) {
   return std::sqrt(worst);
 }
 
+TEST(NodeTriangulation, MergesNodesInWhateverOrderTheyCome) {
+  const ControlNode small = testing::node({0.5, 0.5}, isotropic(0.01));
+  const ControlNode large = testing::node({0.55, 0.5}, isotropic(0.9));
+  const ControlNode near = testing::node({0.5005, 0.5}, isotropic(0.01));
+  const auto count = [](const std::vector<ControlNode>& nodes) {
+    return NodeTriangulation({}, testing::with_corners({}, isotropic(1), nodes))
+        .mesh()
+        .n_vertices();
+  };
+  // A tenth of the smaller size counts: 0.05 is far apart, 0.0005 is not.
+  EXPECT_EQ(count({small, large}), 6U);
+  EXPECT_EQ(count({large, small}), 6U);
+  EXPECT_EQ(count({small, near}), 5U);
+  EXPECT_EQ(count({near, small}), 5U);
+}
+
 TEST(InnerNodes, LeaveNoBadlyShapedTriangle) {
   NodeTriangulation triangulation({}, crowded_nodes());
   EXPECT_GT(worst_shape(triangulation), 5);

@@ -170,6 +170,18 @@ TEST(ClampedSizes, AreCountedInOneWarning) {
   EXPECT_TRUE(warnings[0].starts_with("2 sizes of sources")) << warnings[0];
 }
 
+TEST(SmallSource, IsSeenByElementsThatAreMuchLargerWithoutGradation) {
+  const Model model = testing::model_of({testing::rectangle(-6, -6, 6, 6)});
+  Sources sources;
+  sources.everywhere.push_back({0, size_of(3)});
+  sources.at.push_back({0, {1.3, 0.7}, size_of(0.02), units(0.3)});
+  PipelineOptions options = coarse();
+  options.sizing.hmax = units(3);
+  options.sizing.grade = 0;
+  const MeshResult result = mesh_model(model, sources, options);
+  EXPECT_NEAR(mean_length(result.mesh, within(Vec3(1.3, 0.7, 0), 0.25)), 0.02, 0.15 * 0.02);
+}
+
 /// The options of a mesh whose sizes come from curvature alone.
 PipelineOptions from_curvature() {
   PipelineOptions options;
