@@ -12,7 +12,9 @@ namespace surfmesh {
 
 /// The nodes of a table with their positions, first forms and sizes, clamped.
 ///
-/// At a pole a metric is taken with the first form beside it.
+/// Rows at a pole that are given by a metric are left out, as it belongs to a first form elsewhere:
+/// in a mesh that of the points around. If there are no other rows, they are taken with the first
+/// form beside the pole.
 /// Throws   InvalidInput for a node outside the domain, a size that is none or a metric that is not
 ///          positive definite, naming its (u,v)
 std::vector<ControlNode> table_nodes(const TableSource& source, const Surface& surface,
