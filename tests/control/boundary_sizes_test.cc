@@ -71,6 +71,17 @@ TEST(Proximity, IsTheGapBesideAHole) {
   EXPECT_NEAR(least, 0.1, 0.01);
 }
 
+TEST(Proximity, IsTheDistanceToTheNearestOfManyPieces) {
+  int count = 0;
+  for (const PlacedSize& placed : gaps(testing::square_with_hole(0.9), 0.5)) {
+    if (placed.from.norm() > 0.95) continue;  // not on the hole
+    ++count;
+    const double x = std::abs(placed.from.x()), y = std::abs(placed.from.y());
+    EXPECT_NEAR(placed.at_from.along, 1 - std::max(x, y), 1e-12) << x << " " << y;
+  }
+  EXPECT_GT(count, 30);
+}
+
 TEST(Proximity, IsNotAcrossAHole) {
   EXPECT_TRUE(gaps(testing::square_with_hole(0.1), 0.5).empty());
 }
