@@ -9,7 +9,7 @@
 #include "surfmesh/control/contour_curvature.hh"
 #include "surfmesh/control/features.hh"
 #include "surfmesh/control/proximity.hh"
-#include "surfmesh/core/error.hh"
+#include "surfmesh/core/at_place.hh"
 
 namespace surfmesh {
 namespace {
@@ -29,16 +29,6 @@ std::vector<PlacedSize> sizes_of_contour(const Model& model, const Contour& cont
   }
   if (sizing.features) append(sizes, feature_sizes(curve, sizing, bounds));
   return sizes;
-}
-
-/// Call `body`, and say in its errors where it was.
-template <class Body>
-auto at_place(const std::string& place, Body body) {
-  try {
-    return body();
-  } catch (const Error& error) {
-    throw Error(error.code(), fmt::format("{}: {}", place, error.what()));
-  }
 }
 
 /// By patch.
