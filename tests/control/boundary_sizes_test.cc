@@ -82,6 +82,20 @@ TEST(Proximity, IsTheDistanceToTheNearestOfManyPieces) {
   EXPECT_GT(count, 30);
 }
 
+TEST(ClampWarning, CountsSourcesAndTables) {
+  const Model model = model_of({rectangle(0, 0, 1, 1), rectangle(1, 0, 2, 1)});
+  const SizeBounds bounds(sizing(0.5), 1);
+  Sources sources;
+  sources.everywhere = {{0, testing::size_of(0.2)}};
+  EXPECT_FALSE(clamp_warning(model, sources, bounds).has_value());
+  sources.everywhere = {{0, testing::size_of(2)}, {1, testing::size_of(2)}};
+  EXPECT_EQ(clamp_warning(model, sources, bounds),
+            "1 size of sources is brought into the bounds hmin = 0.0001 and hmax = 0.5");
+  sources.tables = {{1, {{{1, 0}, {}, {1, 0, 1}}, {{2, 1}, {}, {9, 0, 9}}}}};
+  EXPECT_EQ(clamp_warning(model, sources, bounds),
+            "2 sizes of sources are brought into the bounds hmin = 0.0001 and hmax = 0.5");
+}
+
 TEST(Proximity, IsNotAcrossAHole) {
   EXPECT_TRUE(gaps(testing::square_with_hole(0.1), 0.5).empty());
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "surfmesh/control/patch_sources.hh"
@@ -18,5 +20,13 @@ namespace surfmesh {
 ///          out of range
 std::vector<PatchSources> model_sources(const Model& model, const Sources& sources,
                                         const Sizing& sizing);
+
+/// A warning that tells how many sizes of the user lie beyond hmin and hmax; none if there are none.
+/// Sizes of fields are not known.
+///
+/// Cost     an evaluation of the surface for each row of a table
+/// Throws   InvalidInput for a size or metric that is none
+std::optional<std::string> clamp_warning(const Model& model, const Sources& sources,
+                                         const SizeBounds& bounds);
 
 }  // namespace surfmesh

@@ -12,6 +12,7 @@
 #include "surfmesh/control/regular_place.hh"
 #include "surfmesh/control/thin_nodes.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/metric/conformity.hh"
 #include "surfmesh/metric/size_tensor.hh"
 #include "surfmesh/metric/tensor.hh"
 
@@ -25,6 +26,10 @@ constexpr double kThinningShare = 0.5;
 /// Share of the greatest speed of the parameters among the rows below which one stands still: at a
 /// pole it is zero but for rounding, from where sizes would come out as nothing.
 constexpr double kPoleSpeed = 1e-9;
+
+/// Logarithm of the ratio of two lengths that differ by rounding: sizes that come from a mesh have
+/// been metrics in between.
+constexpr double kRounding = 1e-9;
 
 /// Speed of a parameter: |p_u| and |p_v|.
 double speed_of_u(const FirstFormFactor& form) { return form.l11; }
@@ -88,6 +93,15 @@ std::vector<ControlNode> table_nodes(const TableSource& source, const Surface& s
   std::vector<ControlNode> nodes = unbounded_nodes(source, surface, bounds);
   for (ControlNode& node : nodes) node.size = bounds.clamp(node.size);
   return nodes;
+}
+
+std::size_t count_clamped(const TableSource& source, const Surface& surface,
+                          const SizeBounds& bounds) {
+  const std::vector<ControlNode> nodes = unbounded_nodes(source, surface, bounds);
+  const auto count = std::count_if(nodes.begin(), nodes.end(), [&](const ControlNode& node) {
+    return log_conformity(node.size, bounds.clamp(node.size)) > kRounding;
+  });
+  return static_cast<std::size_t>(count);
 }
 
 NodeInterpolation interpolate_table(const TableSource& source, const Surface& surface,

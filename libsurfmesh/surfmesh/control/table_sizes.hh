@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "surfmesh/control/node_interpolation.hh"
@@ -19,6 +20,12 @@ namespace surfmesh {
 ///          positive definite, naming its (u,v)
 std::vector<ControlNode> table_nodes(const TableSource& source, const Surface& surface,
                                      const SizeBounds& bounds);
+
+/// Number of rows whose sizes lie beyond the bounds, not counting those left out.
+///
+/// Throws   InvalidInput as table_nodes
+std::size_t count_clamped(const TableSource& source, const Surface& surface,
+                          const SizeBounds& bounds);
 
 /// The sizes of a table everywhere in a patch: it is thinned to the precision, and interpolated.
 ///
