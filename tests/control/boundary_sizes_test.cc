@@ -71,6 +71,31 @@ TEST(Proximity, IsTheGapBesideAHole) {
   EXPECT_NEAR(least, 0.1, 0.01);
 }
 
+TEST(Proximity, IsTheDistanceToTheNearestOfManyPieces) {
+  int count = 0;
+  for (const PlacedSize& placed : gaps(testing::square_with_hole(0.9), 0.5)) {
+    if (placed.from.norm() > 0.95) continue;  // not on the hole
+    ++count;
+    const double x = std::abs(placed.from.x()), y = std::abs(placed.from.y());
+    EXPECT_NEAR(placed.at_from.along, 1 - std::max(x, y), 1e-12) << x << " " << y;
+  }
+  EXPECT_GT(count, 30);
+}
+
+TEST(ClampWarning, CountsSourcesAndTables) {
+  const Model model = model_of({rectangle(0, 0, 1, 1), rectangle(1, 0, 2, 1)});
+  const SizeBounds bounds(sizing(0.5), 1);
+  Sources sources;
+  sources.everywhere = {{0, testing::size_of(0.2)}};
+  EXPECT_FALSE(clamp_warning(model, sources, bounds).has_value());
+  sources.everywhere = {{0, testing::size_of(2)}, {1, testing::size_of(2)}};
+  EXPECT_EQ(clamp_warning(model, sources, bounds),
+            "1 size of sources is brought into the bounds hmin = 0.0001 and hmax = 0.5");
+  sources.tables = {{1, {{{1, 0}, {}, {1, 0, 1}}, {{2, 1}, {}, {9, 0, 9}}}}};
+  EXPECT_EQ(clamp_warning(model, sources, bounds),
+            "2 sizes of sources are brought into the bounds hmin = 0.0001 and hmax = 0.5");
+}
+
 TEST(Proximity, IsNotAcrossAHole) {
   EXPECT_TRUE(gaps(testing::square_with_hole(0.1), 0.5).empty());
 }

@@ -223,10 +223,19 @@ TEST(PlaceSources, RefuseWhatIsNoPlace) {
 
 TEST(SizeBounds, CountSizesBeyondThem) {
   Sources sources;
-  sources.everywhere = {{0, size_of(0.5)}, {0, size_of(2)}};
+  sources.everywhere = {{0, size_of(0.5)}, {0, size_of(2)}, {1, size_of(2)}};  // a group's, once
   sources.at = {{0, {0, 0}, size_of(0.5, 1e-9), {}, Outer{size_of(7), units(1)}}};
-  sources.tables = {{0, {{{0, 0}, size_of(3)}, {{0, 0}, size_of(1)}}}};
-  EXPECT_EQ(count_clamped(sources, SizeBounds(sizing(), 1)), 4u);
+  EXPECT_EQ(count_clamped(sources, SizeBounds(sizing(), 1)), 3u);
+}
+
+TEST(SizeBounds, CountRowsOfTablesBeyondThem) {
+  const SizeBounds bounds(sizing(), 1);
+  const TableSource sizes = {0, {{{0, 0}, size_of(3)}, {{0, 0}, size_of(1)}}};
+  EXPECT_EQ(count_clamped(sizes, kPlane, bounds), 1u);
+  // Lengths along u of 3, 1 (at the bound) and 0.5, where u is half of x.
+  const TableSource metrics = {
+      0, {{{0, 0}, {}, {4.0 / 9, 0, 1}}, {{1, 0}, {}, {4, 0, 1}}, {{1, 1}, {}, {16, 0, 4}}}};
+  EXPECT_EQ(count_clamped(metrics, kPlane, bounds), 1u);
 }
 
 }  // namespace

@@ -36,6 +36,29 @@ TEST(ReadTable, ReadsMetrics) {
   EXPECT_EQ(parse("u,v,m11,m12,m22\n0,0,4,-1,2\n").at(0).metric, (Metric{4, -1, 2}));
 }
 
+TEST(ReadTable, SkipsAByteOrderMark) {
+  EXPECT_EQ(parse("\xEF\xBB\xBFu,v,size\n0,0,0.5\n").at(0).size.along.value, 0.5);
+}
+
+TEST(ReadTable, TakesAnyAngle) {
+  EXPECT_TRUE(std::isfinite(parse("u,v,ls,lt,angle\n0,0,1,2,1e308\n").at(0).size.angle));
+}
+
+TEST(ReadTable, TellsTheLineOfWhatWouldOverflow) {
+  const std::string front = "invalid input: t.csv:2: ";
+  const std::string header = "u,v,m11,m12,m22\n";
+  const std::string entries = front + "m11 and m22 must be between 1e-100 and 1e+100";
+  EXPECT_EQ(fault(header + "0,0,1e200,0,1e200\n"), entries);
+  EXPECT_EQ(fault(header + "0,0,1,0,1e101\n"), entries);
+  EXPECT_EQ(fault(header + "0,0,1e-170,0,1e-170\n"), entries);
+  EXPECT_EQ(fault(header + "0,0,1,1e200,1\n"), front + "the metric is not positive definite");
+  EXPECT_EQ(fault(header + "0,0,-1e200,0,1\n"), front + "the metric is not positive definite");
+  EXPECT_EQ(parse(header + "0,0,1e-100,0,1e-100\n").at(0).metric, (Metric{1e-100, 0, 1e-100}));
+  const std::string lengths = front + "a size must be between 1e-50 and 1e+50";
+  EXPECT_EQ(fault("u,v,size\n0,0,1e200\n"), lengths);
+  EXPECT_EQ(fault("u,v,ls,lt,angle\n0,0,1,1e-170,0\n"), lengths);
+}
+
 TEST(ReadTable, TellsTheLineOfAFault) {
   const std::string front = "invalid input: t.csv:";
   EXPECT_EQ(fault("u,v\n"),

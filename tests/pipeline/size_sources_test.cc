@@ -204,6 +204,22 @@ TEST(Adaptation, OfAMeshToItsOwnMetricKeepsItsSizes) {
   EXPECT_GT(second.report.edges.unit_fraction, 0.98);
 }
 
+TEST(Adaptation, OfASphereToItsOwnMetricKeepsItsSizesAtThePoles) {
+  const Model model = testing::model_of({testing::sphere()});
+  PipelineOptions options = coarse();
+  Sources sources;
+  sources.everywhere.push_back({0, size_of(0.1)});
+  const MeshResult first = mesh_model(model, sources, options);
+  Sources tables;
+  tables.tables = tables_from_mesh(first.mesh);
+  const MeshResult second = mesh_model(model, tables, options);
+  const auto count = static_cast<double>(first.report.mesh.triangles);
+  EXPECT_NEAR(static_cast<double>(second.report.mesh.triangles), count, 0.15 * count);
+  const Where pole = [](const Vec3& p) { return std::abs(p.z()) > 0.95; };
+  const double length = mean_length(first.mesh, pole);
+  EXPECT_NEAR(mean_length(second.mesh, pole), length, kTolerance * length);
+}
+
 TEST(Adaptation, FollowsTheMetricThatASimulationWrites) {
   const Model model = testing::unit_square();
   MeshResult first = mesh_model(model, {}, coarse());

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstddef>
 #include <set>
 
 #include "surfmesh/control/contour_curvature.hh"
 #include "surfmesh/control/features.hh"
 #include "surfmesh/control/proximity.hh"
-#include "surfmesh/core/error.hh"
+#include "surfmesh/control/table_sizes.hh"
+#include "surfmesh/core/at_place.hh"
 
 namespace surfmesh {
 namespace {
@@ -29,16 +31,6 @@ std::vector<PlacedSize> sizes_of_contour(const Model& model, const Contour& cont
   }
   if (sizing.features) append(sizes, feature_sizes(curve, sizing, bounds));
   return sizes;
-}
-
-/// Call `body`, and say in its errors where it was.
-template <class Body>
-auto at_place(const std::string& place, Body body) {
-  try {
-    return body();
-  } catch (const Error& error) {
-    throw Error(error.code(), fmt::format("{}: {}", place, error.what()));
-  }
 }
 
 /// By patch.
@@ -80,6 +72,20 @@ std::vector<PatchSources> model_sources(const Model& model, const Sources& sourc
     patch.trees.push_back(std::make_shared<SourceTree>(std::move(boundary[p]), sizing.grade));
   }
   return result;
+}
+
+std::optional<std::string> clamp_warning(const Model& model, const Sources& sources,
+                                         const SizeBounds& bounds) {
+  std::size_t count = count_clamped(sources, bounds);
+  for (const TableSource& table : sources.tables) {
+    const Patch& patch = model.patches[static_cast<std::size_t>(table.patch)];
+    count += at_place(fmt::format("patch {}", patch.name),
+                      [&] { return count_clamped(table, *patch.surface, bounds); });
+  }
+  if (count == 0) return std::nullopt;
+  return fmt::format("{} of sources {} brought into the bounds hmin = {} and hmax = {}",
+                     count == 1 ? "1 size" : fmt::format("{} sizes", count),
+                     count == 1 ? "is" : "are", bounds.hmin, bounds.hmax);
 }
 
 }  // namespace surfmesh

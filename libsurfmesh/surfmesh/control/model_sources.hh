@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "surfmesh/control/patch_sources.hh"
@@ -15,9 +17,16 @@ namespace surfmesh {
 /// all patches that share the contour.
 /// Cost     about 0.1 ms a contour that is not smooth, and proximity_sizes of each patch
 /// Throws   InvalidInput for a size or radius of `near` that is none; InvalidOption for a sizing
-/// out
-///          of range
+///          out of range
 std::vector<PatchSources> model_sources(const Model& model, const Sources& sources,
                                         const Sizing& sizing);
+
+/// A warning that tells how many sizes of the user lie beyond hmin and hmax; none if there are none.
+/// Sizes of fields are not known.
+///
+/// Cost     an evaluation of the surface for each row of a table
+/// Throws   InvalidInput for a size or metric that is none
+std::optional<std::string> clamp_warning(const Model& model, const Sources& sources,
+                                         const SizeBounds& bounds);
 
 }  // namespace surfmesh

@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
+#include <set>
+#include <tuple>
 
 #include "surfmesh/control/place_sources.hh"
 #include "surfmesh/core/error.hh"
@@ -40,6 +41,20 @@ class ClampCounter {
   const SizeBounds& bounds_;
   std::size_t count_ = 0;
 };
+
+/// The sizes of whole patches, each once.
+std::vector<Size> different_sizes(const std::vector<EverywhereSource>& sources) {
+  std::set<std::tuple<double, bool, double, bool, double>> known;
+  std::vector<Size> sizes;
+  for (const EverywhereSource& source : sources) {
+    const auto& [along, across, angle] = source.size;
+    const bool is_new =
+        known.insert({along.value, along.is_relative, across.value, across.is_relative, angle})
+            .second;
+    if (is_new) sizes.push_back(source.size);
+  }
+  return sizes;
+}
 
 }  // namespace
 
@@ -82,7 +97,7 @@ std::shared_ptr<const SourceTree> near_tree(const Sources& sources, const Sizing
 
 std::size_t count_clamped(const Sources& sources, const SizeBounds& bounds) {
   ClampCounter counter(bounds);
-  for (const EverywhereSource& source : sources.everywhere) counter.add(source.size);
+  for (const Size& size : different_sizes(sources.everywhere)) counter.add(size);
   for (const AtSource& source : sources.at) {
     counter.add(source.size);
     counter.add(source.outer);
@@ -90,11 +105,6 @@ std::size_t count_clamped(const Sources& sources, const SizeBounds& bounds) {
   for (const AlongSource& source : sources.along) counter.add(source.wish);
   for (const InsideSource& source : sources.inside) counter.add(source.wish);
   for (const NearSource& source : sources.near) counter.add(source.wish);
-  for (const TableSource& source : sources.tables) {
-    for (const TableNode& node : source.nodes) {
-      if (!std::isfinite(node.metric.m11)) counter.add(node.size);
-    }
-  }
   return counter.count();
 }
 

@@ -36,8 +36,10 @@ PatchSources sources_of_patch(const Sources& sources, int patch);
 std::shared_ptr<const SourceTree> near_tree(const Sources& sources, const Sizing& sizing,
                                             double diagonal);
 
-/// Number of sizes of the user beyond hmin and hmax; those of fields are not known.
+/// Number of sizes of the user beyond hmin and hmax, without those of fields and tables.
 ///
+/// Whole patches with one and the same size count once: a group is one source for each of its
+/// patches.
 /// Throws   InvalidInput for a size that is none
 std::size_t count_clamped(const Sources& sources, const SizeBounds& bounds);
 

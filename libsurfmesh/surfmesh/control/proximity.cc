@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/control/proximity.hh"
 
+#include <Eigen/Core>
+#include <unsupported/Eigen/BVH>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 
@@ -48,6 +52,34 @@ Vec3 nearest_point(const Piece& piece, const Vec3& p) {
   return piece.from + std::clamp(share, 0.0, 1.0) * step;
 }
 
+using Box = Eigen::AlignedBox3d;
+using PieceTree = Eigen::KdBVH<double, 3, int>;
+
+/// Finds the least gap from a point among the pieces in a tree: `gap_to` gives the other end of the
+/// gap on a piece, or none if it is not below the least so far.
+template <class GapTo>
+struct LeastGap {
+  using Scalar = double;  // which Eigen asks for
+
+  const Vec3& point;
+  double least;  ///< at first the reach
+  GapTo gap_to;
+  std::optional<Vec3> found = {};
+
+  double minimumOnVolume(const Box& box) const {
+    const double distance = std::sqrt(box.squaredExteriorDistance(point));
+    return distance < least ? distance : std::numeric_limits<double>::infinity();
+  }
+
+  double minimumOnObject(int piece) {
+    const std::optional<Vec3> end = gap_to(piece, least);
+    if (!end) return std::numeric_limits<double>::infinity();
+    least = (*end - point).norm();
+    found = end;
+    return least;
+  }
+};
+
 class GapSearch {
  public:
   GapSearch(const Model& model, int patch, const Sizing& sizing, const SizeBounds& bounds)
@@ -62,6 +94,7 @@ class GapSearch {
     for (const PatchLoop& loop : model_.patches[static_cast<std::size_t>(patch_)].loops) {
       for (const LoopEntry& entry : loop) collect(entry);
     }
+    plant_tree();
     for (const Piece& piece : pieces_) cross(piece, 0);
     return std::move(sizes_);
   }
@@ -115,6 +148,16 @@ class GapSearch {
     return true;
   }
 
+  void plant_tree() {
+    std::vector<int> indices;
+    std::vector<Box> boxes;
+    for (const Piece& piece : pieces_) {
+      indices.push_back(static_cast<int>(indices.size()));
+      boxes.push_back(Box(piece.from).extend(piece.to));
+    }
+    tree_.init(indices.begin(), indices.end(), boxes.begin(), boxes.end());
+  }
+
   /// The way along the boundary from one piece to the other, infinite if they are not neighbours.
   double way_between(const Piece& a, const Piece& b) const {
     const Contour& ca = contour(a.contour);
@@ -134,22 +177,28 @@ class GapSearch {
     return least;
   }
 
+  /// The point of another piece nearest to p, if its gap is below `least` and the two face each
+  /// other.
+  std::optional<Vec3> facing_point(const Piece& piece, const Vec3& p, const Piece& other,
+                                   double least) const {
+    if (piece.inward.dot(other.inward) > -kFacing) return std::nullopt;
+    const Vec3 q = nearest_point(other, p);
+    const double gap = (q - p).norm();
+    if (!(gap > 0 && gap < least)) return std::nullopt;
+    const bool is_facing =
+        (q - p).dot(piece.inward) >= kFacing * gap && (p - q).dot(other.inward) >= kFacing * gap;
+    if (!is_facing || way_between(piece, other) <= kLeastWay * gap) return std::nullopt;
+    return q;
+  }
+
   /// The point nearest to p across the patch within reach.
   std::optional<Vec3> find_opposite(const Piece& piece, const Vec3& p) const {
-    std::optional<Vec3> found;
-    double least = reach_;
-    for (const Piece& other : pieces_) {
-      if (piece.inward.dot(other.inward) > -kFacing) continue;
-      const Vec3 q = nearest_point(other, p);
-      const double gap = (q - p).norm();
-      if (!(gap > 0 && gap < least)) continue;
-      const bool is_facing =
-          (q - p).dot(piece.inward) >= kFacing * gap && (p - q).dot(other.inward) >= kFacing * gap;
-      if (!is_facing || way_between(piece, other) <= kLeastWay * gap) continue;
-      least = gap;
-      found = q;
-    }
-    return found;
+    const auto gap_to = [&](int other, double least) {
+      return facing_point(piece, p, pieces_[static_cast<std::size_t>(other)], least);
+    };
+    LeastGap<decltype(gap_to)> gap{p, reach_, gap_to};
+    Eigen::BVMinimize(tree_, gap);
+    return gap.found;
   }
 
   /// Add the size across from the middle of a piece, or from finer pieces.
@@ -192,6 +241,7 @@ class GapSearch {
   const SizeBounds& bounds_;
   double reach_;
   std::vector<Piece> pieces_;
+  PieceTree tree_;  ///< of the indices of pieces_
   std::vector<PlacedSize> sizes_;
 };
 

@@ -7,9 +7,30 @@
 
 #include "surfmesh/control/node_interpolation.hh"
 #include "surfmesh/metric/conformity.hh"
+#include "surfmesh/metric/minimum.hh"
 
 namespace surfmesh {
 namespace {
+
+/// Rounds that add one node a triangle. A smooth field is done by then; of noise, and of nodes that
+/// a control space merges, each round would find a few more.
+constexpr int kRoundsOfWorst = 20;
+
+/// The nodes with those of exactly one place made one, with the minimum of their sizes.
+std::vector<ControlNode> merge_places(const std::vector<ControlNode>& nodes) {
+  std::map<std::pair<double, double>, std::size_t> index;
+  std::vector<ControlNode> merged;
+  for (const ControlNode& node : nodes) {
+    const auto [place, is_new] = index.try_emplace({node.uv.u, node.uv.v}, merged.size());
+    if (is_new) {
+      merged.push_back(node);
+    } else {
+      SizeTensor& size = merged[place->second].size;
+      size = minimum(size, node.size);
+    }
+  }
+  return merged;
+}
 
 class Thinning {
  public:
@@ -18,12 +39,25 @@ class Thinning {
 
   std::vector<ControlNode> run() {
     keep_corners();
-    while (add_worst()) {
+    for (int round = 0;; ++round) {
+      const std::vector<Miss> misses = find_misses();
+      if (misses.empty()) return kept();
+      if (round < kRoundsOfWorst) {
+        keep_worst(misses);
+      } else {
+        for (const Miss& miss : misses) is_kept_[miss.node] = 1;
+      }
     }
-    return kept();
   }
 
  private:
+  /// A node that the kept ones do not represent, and the triangle that it lies in.
+  struct Miss {
+    std::size_t node = 0;
+    int triangle = -1;
+    double error = 0;
+  };
+
   void keep_corners() {
     const Domain domain = surface_.domain();
     for (const auto& [s, t] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}}) {
@@ -48,24 +82,26 @@ class Thinning {
     return result;
   }
 
-  /// Keep the worst node of each triangle; false if all conform.
-  bool add_worst() {
+  std::vector<Miss> find_misses() const {
     const NodeInterpolation interpolation(surface_, kept());
-    struct Worst {
-      double error = 0;
-      std::size_t node = 0;
-    };
-    std::map<int, Worst> worst;
+    std::vector<Miss> misses;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (is_kept_[i] != 0) continue;
       const auto answer = interpolation.at({nodes_[i].uv, nodes_[i].point, nodes_[i].form});
       const double error = log_conformity(nodes_[i].size, answer.size);
-      if (error <= precision_) continue;
-      Worst& here = worst[answer.triangle];
-      if (error > here.error) here = {error, i};
+      if (error > precision_) misses.push_back({i, answer.triangle, error});
     }
-    for (const auto& [triangle, found] : worst) is_kept_[found.node] = 1;
-    return !worst.empty();
+    return misses;
+  }
+
+  /// Keep the worst node of each triangle.
+  void keep_worst(const std::vector<Miss>& misses) {
+    std::map<int, Miss> worst;
+    for (const Miss& miss : misses) {
+      Miss& here = worst[miss.triangle];
+      if (miss.error > here.error) here = miss;
+    }
+    for (const auto& [triangle, miss] : worst) is_kept_[miss.node] = 1;
   }
 
   const Surface& surface_;
@@ -79,7 +115,8 @@ class Thinning {
 std::vector<ControlNode> thin_nodes(const Surface& surface, const std::vector<ControlNode>& nodes,
                                     double precision) {
   if (nodes.empty()) return {};
-  return Thinning(surface, nodes, precision).run();
+  const std::vector<ControlNode> merged = merge_places(nodes);
+  return Thinning(surface, merged, precision).run();
 }
 
 }  // namespace surfmesh

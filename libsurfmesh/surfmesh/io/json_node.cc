@@ -57,14 +57,7 @@ class DuplicateCheck {
     return true;
   }
 
- private:
-  struct Level {
-    bool is_array = false;
-    std::size_t index = 0;
-    std::string key;
-    std::set<std::string> keys;
-  };
-
+  /// Of the value that the parser has come to.
   std::string pointer() const {
     std::string text;
     for (const Level& level : open_) {
@@ -76,6 +69,14 @@ class DuplicateCheck {
     }
     return text;
   }
+
+ private:
+  struct Level {
+    bool is_array = false;
+    std::size_t index = 0;
+    std::string key;
+    std::set<std::string> keys;
+  };
 
   const std::string& file_;
   std::vector<Level> open_;
@@ -100,6 +101,12 @@ std::string_view reason_of(std::string_view message) {
       fmt::format("{}:{}:{}: {}", name, line, position - line_start + 1, reason_of(error.what())));
 }
 
+/// What stands after "[json.exception.out_of_range.406] " in a message of the parser.
+std::string_view without_number(std::string_view message) {
+  const std::size_t bracket = message.find("] ");
+  return bracket == message.npos ? message : message.substr(bracket + 2);
+}
+
 std::string suggestion(std::string_view key, std::initializer_list<std::string_view> known) {
   const auto nearest = nearest_word(key, {known.begin(), known.size()});
   return nearest ? fmt::format(", did you mean {}?", *nearest) : "";
@@ -115,8 +122,8 @@ Json parse_json(std::string_view text, const std::string& name) {
     });
   } catch (const Json::parse_error& error) {
     fail_syntax(text, name, error);
-  } catch (const Json::exception& error) {
-    throw Error(ErrorCode::InvalidInput, fmt::format("{}: {}", name, error.what()));
+  } catch (const Json::exception& error) {  // a number beyond the range of doubles
+    fail_at(name, check.pointer(), without_number(error.what()));
   }
 }
 

@@ -16,7 +16,8 @@ using Json = nlohmann::ordered_json;
 /// Parse JSON text that a person wrote.
 ///
 /// Throws   InvalidInput with "name:line:column: reason" for bad syntax, "name: /pointer: reason"
-///          for a key that an object has twice and for nesting that no file needs
+///          for a key that an object has twice, a number beyond the range of doubles, and nesting
+///          that no file needs
 Json parse_json(std::string_view text, const std::string& name);
 
 /// A value of a JSON file and its place, so that every fault names the file and the JSON pointer.

@@ -13,17 +13,10 @@
 #include "surfmesh/geometry/formula.hh"
 
 namespace surfmesh {
+namespace {
 
-double number_or_expression(const JsonNode& node, const Constants& constants) {
-  if (!node.json().is_string()) return node.number();
-  try {
-    return evaluate_constant(node.text(), constants);
-  } catch (const Error& error) {
-    node.fail(error.what());
-  }
-}
-
-Length read_length(const JsonNode& node) {
+/// A finite length of any sign.
+Length read_any_length(const JsonNode& node) {
   Length length;
   if (node.json().is_string()) {
     try {
@@ -35,7 +28,29 @@ Length read_length(const JsonNode& node) {
   } else {
     length = {node.number(), false};
   }
-  if (!(length.value > 0) || !std::isfinite(length.value)) node.fail("must be above 0");
+  return length;
+}
+
+}  // namespace
+
+double number_or_expression(const JsonNode& node, const Constants& constants) {
+  if (!node.json().is_string()) return node.number();
+  try {
+    return evaluate_constant(node.text(), constants);
+  } catch (const Error& error) {
+    node.fail(error.what());
+  }
+}
+
+Length read_length(const JsonNode& node) {
+  const Length length = read_any_length(node);
+  if (!(length.value > 0)) node.fail("must be above 0");
+  return length;
+}
+
+Length read_radius(const JsonNode& node) {
+  const Length length = read_any_length(node);
+  if (!(length.value >= 0)) node.fail("must be 0 or above");
   return length;
 }
 

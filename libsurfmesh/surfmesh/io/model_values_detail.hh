@@ -22,6 +22,9 @@ double number_or_expression(const JsonNode& node, const Constants& constants);
 /// Read a length above 0: a number, or a share of the diagonal as "1%".
 Length read_length(const JsonNode& node);
 
+/// Read a length that may be 0.
+Length read_radius(const JsonNode& node);
+
 /// Read the two bounds of one parameter.
 std::pair<double, double> read_range(const JsonNode& node, const Constants& constants);
 

@@ -31,8 +31,6 @@ void refuse(const JsonNode& node, std::string_view subject,
   }
 }
 
-Length read_radius(const JsonNode& node) { return node.json() == 0 ? Length{} : read_length(node); }
-
 /// `size`, `angle`, `radius` and `outer` of a source with a place.
 PlaceSize read_wish(const JsonNode& node) {
   PlaceSize wish{read_size(node)};

@@ -21,6 +21,18 @@ enum class Columns { Size, Lengths, Metric };
 
 constexpr std::size_t kMostColumns = 5;
 
+/// What some programs write before UTF-8 text.
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// Bounds of lengths, and of metrics whose lengths they are. Beyond, squares and determinants would
+/// overflow or vanish when sizes are computed, where nothing tells the line any more.
+constexpr double kLeastLength = 1e-50, kGreatestLength = 1e50;
+constexpr double kLeastEntry = 1e-100, kGreatestEntry = 1e100;
+
+bool is_within(double value, double least, double greatest) {
+  return value >= least && value <= greatest;
+}
+
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r";
   const std::size_t first = text.find_first_not_of(blanks);
@@ -41,7 +53,9 @@ std::vector<std::string_view> cells_of(std::string_view line) {
 class TableReader {
  public:
   TableReader(std::string_view text, const std::string& name, const Domain& domain)
-      : rest_(text), name_(name), domain_(domain) {}
+      : rest_(text), name_(name), domain_(domain) {
+    if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+  }
 
   std::vector<TableNode> run() {
     std::vector<TableNode> nodes;
@@ -109,16 +123,33 @@ class TableReader {
     check_place(node.uv);
     if (columns_ == Columns::Metric) {
       node.metric = {values[2], values[3], values[4]};
-      if (!(node.metric.m11 > 0 && determinant(node.metric) > 0)) {
-        fail("the metric is not positive definite");
-      }
+      check_metric(node.metric);
       return node;
     }
     const bool is_one = columns_ == Columns::Size;
     node.size = {{values[2]}, {is_one ? values[2] : values[3]}, 0};
-    if (!is_one) node.size.angle = values[4] * std::numbers::pi / 180;
-    if (!(node.size.along.value > 0 && node.size.across.value > 0)) fail("a size must be above 0");
+    // Divided first: the greatest angles would overflow.
+    if (!is_one) node.size.angle = values[4] * (std::numbers::pi / 180);
+    check_length(node.size.along.value);
+    check_length(node.size.across.value);
     return node;
+  }
+
+  void check_metric(const Metric& m) const {
+    const bool is_positive = m.m11 > 0 && m.m22 > 0;
+    if (is_positive && !(is_within(m.m11, kLeastEntry, kGreatestEntry) &&
+                         is_within(m.m22, kLeastEntry, kGreatestEntry))) {
+      fail(fmt::format("m11 and m22 must be between {} and {}", kLeastEntry, kGreatestEntry));
+    }
+    // An m12 whose square overflows is far too large for the others.
+    if (!(is_positive && determinant(m) > 0)) fail("the metric is not positive definite");
+  }
+
+  void check_length(double length) const {
+    if (!(length > 0)) fail("a size must be above 0");
+    if (!is_within(length, kLeastLength, kGreatestLength)) {
+      fail(fmt::format("a size must be between {} and {}", kLeastLength, kGreatestLength));
+    }
   }
 
   void check_place(Uv uv) const {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "surfmesh/core/at_place.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/geometry/append_model.hh"
 #include "surfmesh/geometry/join_sides.hh"
@@ -22,23 +23,22 @@
 namespace surfmesh {
 namespace {
 
-/// Call `body`, and put the place in front of its errors. What is wrong with an option is so in
-/// the file.
+/// Call `body`, and put the place in a file in front of its errors. What is wrong with an option is
+/// so in the file.
 template <class Body>
-void at_place(const std::string& place, Body body) {
+void at_file(const std::string& place, Body body) {
   try {
-    body();
+    at_place(place, body);
   } catch (const Error& error) {
-    const ErrorCode code =
-        error.code() == ErrorCode::InvalidOption ? ErrorCode::InvalidInput : error.code();
-    throw Error(code, fmt::format("{}: {}", place, error.what()));
+    if (error.code() != ErrorCode::InvalidOption) throw;
+    throw Error(ErrorCode::InvalidInput, error.what());
   }
 }
 
 ModelInput load_cage(const std::filesystem::path& path, const CageOptions& cage_options) {
   const Cage cage = read_cage(path);
   ModelInput input;
-  at_place(path.string(), [&] { input.model = model_from_cage(cage, cage_options); });
+  at_file(path.string(), [&] { input.model = model_from_cage(cage, cage_options); });
   std::vector<std::string>& warnings = input.model.warnings;
   warnings.insert(warnings.begin(), cage.warnings.begin(), cage.warnings.end());
   return input;
@@ -58,7 +58,7 @@ void append_cages(const ModelFile& file, const std::string& name, Scheme scheme,
   for (const CageInput& input : file.cages) {
     const CageOptions options{.scheme = scheme == Scheme::Auto ? input.scheme : scheme};
     Model cage;
-    at_place(fmt::format("{}: {}/file", name, input.origin),
+    at_file(fmt::format("{}: {}/file", name, input.origin),
              [&] { cage = load_cage(input.file, options).model; });
     Group& whole = cage.groups.emplace_back();
     whole.name = input.name;
@@ -124,7 +124,7 @@ std::vector<std::shared_ptr<const Curve>> curves_on(const Model& model, const st
 
 void add_along_sources(const ModelFile& file, const std::string& name, ModelInput& input) {
   for (const AlongContour& along : file.along_contours) {
-    at_place(fmt::format("{}: {}", name, along.origin), [&] {
+    at_file(fmt::format("{}: {}", name, along.origin), [&] {
       AlongSource source{along.patch, curves_on(input.model, along.contour, along.patch),
                          along.wish};
       if (source.curves.empty()) {
@@ -146,11 +146,11 @@ ModelInput load_model_file(const std::filesystem::path& path, Scheme scheme) {
   ModelInput input;
   input.options.sizing = file.sizing;
   for (const auto& [key, value] : file.options) {
-    at_place(fmt::format("{}: /options/{}", name, key),
+    at_file(fmt::format("{}: /options/{}", name, key),
              [&, k = key, v = value] { set_file_option(input.options, k, v); });
   }
   if (!file.patches.empty()) {
-    at_place(name, [&] { input.model = model_from_patches(file.patches, file.contours); });
+    at_file(name, [&] { input.model = model_from_patches(file.patches, file.contours); });
     for (std::string& warning : input.model.warnings) warning.insert(0, name + ": ");
   }
   append_cages(file, name, scheme, input.model);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "surfmesh/core/error.hh"
+
+namespace surfmesh {
+
+/// Call `body`, and put the place in front of its errors: "place: reason".
+///
+/// Returns  what `body` returns
+template <class Body>
+auto at_place(const std::string& place, Body body) {
+  try {
+    return body();
+  } catch (const Error& error) {
+    throw Error(error.code(), place + ": " + error.what());
+  }
+}
+
+}  // namespace surfmesh
