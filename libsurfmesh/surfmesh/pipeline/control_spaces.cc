@@ -53,15 +53,6 @@ void check_bounds(const Model& model, const Sizing& sizing) {
                           to_text(sizing.hmin), to_text(sizing.hmax), hmin, hmax));
 }
 
-void warn_of_clamped_sizes(const Sources& sources, const SizeBounds& bounds,
-                           std::vector<std::string>& warnings) {
-  const std::size_t count = count_clamped(sources, bounds);
-  if (count == 0) return;
-  warnings.push_back(
-      fmt::format("{} sizes of sources are brought into the bounds hmin = {} and hmax = {}", count,
-                  bounds.hmin, bounds.hmax));
-}
-
 }  // namespace
 
 ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
@@ -69,7 +60,8 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
   check_bounds(model, options.sizing);
   check_patches(model, sources);
   ControlSpaces result;
-  warn_of_clamped_sizes(sources, SizeBounds(options.sizing, model.diagonal), result.warnings);
+  const SizeBounds bounds(options.sizing, model.diagonal);
+  if (auto warning = clamp_warning(model, sources, bounds)) result.warnings.push_back(*warning);
   const auto patch_sources = model_sources(model, sources, options.sizing);
   std::vector<ControlInput> inputs;
   for_each_patch(model, "control", options.observer, [&](std::size_t p) {
