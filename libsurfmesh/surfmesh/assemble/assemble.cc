@@ -27,6 +27,14 @@ struct TriangleSoup {
   std::vector<std::array<int, 3>> contours;  ///< of the side from corner k to the next; -1 inside
   std::vector<int> patches;
   std::vector<Vec3> points;  ///< by vertex
+
+  void reserve(std::size_t triangle_count) {
+    triangles.reserve(triangle_count);
+    corners.reserve(triangle_count);
+    contours.reserve(triangle_count);
+    patches.reserve(triangle_count);
+    points.reserve(points.size() + triangle_count / 2);  // about as many as a closed mesh has
+  }
 };
 
 class PatchCollector {
@@ -181,6 +189,9 @@ Assembly assemble(const Model& model, const std::vector<ContourNodes>& nodes,
   const PatchOrientation orientation = orient_patches(model);
   TriangleSoup soup;
   soup.points = contour_points(model, nodes, numbers);
+  std::size_t triangle_count = 0;
+  for (const PatchMesh& patch : patches) triangle_count += patch.delaunay->n_faces();
+  soup.reserve(triangle_count);
   for (std::size_t p = 0; p < patches.size(); ++p) {
     PatchCollector(patches[p], static_cast<int>(p), orientation.is_turned[p] != 0, soup)
         .run();

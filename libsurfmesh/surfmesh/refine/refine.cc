@@ -95,11 +95,9 @@ class Refinement {
   }
 
   bool is_missed(const MetricCorner& place, FaceHandle fh) const {
-    const BaseTriangle t = triangle_at(delaunay_.mesh().halfedge_handle(fh));
-    const Metric& m = place.metric;
-    const double squared =
-        squared_circumradius({t.a.uv, m}, {t.b.uv, m}, {t.apex.uv, m});
-    return squared > kMissedSize * kMissedSize * accepted_size_;
+    const auto [a, b, c] = corners(delaunay_.mesh(), fh, delaunay_.uv_handle());
+    const MetricCircle circle = circumcircle({a, b, c}, place.metric);
+    return circle.squared_radius > kMissedSize * kMissedSize * accepted_size_;
   }
 
   static std::size_t index(FaceHandle fh) { return static_cast<std::size_t>(fh.idx()); }
