@@ -86,13 +86,7 @@ int ControlCommand::run() const {
   try {
     return write_control_meshes(progress);
   } catch (const std::exception& error) {
-    progress.clear();
-    if (caught_signal() != 0) {
-      fmt::print(stderr, "surfmesh: stopped by a signal\n");
-      return kKilledBySignal + caught_signal();
-    }
-    fmt::print(stderr, "surfmesh: error: {}\n", error.what());
-    return kFailed;
+    return tell_failure(error, progress);
   }
 }
 

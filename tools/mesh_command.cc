@@ -121,6 +121,16 @@ void print_messages(const Report& report) {
 
 }  // namespace
 
+int tell_failure(const std::exception& error, Progress& progress) {
+  progress.clear();
+  if (caught_signal() != 0) {
+    fmt::print(stderr, "surfmesh: stopped by a signal\n");
+    return kKilledBySignal + caught_signal();
+  }
+  fmt::print(stderr, "surfmesh: error: {}\n", error.what());
+  return kFailed;
+}
+
 void MeshCommand::add_to(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "mesh", "Mesh a control cage (.obj, .off) or a model file (.json) with triangles.");
@@ -159,13 +169,7 @@ int MeshCommand::run() const {
     print_messages(run.report());
     return run.report().shortfalls.empty() ? kDone : kFellShort;
   } catch (const std::exception& error) {
-    progress.clear();
-    if (caught_signal() != 0) {
-      fmt::print(stderr, "surfmesh: stopped by a signal\n");
-      return kKilledBySignal + caught_signal();
-    }
-    fmt::print(stderr, "surfmesh: error: {}\n", error.what());
-    return kFailed;
+    return tell_failure(error, progress);
   }
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <exception>
 #include <string>
 
+#include "progress.hh"
 #include "settings.hh"
 #include "surfmesh/geometry/cage.hh"
 
@@ -17,6 +19,10 @@ enum ExitStatus : int {
   kFellShort = 3,        ///< done, but something asked for was not reached
   kKilledBySignal = 128  ///< plus the number of the signal
 };
+
+/// Tell on stderr why a command ends without its result: an error, or a signal that stopped it.
+/// Returns an exit status.
+int tell_failure(const std::exception& error, Progress& progress);
 
 /// `surfmesh mesh`: read a cage or a model file, mesh it, write the mesh and the report.
 class MeshCommand {

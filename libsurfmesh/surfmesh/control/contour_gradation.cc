@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <tuple>
+#include <utility>
+#include <vector>
 
+#include "surfmesh/control/placed_size.hh"
 #include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
 #include "surfmesh/metric/conformity.hh"
@@ -39,6 +41,13 @@ struct Side {
   double sin = 0;
 };
 
+/// A place of a contour as all its patches see it.
+struct Station {
+  double t = 0;  ///< on the first use
+  Vec3 point;
+  std::vector<Side> sides;  ///< by use; none where a patch has no tangent plane
+};
+
 /// H in the frame of the contour's direction and the direction to its left in the parameters.
 SizeTensor to_contour(const SizeTensor& h, const Side& side) {
   const double c = side.cos, s = side.sin;
@@ -66,16 +75,20 @@ class ComparedContour {
 
   const Contour& contour() const { return contour_; }
 
+  Station station(double t) const {
+    const Vec3 point = space_point(t);
+    return {t, point, sides(t, point)};
+  }
+
+ private:
   Vec3 space_point(double t) const {
     const ContourUse& use = contour_.uses.front();
     const Surface& surface = *model_.patches[static_cast<std::size_t>(use.patch)].surface;
     return surface.evaluate(use.curve->evaluate(t), Order::Position).point;
   }
 
-  /// The sides of all uses at t of the first; nothing where a patch has no tangent plane.
-  std::optional<std::vector<Side>> sides(double t) const {
+  std::vector<Side> sides(double t, const Vec3& point) const {
     const Vec3 tangent = direction(t);
-    const Vec3 point = space_point(t);
     std::vector<Side> result;
     for (const ContourUse& use : contour_.uses) {
       const Surface& surface = *model_.patches[static_cast<std::size_t>(use.patch)].surface;
@@ -84,18 +97,16 @@ class ComparedContour {
       const Uv uv = surface.domain().clamp(use.curve->evaluate(own_t));
       const Jet jet = surface.evaluate(uv, Order::First);
       const FirstFormFactor form = first_form_factor(jet.du, jet.dv);
-      if (!is_regular(form)) return std::nullopt;
-      const Vec3 first = jet.du.normalized();
-      const Vec3 second = jet.du.cross(jet.dv).cross(jet.du).normalized();
-      const double x = tangent.dot(first), y = tangent.dot(second);
+      if (!is_regular(form)) return {};
+      const TangentPlace place = tangent_place(jet);
+      const double x = tangent.dot(place.first), y = tangent.dot(place.second);
       const double length = std::hypot(x, y);
-      if (!(length > 0)) return std::nullopt;
+      if (!(length > 0)) return {};
       result.push_back({{uv, jet.point, form}, x / length, y / length});
     }
     return result;
   }
 
- private:
   Vec3 direction(double t) const {
     return space_point(std::min(1.0, t + kTangentStep)) -
            space_point(std::max(0.0, t - kTangentStep));
@@ -137,18 +148,21 @@ class ContourGradation {
 
   void compare(const Contour& contour) {
     const ComparedContour compared(model_, contour);
-    for (int i = 0; i < kFirstSteps; ++i) {
-      const double from = double(i) / kFirstSteps, to = double(i + 1) / kFirstSteps;
-      compare_between(compared, from, to, kMaxHalvings);
-      lower(compared, to);
+    Station last = compared.station(0);
+    lower(compared, last);
+    for (int i = 1; i <= kFirstSteps; ++i) {
+      Station next = compared.station(double(i) / kFirstSteps);
+      compare_between(compared, last, next, kMaxHalvings);
+      lower(compared, next);
+      last = std::move(next);
     }
-    lower(compared, 0);
   }
 
   /// Compare within an interval of t, at places two units apart at most.
-  void compare_between(const ComparedContour& compared, double from, double to, int halvings) {
+  void compare_between(const ComparedContour& compared, const Station& from, const Station& to,
+                       int halvings) {
     if (halvings == 0 || units_between(compared, from, to) <= kLongestStep) return;
-    const double middle = 0.5 * (from + to);
+    const Station middle = compared.station(0.5 * (from.t + to.t));
     lower(compared, middle);
     compare_between(compared, from, middle, halvings - 1);
     compare_between(compared, middle, to, halvings - 1);
@@ -156,14 +170,13 @@ class ContourGradation {
 
   /// Length of an interval in the smallest sizes at its ends. Where one end is a pole, the other
   /// one tells.
-  double units_between(const ComparedContour& compared, double from, double to) const {
-    const double length = (compared.space_point(to) - compared.space_point(from)).norm();
+  double units_between(const ComparedContour& compared, const Station& from,
+                       const Station& to) const {
+    const double length = (to.point - from.point).norm();
     double units = 0;
-    for (const double t : {from, to}) {
-      const auto sides = compared.sides(t);
-      if (!sides) continue;
-      for (std::size_t use = 0; use < sides->size(); ++use) {
-        const Side& side = (*sides)[use];
+    for (const Station* station : {&from, &to}) {
+      for (std::size_t use = 0; use < station->sides.size(); ++use) {
+        const Side& side = station->sides[use];
         const SizeTensor along = to_contour(size(compared.contour().uses[use], side), side);
         units = std::max(units, length / along.h11);
       }
@@ -176,24 +189,24 @@ class ContourGradation {
     return spaces_[static_cast<std::size_t>(use.patch)]->size(side.at, hint);
   }
 
-  /// Give each patch that asks for larger sizes than another a node at t.
-  void lower(const ComparedContour& compared, double t) {
-    const auto sides = compared.sides(t);
-    if (!sides) return;
+  /// Give each patch that asks for larger sizes than another a node there.
+  void lower(const ComparedContour& compared, const Station& station) {
+    const std::vector<Side>& sides = station.sides;
+    if (sides.empty()) return;
     const std::vector<ContourUse>& uses = compared.contour().uses;
     std::vector<SizeTensor> sizes;
     for (std::size_t use = 0; use < uses.size(); ++use) {
-      sizes.push_back(size(uses[use], (*sides)[use]));
+      sizes.push_back(size(uses[use], sides[use]));
     }
     for (std::size_t to = 0; to < uses.size(); ++to) {
       SizeTensor least = sizes[to];
       for (std::size_t from = 0; from < uses.size(); ++from) {
         if (from == to) continue;
         const bool is_mirrored = uses[from].is_forward == uses[to].is_forward;
-        least = minimum(least, carried(sizes[from], (*sides)[from], (*sides)[to], is_mirrored));
+        least = minimum(least, carried(sizes[from], sides[from], sides[to], is_mirrored));
       }
-      if (log_conformity(sizes[to], least) > kAgreement && is_news(compared, to, t, least)) {
-        add(uses[to].patch, (*sides)[to], least);
+      if (log_conformity(sizes[to], least) > kAgreement && is_news(compared, to, station.t, least)) {
+        add(uses[to].patch, sides[to], least);
       }
     }
   }

@@ -30,8 +30,8 @@ class ControlMesh : public ControlSpace {
  protected:
   /// Weights are 1/d² with distances through M_p at the point asked for (paper, eq. (4), (5)).
   ///
-  /// Cost     V_t about 40 ns near the point asked for last, V_o 100 ns; the tables of 80,000
-  ///          triangles are not in the near cache and cost 60 ns more at random
+  /// Cost     with 80,000 triangles V_t about 50 ns near the point asked for last, 140 ns elsewhere,
+  ///          V_o 140 and 390 ns (tests/bench/control_bench.cc)
   SizeTensor interpolate(const SurfacePoint& at, Hint& hint) const override;
 
   std::optional<SizeTensor> extended_size_by_vertices(const SurfacePoint& at,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/control/curve_polyline.hh"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace surfmesh {
@@ -13,10 +12,7 @@ constexpr int kFirstIntervals = 8;
 constexpr int kMaxHalvings = 9;
 
 double distance_from_chord(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 chord = b - a;
-  const double squared = chord.squaredNorm();
-  const double share = squared > 0 ? std::clamp(chord.dot(p - a) / squared, 0.0, 1.0) : 0;
-  return (p - a - share * chord).norm();
+  return (p - a - nearest_share(a, b, p) * (b - a)).norm();
 }
 
 class Divider {

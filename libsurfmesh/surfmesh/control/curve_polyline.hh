@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "surfmesh/core/values.hh"
@@ -23,6 +24,14 @@ struct CurvePoint {
 /// Error    of a curve that is straight at 33 places and bends between them, nothing is seen
 /// Cost     five evaluations a chord
 std::vector<CurvePoint> curve_polyline(const SpaceCurve& curve, double tolerance);
+
+/// Share of the way from a to b at the point of the segment nearest to p; 0 for a segment that is a
+/// point.
+inline double nearest_share(const Vec3& a, const Vec3& b, const Vec3& p) {
+  const Vec3 step = b - a;
+  const double squared = step.squaredNorm();
+  return squared > 0 ? std::clamp(step.dot(p - a) / squared, 0.0, 1.0) : 0;
+}
 
 /// Length of the chords.
 double length(const std::vector<CurvePoint>& polyline);

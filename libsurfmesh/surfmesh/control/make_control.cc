@@ -12,15 +12,10 @@
 namespace surfmesh {
 namespace {
 
-/// True if there is more than `at`.
-bool has_other_sources(const PatchSources& sources, const SizeField& field) {
-  return field.has_area_source() || !sources.along.empty() || !sources.trees.empty();
-}
-
-/// Sources of `at` alone are a table, too, where it takes more than their own nodes to hold them: on
-/// a grid, and where their discs end and gradation begins. Without any curvature, that is.
-PatchSources with_interpolated_points(const PatchSources& sources, const Sizing& sizing,
-                                      const ControlOptions& options) {
+/// True if there is nothing but `at`, not even curvature, and it takes more than its own nodes to
+/// hold the sizes: on a grid, and where discs end and gradation begins.
+bool needs_interpolated_points(const PatchSources& sources, const Sizing& sizing,
+                               const ControlOptions& options) {
   const bool has_others = sizing.curvature > 0 || !sources.everywhere.empty() ||
                           !sources.along.empty() || !sources.inside.empty() ||
                           !sources.fields.empty() || !sources.tables.empty() ||
@@ -30,8 +25,12 @@ PatchSources with_interpolated_points(const PatchSources& sources, const Sizing&
       [](const AtSource& source) { return source.radius.value > 0 || source.outer.has_value(); });
   const bool needs_more = options.kind == ControlKind::Grid || options.nodes.regular > 0 ||
                           (has_disc && sizing.grade > 0);
+  return !has_others && !sources.at.empty() && needs_more;
+}
+
+/// The sources with those of `at` as a table, too.
+PatchSources with_interpolated_points(const PatchSources& sources) {
   PatchSources result = sources;
-  if (has_others || sources.at.empty() || !needs_more) return result;
   TableSource& table = result.tables.emplace_back();
   for (const AtSource& source : sources.at) {
     table.nodes.push_back({source.at, source.outer ? source.outer->size : source.size, {}});
@@ -59,9 +58,12 @@ void check(const ControlOptions& options) {
 }
 
 ControlInput collect_control_input(const Surface& surface, const Sizing& sizing,
-                                   const PatchSources& given, double diagonal,
+                                   const PatchSources& sources, double diagonal,
                                    const ControlOptions& options) {
-  const PatchSources sources = with_interpolated_points(given, sizing, options);
+  if (needs_interpolated_points(sources, sizing, options)) {
+    return collect_control_input(surface, sizing, with_interpolated_points(sources), diagonal,
+                                 options);
+  }
   ControlNodeOptions own = options.nodes;
   own.precision = sources.precision().value_or(own.precision);
   check(own);

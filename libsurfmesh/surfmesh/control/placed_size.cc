@@ -5,20 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "surfmesh/control/curve_polyline.hh"
 #include "surfmesh/geometry/first_form.hh"
+#include "surfmesh/metric/interpolate.hh"
 #include "surfmesh/metric/size_tensor.hh"
 #include "surfmesh/metric/tensor.hh"
 
 namespace surfmesh {
 namespace {
-
-/// Share of the segment at its point nearest to p.
-double nearest_share(const PlacedSize& placed, const Vec3& p) {
-  const Vec3 step = placed.to - placed.from;
-  const double squared = step.squaredNorm();
-  if (squared == 0) return 0;
-  return std::clamp(step.dot(p - placed.from) / squared, 0.0, 1.0);
-}
 
 /// The first length along the direction (c,s) of the frame, not normalised.
 SizeTensor directed(const SizeLengths& lengths, double c, double s) {
@@ -37,11 +31,6 @@ SizeTensor size_on_segment(const PlacedSize& placed, double share, const Tangent
   if (!placed.follows_segment) return size_tensor(lengths.along, lengths.across, placed.angle);
   const Vec3 direction = placed.to - placed.from;
   return directed(lengths, direction.dot(place.first), direction.dot(place.second));
-}
-
-SizeTensor mix(const SizeTensor& a, const SizeTensor& b, double share) {
-  return {(1 - share) * a.h11 + share * b.h11, (1 - share) * a.h12 + share * b.h12,
-          (1 - share) * a.h22 + share * b.h22};
 }
 
 /// Metric length of a step in space per its length.
@@ -69,7 +58,7 @@ TangentPlace tangent_place(const Jet& jet) {
 
 std::optional<SizeTensor> size_around(const PlacedSize& placed, const TangentPlace& place,
                                       double growth) {
-  const double share = nearest_share(placed, place.point);
+  const double share = nearest_share(placed.from, placed.to, place.point);
   const Vec3 step = place.point - ((1 - share) * placed.from + share * placed.to);
   const double distance = step.norm();
   const double rest = distance - reach(placed);
@@ -79,7 +68,7 @@ std::optional<SizeTensor> size_around(const PlacedSize& placed, const TangentPla
   if (placed.outer) {
     const PlacedSize::OuterSize& outer = *placed.outer;
     const SizeTensor far = size_tensor(outer.lengths.along, outer.lengths.across, outer.angle);
-    size = rest >= 0 ? far : mix(size, far, (distance - placed.radius) / outer.radius);
+    size = rest >= 0 ? far : lerp(size, far, (distance - placed.radius) / outer.radius);
   }
   if (rest <= 0) return size;
   if (placed.follows_segment) {

@@ -62,11 +62,15 @@ std::vector<ControlNode> point_nodes(const std::vector<AtSource>& sources, const
   return nodes;
 }
 
+bool has_other_sources(const PatchSources& sources, const SizeField& field) {
+  return field.has_area_source() || !sources.along.empty() || !sources.trees.empty();
+}
+
 std::vector<ControlNode> field_nodes(const PatchSources& sources, const SizeField& field,
                                      bool is_graded) {
   const SizeBounds& bounds = field.bounds();
   std::vector<ControlNode> nodes = point_nodes(sources.at, field.surface(), bounds);
-  if (field.has_area_source() || !sources.along.empty() || !sources.trees.empty()) {
+  if (has_other_sources(sources, field)) {
     for (ControlNode& node : nodes) {
       // Closed forms are part of the field; without a radius and gradation a node is all there is.
       node.size = bounds.clamp(minimum(node.size, field.at(node.uv).size));

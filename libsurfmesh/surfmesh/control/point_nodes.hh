@@ -17,6 +17,9 @@ namespace surfmesh {
 std::vector<ControlNode> point_nodes(const std::vector<AtSource>& sources, const Surface& surface,
                                      const SizeBounds& bounds);
 
+/// True if more than `at` has a say in the sizes of a patch.
+bool has_other_sources(const PatchSources& sources, const SizeField& field);
+
 /// The control nodes that sources with a place need besides the chosen ones: those of `at`, with
 /// the minimum of the field where that has other sources; without gradation also those along curves
 /// that have no radius, a size apart.

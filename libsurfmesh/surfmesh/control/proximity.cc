@@ -47,9 +47,7 @@ struct Piece {
 };
 
 Vec3 nearest_point(const Piece& piece, const Vec3& p) {
-  const Vec3 step = piece.to - piece.from;
-  const double share = step.dot(p - piece.from) / step.squaredNorm();
-  return piece.from + std::clamp(share, 0.0, 1.0) * step;
+  return piece.from + nearest_share(piece.from, piece.to, p) * (piece.to - piece.from);
 }
 
 using Box = Eigen::AlignedBox3d;

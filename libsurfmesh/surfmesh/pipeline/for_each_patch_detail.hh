@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <fmt/format.h>
-
 #include <string_view>
 
-#include "surfmesh/core/error.hh"
+#include "surfmesh/core/at_place.hh"
 #include "surfmesh/core/observer.hh"
 #include "surfmesh/geometry/model.hh"
 
@@ -24,11 +22,7 @@ template <class Body>
 void for_each_patch(const Model& model, std::string_view stage, Observer* observer, Body body) {
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
     tell(observer, stage, p, model.patches.size());
-    try {
-      body(p);
-    } catch (const Error& error) {
-      throw Error(error.code(), fmt::format("patch {}: {}", model.patches[p].name, error.what()));
-    }
+    at_place("patch " + model.patches[p].name, [&] { body(p); });
   }
   tell(observer, stage, model.patches.size(), model.patches.size());
 }
