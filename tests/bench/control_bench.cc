@@ -150,8 +150,10 @@ void sizes(benchmark::internal::Benchmark* bench) {
   bench->Arg(2'500)->Arg(10'000)->Arg(40'000)->Arg(160'000)->Unit(benchmark::kMillisecond);
 }
 
+BENCHMARK_TEMPLATE(query_near_the_last, Interpolation::Linear)->Apply(sizes);
 BENCHMARK_TEMPLATE(query_near_the_last, Interpolation::Triangle)->Apply(sizes);
 BENCHMARK_TEMPLATE(query_near_the_last, Interpolation::Circles)->Apply(sizes);
+BENCHMARK_TEMPLATE(query_at_random, Interpolation::Linear)->Apply(sizes);
 BENCHMARK_TEMPLATE(query_at_random, Interpolation::Triangle)->Apply(sizes);
 BENCHMARK_TEMPLATE(query_at_random, Interpolation::Circles)->Apply(sizes);
 BENCHMARK(query_grid_near_the_last)->Apply(sizes);

@@ -107,7 +107,7 @@ TEST(ExtendedNode, CountsAsAnAnswerOfItsOwn) {
   control.size(testing::place({0.5, 0.55}), hint);
   control.size(testing::place({0.1, 0.05}), hint);
   EXPECT_EQ(hint.answers.extended, 1U);
-  EXPECT_EQ(hint.answers.triangle, 1U);
+  EXPECT_EQ(hint.answers.linear, 1U);
 }
 
 TEST(ExtendedNode, MeetsSmallerSizesOfAreaSources) {

@@ -134,7 +134,8 @@ TEST_P(Interpolations, DoNotDependOnTheHint) {
 INSTANTIATE_TEST_SUITE_P(
     All, Interpolations,
     ::testing::Combine(::testing::Values(Interpolation::Single, Interpolation::Triangle,
-                                         Interpolation::Circles, Interpolation::Automatic),
+                                         Interpolation::Circles, Interpolation::Automatic,
+                                         Interpolation::Linear),
                        ::testing::Values(Blend::Linear, Blend::Logarithmic)));
 
 TEST(LogarithmicBlend, IsTheGeometricMeanMidwayBetweenTwoNodes) {
@@ -143,6 +144,44 @@ TEST(LogarithmicBlend, IsTheGeometricMeanMidwayBetweenTwoNodes) {
   EXPECT_NEAR(query(control, {0.5, 0}).h11, std::exp(std::log(0.1 * 0.4) / 2), 0.02);
   const ControlMesh linear({}, nodes, {});
   EXPECT_GT(query(linear, {0.5, 0}).h11, query(control, {0.5, 0}).h11);
+}
+
+// --- linear ---
+
+TEST(LinearInterpolation, ReproducesSizesLinearInTheParameters) {
+  const auto linear = [](Uv uv) {
+    // Small, so that no nodes become one.
+    return scaled({1 + uv.u + 2 * uv.v, 0.3 * uv.u - 0.1 * uv.v, 2 - uv.u + 0.5 * uv.v}, 1e-4);
+  };
+  std::vector<ControlNode> nodes = testing::random_nodes(500);
+  for (ControlNode& node : nodes) node.size = linear(node.uv);
+  const ControlMesh control({}, nodes, {.interpolation = Interpolation::Linear});
+  for (const Uv uv : random_points({}, 500, 3)) expect_near(query(control, uv), linear(uv), 1e-15);
+}
+
+TEST(LinearInterpolation, IsOfSecondOrder) {
+  const auto wave = [](Uv uv) { return isotropic(1e-3 * (2 + std::sin(3 * uv.u) * std::cos(2 * uv.v))); };
+  const auto error = [&](int side) {
+    const ControlMesh control({}, testing::grid({}, side, wave), {});
+    double greatest = 0;
+    for (const Uv uv : random_points({}, 2000)) {
+      greatest = std::max(greatest, std::abs(query(control, uv).h11 - wave(uv).h11));
+    }
+    return greatest;
+  };
+  EXPECT_NEAR(error(11) / error(41), 16, 4);
+}
+
+TEST(LinearInterpolation, IsContinuousAcrossEdgesOfTheControlMesh) {
+  const ControlMesh control = random_mesh(Interpolation::Linear);
+  const auto uv = require(control.mesh(), keys::vertex_uv);
+  for (const EdgeHandle eh : control.mesh().edges()) {
+    const HalfedgeHandle heh = control.mesh().halfedge_handle(eh, 0);
+    const Uv a = control.mesh().property(uv, control.mesh().from_vertex_handle(heh));
+    const Uv b = control.mesh().property(uv, control.mesh().to_vertex_handle(heh));
+    const Uv middle = lerp(a, b, 0.3), step = 1e-12 * Uv{a.v - b.v, b.u - a.u};
+    expect_near(query(control, middle + step), query(control, middle - step), 1e-6);
+  }
 }
 
 // --- V_x ---

@@ -73,5 +73,16 @@ TEST(Interpolate, OfOneNodeIsThatNode) {
   EXPECT_EQ(interpolate(std::span(kSizes).first(1), std::array{3.0}), kSizes[0]);
 }
 
+TEST(InterpolateLinearly, TakesThePointOnTheRimForOneOutside) {
+  const std::array<Uv, 3> corners = {Uv{0, 0}, {1, 0}, {0, 1}};
+  expect_near(interpolate_linearly(kSizes, corners, {0.25, -3}),
+              interpolate_linearly(kSizes, corners, {0.25 / 4, 0}), 1e-14);
+  EXPECT_EQ(interpolate_linearly(kSizes, corners, {-1, -2}), kSizes[0]);
+}
+
+TEST(InterpolateLinearly, OfATriangleWithoutAreaIsItsFirstCorner) {
+  EXPECT_EQ(interpolate_linearly(kSizes, {Uv{1, 1}, {1, 1}, {1, 1}}, {1, 1}), kSizes[0]);
+}
+
 }  // namespace
 }  // namespace surfmesh

@@ -24,7 +24,7 @@ Report example() {
   report.control.triangles = 20;
   report.control.classes = {3, 10, 7};
   report.control.queries.boundary.triangle = 4;
-  report.control.queries.refine = {1, 2, 3, 5, 6, 7};
+  report.control.queries.refine = {1, 2, 3, 4, 5, 6, 7};
   report.seconds.wall = 1.5;
   report.triangles_per_second = 1000;
   return report;
@@ -59,10 +59,10 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
 
 TEST(ReportJson, CountsQuestionsByStageAndAnswersByKind) {
   const Json control = Json::parse(to_json(example()))["control"];
-  EXPECT_EQ(control["classes"], Json::parse(R"({"s": 3, "t": 10, "o": 7})"));
-  EXPECT_EQ(control["answers"], Json::parse(R"({"s": 1, "t": 6, "o": 3, "grid": 5, "extended": 6, "reused": 7})"));
+  EXPECT_EQ(control["classes"], Json::parse(R"({"s": 3, "t": 10, "o": 7, "linear": 0})"));
+  EXPECT_EQ(control["answers"], Json::parse(R"({"s": 1, "t": 6, "o": 3, "linear": 4, "grid": 5, "extended": 6, "reused": 7})"));
   EXPECT_EQ(control["queries"]["boundary"], 4);
-  EXPECT_EQ(control["queries"]["refine"], 24);
+  EXPECT_EQ(control["queries"]["refine"], 28);
   EXPECT_EQ(keys_of(control["queries"]),
             (Keys{"boundary", "triangulate", "refine", "improve", "quad"}));
 }

@@ -91,8 +91,10 @@ std::vector<ControlNode> choose_accurate_nodes(const SizeField& field,
   ControlNodeOptions options = given;
   std::vector<ControlNode> nodes = choose_control_nodes(field, options);
   if (options.regular > 0 || !field.has_source()) return nodes;
+  const Interpolation interpolation =
+      options.by_distance ? Interpolation::Triangle : Interpolation::Linear;
   for (int round = 0; round < kMaxRounds; ++round) {
-    const ControlMesh control(field.surface().domain(), nodes, {});
+    const ControlMesh control(field.surface().domain(), nodes, {.interpolation = interpolation});
     const MetricArea area = metric_area(field, control, sample_count(nodes.size()));
     const double error = std::abs(area.control - area.exact);
     if (error <= std::max(kNegligibleArea, kAreaError * area.exact)) break;

@@ -287,6 +287,9 @@ SizeTensor ControlMesh::interpolate(const SurfacePoint& at, Hint& hint) const {
     case Interpolation::Circles:
       ++hint.answers.circles;
       return from_circles(index, at.uv, at.form, hint);
+    case Interpolation::Linear:
+      ++hint.answers.linear;
+      return linear(t, at.uv);
     default:
       ++hint.answers.triangle;
       return from_vertices(t, at.uv, at.form);
@@ -317,6 +320,11 @@ SizeTensor ControlMesh::from_vertices(const Triangle& t, Uv uv,
       std::array{a.value, b.value, c.value},
       std::array{squared_distance(form, uv - a.uv), squared_distance(form, uv - b.uv),
                  squared_distance(form, uv - c.uv)}));
+}
+
+SizeTensor ControlMesh::linear(const Triangle& t, Uv uv) const {
+  const Node &a = node(t.nodes[0]), &b = node(t.nodes[1]), &c = node(t.nodes[2]);
+  return size_of(interpolate_linearly({a.value, b.value, c.value}, {a.uv, b.uv, c.uv}, uv));
 }
 
 SizeTensor ControlMesh::from_circles(int index, Uv uv, const FirstFormFactor& form,

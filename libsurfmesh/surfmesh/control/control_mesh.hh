@@ -28,7 +28,8 @@ class ControlMesh : public ControlSpace {
   const TriMesh& mesh() const override { return mesh_; }
 
  protected:
-  /// Weights are 1/d² with distances through M_p at the point asked for (paper, eq. (4), (5)).
+  /// Weights are barycentric, or 1/d² with distances through M_p at the point asked for (paper,
+  /// eq. (4), (5)).
   ///
   /// Cost     with 80,000 triangles V_t about 50 ns near the point asked for last, 140 ns elsewhere,
   ///          V_o 140 and 390 ns (tests/bench/control_bench.cc)
@@ -47,7 +48,7 @@ class ControlMesh : public ControlSpace {
   struct Triangle {
     std::array<int, 3> nodes;       ///< counter-clockwise
     std::array<int, 3> neighbours;  ///< behind the side from node i to i + 1; -1 if it is open
-    Interpolation interpolation = Interpolation::Triangle;
+    Interpolation interpolation = Interpolation::Linear;
   };
 
   /// A regular grid of triangles to start from. A quadtree was tried: with 80,000 triangles its
@@ -86,6 +87,7 @@ class ControlMesh : public ControlSpace {
   int exit_towards(Uv uv, int triangle, int entered_from, RandomBits& random) const;
   int walk(Uv uv, int start, RandomBits& random) const;
   int find_triangle(Uv uv, Hint& hint) const;
+  SizeTensor linear(const Triangle& triangle, Uv uv) const;
   SizeTensor from_vertices(const Triangle& triangle, Uv uv, const FirstFormFactor& form) const;
   SizeTensor from_circles(int triangle, Uv uv, const FirstFormFactor& form, Hint& hint) const;
   bool is_in_circle(int triangle, Uv uv) const;

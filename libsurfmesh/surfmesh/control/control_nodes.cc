@@ -40,8 +40,8 @@ using CellSamples = std::array<std::array<SizeField::Sample, 3>, 3>;
 
 class NodeChooser {
  public:
-  NodeChooser(const SizeField& field, double precision)
-      : field_(field), domain_(field.surface().domain()), precision_(precision) {}
+  NodeChooser(const SizeField& field, const ControlNodeOptions& options)
+      : field_(field), domain_(field.surface().domain()), options_(options) {}
 
   std::vector<ControlNode> run() {
     constexpr std::uint32_t step = kGridSize / kFirstCells;
@@ -165,7 +165,7 @@ class NodeChooser {
       // A cell of few grid lines is left as it is, whatever is asked for in it.
       const bool is_long = std::max(along_u, along_v) > kLeastCellLength * kLeastCellLength &&
                            std::min(cell.i1 - cell.i0, cell.j1 - cell.j0) > 1;
-      if (!is_long || log_conformity(exact.size, from_corners(corners, uv, exact)) <= precision_) {
+      if (!is_long || log_conformity(exact.size, from_corners(corners, uv, exact)) <= options_.precision) {
         continue;
       }
       return {true, along_u >= along_v};
@@ -192,23 +192,26 @@ class NodeChooser {
       for (std::size_t column = 0; column < 3; ++column) {
         const SizeField::Sample& exact = samples[row][column];
         const SizeTensor interpolated = from_corners(corners, position(cell, row, column), exact);
-        if (!(log_conformity(exact.size, interpolated) <= precision_)) return false;
+        if (!(log_conformity(exact.size, interpolated) <= options_.precision)) return false;
       }
     }
     return true;
   }
 
-  /// What V_t gives at a sample if the cell is cut along its rising diagonal.
-  static SizeTensor from_corners(const std::array<ControlNode, 4>& corners, Uv uv,
-                                 const SizeField::Sample& sample) {
+  /// What the triangle gives at a sample if the cell is cut along its rising diagonal.
+  SizeTensor from_corners(const std::array<ControlNode, 4>& corners, Uv uv,
+                          const SizeField::Sample& sample) const {
     const bool is_below =
         cross(corners[2].uv - corners[0].uv, uv - corners[0].uv) < 0;
-    const std::array<const ControlNode*, 3> nodes = {&corners[0], &corners[is_below ? 1 : 3],
-                                                     &corners[2]};
+    const std::array<const ControlNode*, 3> nodes = {&corners[0], &corners[is_below ? 1 : 2],
+                                                     &corners[is_below ? 2 : 3]};
     std::array<SizeTensor, 3> sizes;
+    for (std::size_t k = 0; k < 3; ++k) sizes[k] = nodes[k]->size;
+    if (!options_.by_distance) {
+      return interpolate_linearly(sizes, {nodes[0]->uv, nodes[1]->uv, nodes[2]->uv}, uv);
+    }
     std::array<double, 3> distances{};
     for (std::size_t k = 0; k < 3; ++k) {
-      sizes[k] = nodes[k]->size;
       distances[k] = squared_distance(sample.form, uv - nodes[k]->uv);
     }
     return interpolate(sizes, distances);
@@ -245,7 +248,7 @@ class NodeChooser {
 
   const SizeField& field_;
   Domain domain_;
-  double precision_;
+  const ControlNodeOptions& options_;
   std::vector<ControlNode> nodes_;
   std::unordered_map<std::uint64_t, std::size_t> index_;
 };
@@ -289,7 +292,7 @@ std::vector<ControlNode> choose_control_nodes(const SizeField& field,
                                               const ControlNodeOptions& options) {
   check(options);
   if (options.regular > 0) return regular_nodes(field, options.regular);
-  return NodeChooser(field, options.precision).run();
+  return NodeChooser(field, options).run();
 }
 
 }  // namespace surfmesh

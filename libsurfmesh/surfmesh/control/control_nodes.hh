@@ -27,7 +27,7 @@ struct ControlNode {
 
 /// Cells shorter than this share of the elements wanted there need not be finer: elements cannot
 /// follow finer detail.
-inline constexpr double kLeastCellLength = 0.35;
+inline constexpr double kLeastCellLength = 0.3;
 
 /// How control nodes are placed.
 struct ControlNodeOptions {
@@ -37,6 +37,9 @@ struct ControlNodeOptions {
   /// Greatest conformity (max |ln λ|, DESIGN terms) between the exact field and one interpolated
   /// within a cell from its corners. Above 0.
   double precision = 0.1;
+  /// True for nodes whose sizes are averaged by inverse distances (V_s, V_t, V_o), of first order
+  /// only; false for linear interpolation, which needs far fewer.
+  bool by_distance = false;
 };
 
 void check(const ControlNodeOptions& options);

@@ -29,6 +29,7 @@ QueryCounts& QueryCounts::operator+=(const QueryCounts& other) {
   single += other.single;
   triangle += other.triangle;
   circles += other.circles;
+  linear += other.linear;
   grid += other.grid;
   extended += other.extended;
   reused += other.reused;

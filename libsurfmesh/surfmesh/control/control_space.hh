@@ -21,6 +21,7 @@ enum class Interpolation {
   Triangle,   ///< V_t: its three vertices
   Circles,    ///< V_o: the vertices of all triangles whose circumcircles contain the point
   Automatic,  ///< V_x: for each triangle the cheapest of these that is as good as V_o to epsilon
+  Linear,     ///< linear in the containing triangle: not in the paper, of second order
 };
 
 /// What is averaged.
@@ -38,7 +39,7 @@ enum class DiscLookup {
 /// How a control space answers.
 struct ControlSpaceOptions {
   double grade = 0;  ///< sizes grow by at most ln(grade) per unit of length; 0 is off, or >= 1
-  Interpolation interpolation = Interpolation::Triangle;
+  Interpolation interpolation = Interpolation::Linear;
   double epsilon = 0.1;  ///< eq. (6): conformity below which a cheaper interpolation is as good
   Blend blend = Blend::Linear;
   DiscLookup lookup = DiscLookup::Disc;
@@ -57,11 +58,12 @@ struct QueryCounts {
   std::size_t single = 0;    ///< by V_s
   std::size_t triangle = 0;  ///< by V_t
   std::size_t circles = 0;   ///< by V_o
+  std::size_t linear = 0;    ///< linearly in a triangle
   std::size_t grid = 0;      ///< by the cell of a grid
   std::size_t extended = 0;  ///< by an extended node alone
   std::size_t reused = 0;    ///< by the last answer
 
-  std::size_t total() const { return single + triangle + circles + grid + extended + reused; }
+  std::size_t total() const { return single + triangle + circles + linear + grid + extended + reused; }
   QueryCounts& operator+=(const QueryCounts& other);
   friend bool operator==(const QueryCounts&, const QueryCounts&) = default;
 };

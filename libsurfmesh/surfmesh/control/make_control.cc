@@ -66,6 +66,7 @@ ControlInput collect_control_input(const Surface& surface, const Sizing& sizing,
   }
   ControlNodeOptions own = options.nodes;
   own.precision = sources.precision().value_or(own.precision);
+  own.by_distance = options.space.interpolation != Interpolation::Linear;
   check(own);
   const SizeField field(surface, sizing, sources, diagonal, own.precision);
   std::vector<ControlNode> places = field_nodes(sources, field, sizing.grade > 0);

@@ -59,4 +59,28 @@ inline SizeTensor interpolate(const std::array<SizeTensor, 3>& sizes,
           a.h22 + (s1 * (b.h22 - a.h22) + s2 * (c.h22 - a.h22))};
 }
 
+/// Average size tensors at the corners of a triangle, counter-clockwise, linearly; at a point outside
+/// of it those of a point on its rim.
+///
+/// Linear in H, so of second order, and continuous over neighbouring triangles. Exact at the corners,
+/// and where all tensors are equal.
+inline SizeTensor interpolate_linearly(const std::array<SizeTensor, 3>& sizes,
+                                       const std::array<Uv, 3>& corners, Uv p) {
+  const Uv to_a = corners[0] - p, to_b = corners[1] - p, to_c = corners[2] - p;
+  const std::array<double, 3> areas = {std::max(0.0, cross(to_b, to_c)),
+                                       std::max(0.0, cross(to_c, to_a)),
+                                       std::max(0.0, cross(to_a, to_b))};
+  const double total = areas[0] + areas[1] + areas[2];
+  if (!(total > 0)) return sizes[0];
+  // Differences from the corner that weighs most.
+  const std::size_t i = areas[1] > areas[0] ? (areas[2] > areas[1] ? 2 : 1)
+                                            : (areas[2] > areas[0] ? 2 : 0);
+  const std::size_t j = i == 2 ? 0 : i + 1, k = j == 2 ? 0 : j + 1;
+  const double s = areas[j] / total, t = areas[k] / total;
+  const SizeTensor &a = sizes[i], &b = sizes[j], &c = sizes[k];
+  return {a.h11 + (s * (b.h11 - a.h11) + t * (c.h11 - a.h11)),
+          a.h12 + (s * (b.h12 - a.h12) + t * (c.h12 - a.h12)),
+          a.h22 + (s * (b.h22 - a.h22) + t * (c.h22 - a.h22))};
+}
+
 }  // namespace surfmesh

@@ -56,7 +56,8 @@ Json control_json(const Report::Control& control) {
           {"classes",
            {{"s", control.classes.single},
             {"t", control.classes.triangle},
-            {"o", control.classes.circles}}},
+            {"o", control.classes.circles},
+            {"linear", control.classes.linear}}},
           {"queries",
            {{"boundary", q.boundary.total()},
             {"triangulate", q.triangulate.total()},
@@ -67,6 +68,7 @@ Json control_json(const Report::Control& control) {
            {{"s", answers.single},
             {"t", answers.triangle},
             {"o", answers.circles},
+            {"linear", answers.linear},
             {"grid", answers.grid},
             {"extended", answers.extended},
             {"reused", answers.reused}}}};

@@ -50,6 +50,7 @@ struct Report {
     std::size_t single = 0;
     std::size_t triangle = 0;
     std::size_t circles = 0;
+    std::size_t linear = 0;
   };
 
   struct Control {

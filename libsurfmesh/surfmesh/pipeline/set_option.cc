@@ -203,10 +203,10 @@ constexpr auto kOptions = std::to_array<OptionEntry>({
     {"interpolation", false,
      [](Options& o, const Text& t) {
        o.control.space.interpolation =
-           static_cast<Interpolation>(t.choice({"s", "t", "o", "auto"}));
+           static_cast<Interpolation>(t.choice({"s", "t", "o", "auto", "linear"}));
      },
      [](const Options& o) -> OptionValue {
-       constexpr std::array names = {"s", "t", "o", "auto"};
+       constexpr std::array names = {"s", "t", "o", "auto", "linear"};
        return std::string(names[static_cast<std::size_t>(o.control.space.interpolation)]);
      }},
     {"epsilon", false,
