@@ -55,7 +55,7 @@ class AnySize : public ::testing::TestWithParam<std::tuple<Shape, double>> {
 
   const Model& model() const { return std::get<0>(GetParam()).model; }
   double size() const { return std::get<1>(GetParam()); }
-  const PolyMesh& mesh() const { return assembled_.assembly.mesh; }
+  const PolyMesh& mesh() const { return assembled_.mesh; }
 
   bool is_pole(const Vec3& p) const {
     return std::any_of(model().contours.begin(), model().contours.end(), [&](const Contour& c) {
@@ -73,7 +73,7 @@ TEST_P(AnySize, MakesAProperMesh) {
   EXPECT_EQ(topology.is_closed, std::get<0>(GetParam()).is_closed);
   EXPECT_EQ(topology.components, 1u);
   EXPECT_EQ(topology.split_vertices, 0u);
-  EXPECT_TRUE(assembled_.assembly.report.warnings.empty());
+  EXPECT_TRUE(assembled_.report.warnings.empty());
 }
 
 TEST_P(AnySize, GivesCornersTheParametersOfTheirPlace) {
@@ -152,14 +152,14 @@ Vec3 normal(const PolyMesh& mesh, FaceHandle fh) {
 
 TEST(Assemble, OrientsNeighboursAlike) {
   const Assembled result = assemble_with_size(testing::opposite_squares(), 0.2);
-  for (const FaceHandle fh : result.assembly.mesh.faces()) {
-    EXPECT_GT(normal(result.assembly.mesh, fh).z(), 0);
+  for (const FaceHandle fh : result.mesh.faces()) {
+    EXPECT_GT(normal(result.mesh, fh).z(), 0);
   }
 }
 
 TEST(Assemble, KeepsTheParametersOfATurnedPatch) {
   const Assembled result = assemble_with_size(testing::opposite_squares(), 0.2);
-  const PolyMesh& mesh = result.assembly.mesh;
+  const PolyMesh& mesh = result.mesh;
   const auto uv = require(mesh, keys::corner_uv);
   const auto patch = require(mesh, keys::face_patch);
   for (const auto fh : mesh.faces()) {
@@ -174,10 +174,10 @@ TEST(Assemble, KeepsTheParametersOfATurnedPatch) {
 
 TEST(Assemble, CutsAMobiusBandWithAWarning) {
   const Assembled result = assemble_with_size(testing::mobius_band(), 0.1);
-  testing::expect_valid(result.assembly.mesh);
-  EXPECT_EQ(measure_topology(result.assembly.mesh).euler, 1);
-  ASSERT_EQ(result.assembly.report.warnings.size(), 1u);
-  EXPECT_NE(result.assembly.report.warnings[0].find("cannot be oriented"), std::string::npos);
+  testing::expect_valid(result.mesh);
+  EXPECT_EQ(measure_topology(result.mesh).euler, 1);
+  ASSERT_EQ(result.report.warnings.size(), 1u);
+  EXPECT_NE(result.report.warnings[0].find("cannot be oriented"), std::string::npos);
 }
 
 /// How many vertices lie at each position, for positions with more than one.
@@ -196,22 +196,22 @@ std::vector<std::size_t> repeated_positions(const PolyMesh& mesh) {
 
 TEST(Assemble, CutsAMobiusBandAtEqualPositions) {
   const Assembled result = assemble_with_size(testing::mobius_band(), 0.1);
-  EXPECT_EQ(repeated_positions(result.assembly.mesh), std::vector<std::size_t>(7, 2));
+  EXPECT_EQ(repeated_positions(result.mesh), std::vector<std::size_t>(7, 2));
 }
 
 TEST(Assemble, CutsAnEdgeOfThreePatchesAtEqualPositions) {
   const Assembled result = assemble_with_size(testing::three_squares(), 0.1);
-  testing::expect_valid(result.assembly.mesh);
-  EXPECT_EQ(measure_topology(result.assembly.mesh).components, 3u);
-  EXPECT_EQ(repeated_positions(result.assembly.mesh), std::vector<std::size_t>(11, 3));
-  EXPECT_EQ(result.assembly.report.warnings.size(), 1u);
+  testing::expect_valid(result.mesh);
+  EXPECT_EQ(measure_topology(result.mesh).components, 3u);
+  EXPECT_EQ(repeated_positions(result.mesh), std::vector<std::size_t>(11, 3));
+  EXPECT_EQ(result.report.warnings.size(), 1u);
 }
 
 TEST(Assemble, HasNoVertexWithoutATriangle) {
   for (const Model& model : {testing::sphere_of(2), testing::cone_of(1)}) {
     const Assembled result = assemble_with_size(model, 0.3);
-    for (const VertexHandle vh : result.assembly.mesh.vertices()) {
-      EXPECT_FALSE(result.assembly.mesh.is_isolated(vh));
+    for (const VertexHandle vh : result.mesh.vertices()) {
+      EXPECT_FALSE(result.mesh.is_isolated(vh));
     }
   }
 }
@@ -219,7 +219,7 @@ TEST(Assemble, HasNoVertexWithoutATriangle) {
 TEST(Assemble, GivesTheSameMeshTwice) {
   const Model model = testing::torus_of(2);
   const Assembled first = assemble_with_size(model, 0.3), second = assemble_with_size(model, 0.3);
-  const PolyMesh &a = first.assembly.mesh, &b = second.assembly.mesh;
+  const PolyMesh &a = first.mesh, &b = second.mesh;
   ASSERT_EQ(a.n_vertices(), b.n_vertices());
   ASSERT_EQ(a.n_faces(), b.n_faces());
   for (const VertexHandle vh : a.vertices()) EXPECT_EQ(a.point(vh), b.point(vh));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <type_traits>
 
 namespace surfmesh {
 namespace {
@@ -111,16 +112,33 @@ TEST(BuildFaces, GivesTheTrianglesOfBuildTriangles) {
   }
 }
 
-TEST(SeparateFans, DuplicatesVerticesOfPolygons) {
-  const SeparatedFaces fans =
-      separate_fans(7, faces_of({{0, 1, 2, 3}, {2, 4, 5, 6}}));  // touch in vertex 2
-  EXPECT_EQ(fans.old_vertex, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 2}));
-  EXPECT_EQ(fans.cut_edges, 0u);
-  EXPECT_EQ(fans.faces[1][0], 7);
-  const SeparatedFaces sheets =
-      separate_fans(8, faces_of({{0, 1, 2, 3}, {1, 0, 4, 5}, {0, 1, 6, 7}}));
-  EXPECT_EQ(sheets.cut_edges, 3u);
-  EXPECT_EQ(sheets.old_vertex.size(), 12u);
+TEST(BuildFaces, DuplicatesAVertexInWhichFacesTouch) {
+  PolyMesh mesh;
+  const Separation separation = build_faces(mesh, 7, faces_of({{0, 1, 2, 3}, {2, 4, 5, 6}}));
+  EXPECT_EQ(separation.copied, std::vector<int>{2});
+  EXPECT_EQ(separation.cut_edges, 0u);
+  EXPECT_EQ(mesh.n_vertices(), 8u);
+  EXPECT_EQ(mesh.fv_begin(FaceHandle(1))->idx(), 7);
+  expect_linked(mesh);
+}
+
+TEST(BuildFaces, CutsSheetsThatMeetInOneEdge) {
+  PolyMesh mesh;
+  const Separation separation =
+      build_faces(mesh, 8, faces_of({{0, 1, 2, 3}, {1, 0, 4, 5}, {0, 1, 6, 7}}));
+  EXPECT_EQ(separation.cut_edges, 3u);
+  EXPECT_EQ(separation.copied, (std::vector<int>{1, 0, 0, 1}));
+  expect_linked(mesh);
+}
+
+TEST(BuildTriangles, GluesTwinsAsTheirVerticesWould) {
+  TriMesh by_vertices, by_twins;
+  build_triangles(by_vertices, 5, kFan);
+  const std::vector<int> twins = {-1, 5, 10, -1, 8, 1, -1, 11, 4, -1, 2, 7};
+  build_triangles(by_twins, 5, kFan, twins);
+  EXPECT_EQ(triangles_of(by_twins), triangles_of(by_vertices));
+  EXPECT_EQ(by_twins.n_edges(), by_vertices.n_edges());
+  expect_linked(by_twins);
 }
 
 TEST(Flip, SwapsTheDiagonalAndKeepsThePropertyOfTheEdge) {
@@ -206,6 +224,66 @@ TEST_F(FillCavity, SplitsABoundaryEdgeAndKeepsItsConstraintOnBothParts) {
   EXPECT_EQ(mesh_.property(constrained_, mesh_.edge_handle(halfedge(5, 1))), 1);
   EXPECT_EQ(mesh_.property(constrained_, mesh_.edge_handle(halfedge(5, 4))), 0);
   expect_linked(mesh_);
+}
+
+/// A hexagon with two vertices inside, 6 and 7, both joined to 0 and 3.
+const Triangles kHexagon = {{0, 1, 6}, {1, 2, 6}, {2, 3, 6}, {0, 6, 7}, {6, 3, 7},
+                            {3, 4, 7}, {4, 5, 7}, {5, 0, 7}};
+
+class Collapse : public testing::Test {
+ protected:
+  Collapse() { build_triangles(mesh_, 8, kHexagon); }
+
+  void collapse_edge(int from, int to) {
+    ElementPool pool(mesh_);
+    const auto id = attach(mesh_, keys::edge_contour, -1);
+    for (const EdgeHandle eh : mesh_.edges()) mesh_.property(id, eh) = eh.idx();
+    const HalfedgeHandle heh = mesh_.find_halfedge(VertexHandle(from), VertexHandle(to));
+    pool.take_out(collapse(mesh_, heh), [&]<class Handle>(Handle old, Handle place) {
+      if constexpr (std::is_same_v<Handle, EdgeHandle>) {
+        mesh_.property(id, place) = mesh_.property(id, old);
+      }
+    });
+    pool.shrink();
+  }
+
+  TriMesh mesh_;
+};
+
+TEST_F(Collapse, MergesAnInnerVertexIntoItsNeighbour) {
+  collapse_edge(6, 1);
+  // Vertex 7, the last, has taken the number 6.
+  EXPECT_EQ(triangles_of(mesh_),
+            (std::set<std::array<int, 3>>{
+                {1, 2, 3}, {0, 1, 6}, {1, 3, 6}, {3, 4, 6}, {4, 5, 6}, {0, 6, 5}}));
+  expect_linked(mesh_);
+}
+
+TEST_F(Collapse, MergesInnerVertices) {
+  collapse_edge(7, 6);
+  EXPECT_EQ(triangles_of(mesh_),
+            (std::set<std::array<int, 3>>{
+                {0, 1, 6}, {1, 2, 6}, {2, 3, 6}, {3, 4, 6}, {4, 5, 6}, {0, 6, 5}}));
+  expect_linked(mesh_);
+}
+
+TEST_F(Collapse, KeepsThePropertiesOfWhatStays) {
+  const EdgeHandle kept = mesh_.edge_handle(mesh_.find_halfedge(VertexHandle(4), VertexHandle(5)));
+  collapse_edge(6, 1);
+  const EdgeHandle now = mesh_.edge_handle(mesh_.find_halfedge(VertexHandle(4), VertexHandle(5)));
+  EXPECT_EQ(mesh_.property(require(mesh_, keys::edge_contour), now), kept.idx());
+}
+
+TEST_F(Collapse, OfAVertexOfThreeTrianglesLeavesOne) {
+  TriMesh mesh;
+  build_triangles(mesh, 4, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+  ElementPool pool(mesh);
+  pool.take_out(collapse(mesh, mesh.find_halfedge(VertexHandle(3), VertexHandle(1))),
+                [](auto, auto) {});
+  pool.shrink();
+  EXPECT_EQ(triangles_of(mesh), (std::set<std::array<int, 3>>{{0, 1, 2}}));
+  EXPECT_EQ(mesh.n_edges(), 3u);
+  expect_linked(mesh);
 }
 
 }  // namespace

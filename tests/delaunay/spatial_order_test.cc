@@ -81,5 +81,24 @@ TEST(SpatialOrder, SpreadsTheFirstPointsOverTheWhole) {
   for (const int count : quarters) EXPECT_GT(count, 20);
 }
 
+TEST(CellOrder, HasEveryPointOnce) {
+  for (const int count : {0, 1, 2, 5, 1000}) {
+    std::vector<int> order = cell_order(random_points(count, 3));
+    std::sort(order.begin(), order.end());
+    for (int i = 0; i < count; ++i) EXPECT_EQ(order[static_cast<std::size_t>(i)], i);
+    EXPECT_EQ(order.size(), static_cast<std::size_t>(count));
+  }
+}
+
+TEST(CellOrder, PutsNeighboursNextToEachOther) {
+  const std::vector<Uv> points = random_points(10'000, 3);
+  // Up to four points share a cell, in any order.
+  EXPECT_LT(mean_step(points, cell_order(points)), 3 / std::sqrt(10'000.0));
+}
+
+TEST(CellOrder, KeepsTheOrderOfPointsAtOnePlace) {
+  EXPECT_EQ(cell_order(std::vector<Uv>(5, {0.3, 0.4})), (std::vector<int>{0, 1, 2, 3, 4}));
+}
+
 }  // namespace
 }  // namespace surfmesh

@@ -230,5 +230,46 @@ TEST(RefineScales, DoNotChangeTheMesh) {
   EXPECT_EQ(delaunay->n_faces(), refined(field, {})->n_faces());
 }
 
+/// Elements of aspect 1,000 whose direction turns by `turns` radians over the unit square.
+FunctionField turning_field(double turns) {
+  return FunctionField([turns](Uv p) {
+    const double angle = turns * p.v;
+    return testing::directed_metric({std::cos(angle), std::sin(angle)}, 0.3, 0.0003);
+  });
+}
+
+TEST(RefineAstray, IsGivenUpAtThreeTimesThePredictedCount) {
+  const FunctionField field = turning_field(30);
+  const auto delaunay = testing::empty_square(field);
+  const auto boundary = static_cast<double>(delaunay->n_faces());
+  const RefineReport report = refine(*delaunay, field);
+  EXPECT_TRUE(report.is_stopped);
+  // √det M is the same everywhere.
+  const double predicted = 1 / (0.3 * 0.0003) / (std::numbers::sqrt3 / 4);
+  EXPECT_LT(static_cast<double>(delaunay->n_faces()) - boundary, 3.1 * predicted);
+  EXPECT_NEAR(testing::valid_area(*delaunay), 1, 1e-12);
+}
+
+TEST(RefineAstray, IsNotFoundWhereElementsCanFollow) {
+  for (const FunctionField& field :
+       {testing::four_point_field(), testing::shock_field(1000), testing::ring_field(1e-4)}) {
+    const auto delaunay = testing::empty_square(field);
+    EXPECT_FALSE(refine(*delaunay, field).is_stopped);
+  }
+}
+
+TEST(RefineOrder, PutsNeighboursNextToEachOther) {
+  const FunctionField field = testing::isotropic_field(0.01);
+  const auto delaunay = testing::empty_square(field);
+  const std::size_t boundary = delaunay->n_vertices();
+  refine(*delaunay, field);
+  double sum = 0;
+  const std::vector<Uv> at = positions(*delaunay);
+  for (std::size_t i = boundary + 1; i < at.size(); ++i) {
+    sum += std::hypot(at[i].u - at[i - 1].u, at[i].v - at[i - 1].v);
+  }
+  EXPECT_LT(sum / static_cast<double>(at.size() - boundary), 0.03);
+}
+
 }  // namespace
 }  // namespace surfmesh

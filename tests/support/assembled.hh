@@ -32,7 +32,8 @@ class SpaceSizeField : public MetricField {
 
 /// An assembly and the contour nodes it was made of.
 struct Assembled {
-  Assembly assembly;
+  PolyMesh mesh;
+  AssembleReport report;
   std::vector<ContourNodes> nodes;
   std::size_t chords = 0;  ///< that were split
   std::size_t turned = 0;  ///< triangles against the surface
@@ -76,7 +77,7 @@ inline Assembled assemble_with_size(const Model& model, double size) {
     evaluate_vertices(patch);
     result.turned += count_turned_triangles(patch);
   }
-  result.assembly = assemble(model, result.nodes, numbers, patches);
+  result.report = assemble(result.mesh, model, result.nodes, numbers, patches);
   return result;
 }
 

@@ -5,6 +5,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
 
 #include "surfmesh/assemble/orientation.hh"
 #include "surfmesh/core/properties.hh"
@@ -20,115 +23,142 @@ struct CornerValue {
   Metric metric;
 };
 
-/// All triangles of the result before they are linked.
-struct TriangleSoup {
-  std::vector<std::array<int, 3>> triangles;
-  std::vector<std::array<CornerValue, 3>> corners;
-  std::vector<std::array<int, 3>> contours;  ///< of the side from corner k to the next; -1 inside
-  std::vector<int> patches;
-  std::vector<Vec3> points;  ///< by vertex
+/// The vertices of a triangle, the corners of which they are, and its sides.
+struct PatchTriangle {
+  std::array<int, 3> vertices{};
+  std::array<CornerValue, 3> corners;
+  std::array<int, 3> contours{};  ///< of the side from corner k to the next; -1 inside
+  /// Halfedges of the domain mesh, of the same sides; invalid in a pole's fan.
+  std::array<HalfedgeHandle, 3> sides;
 
-  void reserve(std::size_t triangle_count) {
-    triangles.reserve(triangle_count);
-    corners.reserve(triangle_count);
-    contours.reserve(triangle_count);
-    patches.reserve(triangle_count);
-    points.reserve(points.size() + triangle_count / 2);  // about as many as a closed mesh has
+  bool is_collapsed() const {
+    return vertices[0] == vertices[1] || vertices[1] == vertices[2] || vertices[2] == vertices[0];
+  }
+
+  void turn() {
+    std::swap(vertices[1], vertices[2]);
+    std::swap(corners[1], corners[2]);
+    std::swap(contours[0], contours[2]);
+    std::swap(sides[0], sides[2]);
   }
 };
 
-class PatchCollector {
+/// The triangles of one patch with vertices of the result, oriented like those of its neighbours.
+class PatchTriangles {
  public:
-  PatchCollector(const PatchMesh& patch, int index, bool is_turned, TriangleSoup& soup)
-      : patch_(patch),
-        index_(index),
-        is_turned_(is_turned),
-        soup_(soup) {}
-
-  void run() {
-    number_vertices();
-    const TriMesh& mesh = patch_.delaunay->mesh();
-    for (std::size_t f = 0; f < patch_.delaunay->n_faces(); ++f) {
-      add_face(mesh.halfedge_handle(FaceHandle(static_cast<int>(f))));
-    }
-    for (const PoleFan& fan : patch_.boundary.fans) add_fan(fan);
-  }
-
- private:
-  void number_vertices() {
-    const DelaunayMesh& delaunay = *patch_.delaunay;
+  /// Adds the positions of the patch's own vertices.
+  PatchTriangles(const PatchMesh& patch, bool is_turned, std::vector<Vec3>& points)
+      : patch_(patch), is_turned_(is_turned) {
     vertices_ = boundary_vertices(patch_.boundary);
     for (const BoundaryLoop& loop : patch_.boundary.loops) {
       for (const BoundaryNode& node : loop) contours_.push_back(node.contour);
     }
-    vertices_.resize(delaunay.n_vertices(), -1);
+    vertices_.resize(patch_.delaunay->n_vertices(), -1);
     for (std::size_t v = 0; v < vertices_.size(); ++v) {
       if (vertices_[v] >= 0) continue;
-      vertices_[v] = static_cast<int>(soup_.points.size());
-      soup_.points.push_back(patch_.points[v]);
+      vertices_[v] = static_cast<int>(points.size());
+      points.push_back(patch_.points[v]);
     }
   }
 
+  std::size_t halfedge_count() const { return 2 * patch_.delaunay->n_edges(); }
+
+  HalfedgeHandle opposite(HalfedgeHandle heh) const {
+    return patch_.delaunay->mesh().opposite_halfedge_handle(heh);
+  }
+
+  /// Call `visit` for every triangle, always in the same order; triangles that collapse at a pole
+  /// are left out.
+  template <class Visit>
+  void for_each(Visit visit) const {
+    const auto visit_turned = [&](PatchTriangle triangle) {
+      if (triangle.is_collapsed()) return;
+      if (is_turned_) triangle.turn();
+      visit(triangle);
+    };
+    const TriMesh& mesh = patch_.delaunay->mesh();
+    for (std::size_t f = 0; f < patch_.delaunay->n_faces(); ++f) {
+      visit_turned(triangle_at(mesh.halfedge_handle(FaceHandle(static_cast<int>(f)))));
+    }
+    for (const PoleFan& fan : patch_.boundary.fans) {
+      for (std::size_t i = 0; i + 1 < fan.ring.size(); ++i) visit_turned(triangle_of(fan, i));
+    }
+  }
+
+ private:
   CornerValue value(std::size_t v) const {
     const VertexHandle vh(static_cast<int>(v));
     return {patch_.delaunay->uv(vh), patch_.delaunay->metric(vh)};
   }
 
-  void add_face(HalfedgeHandle first) {
+  PatchTriangle triangle_at(HalfedgeHandle heh) const {
     const TriMesh& mesh = patch_.delaunay->mesh();
-    std::array<std::size_t, 3> v{};
-    std::array<int, 3> contours{};
-    HalfedgeHandle heh = first;
+    PatchTriangle triangle;
     for (std::size_t k = 0; k < 3; ++k, heh = mesh.next_halfedge_handle(heh)) {
-      v[k] = static_cast<std::size_t>(mesh.from_vertex_handle(heh).idx());
-      contours[k] = mesh.is_boundary(mesh.opposite_halfedge_handle(heh)) ? contours_[v[k]] : -1;
+      const auto v = static_cast<std::size_t>(mesh.from_vertex_handle(heh).idx());
+      triangle.vertices[k] = vertices_[v];
+      triangle.corners[k] = value(v);
+      triangle.contours[k] =
+          mesh.is_boundary(mesh.opposite_halfedge_handle(heh)) ? contours_[v] : -1;
+      triangle.sides[k] = heh;
     }
-    std::array<int, 3> triangle{};
-    std::array<CornerValue, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) {
-      triangle[k] = vertices_[v[k]];
-      corners[k] = value(v[k]);
-    }
-    add(triangle, corners, contours);
+    return triangle;
   }
 
-  void add_fan(const PoleFan& fan) {
+  PatchTriangle triangle_of(const PoleFan& fan, std::size_t i) const {
     const std::size_t count = fan.ring.size() - 1;
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto near = static_cast<std::size_t>(fan.ring[i]);
-      const auto far = static_cast<std::size_t>(fan.ring[i + 1]);
-      const CornerValue first = value(near), second = value(far);
-      // The metric is singular at the pole; its corner takes that of the ring.
-      const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-      const CornerValue pole{point_on_pole(fan, share), mean(first.metric, second.metric)};
-      const int from = i + 1 == count ? fan.contour_from : -1;
-      const int to = i == 0 ? fan.contour_to : -1;
-      add({fan.pole, vertices_[far], vertices_[near]}, {pole, second, first}, {from, -1, to});
-    }
-  }
-
-  void add(std::array<int, 3> triangle, std::array<CornerValue, 3> corners,
-           std::array<int, 3> contours) {
-    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) {
-      return;
-    }
-    if (is_turned_) {
-      std::swap(triangle[1], triangle[2]);
-      std::swap(corners[1], corners[2]);
-      std::swap(contours[0], contours[2]);
-    }
-    soup_.triangles.push_back(triangle);
-    soup_.corners.push_back(corners);
-    soup_.contours.push_back(contours);
-    soup_.patches.push_back(index_);
+    const auto near = static_cast<std::size_t>(fan.ring[i]);
+    const auto far = static_cast<std::size_t>(fan.ring[i + 1]);
+    const CornerValue first = value(near), second = value(far);
+    // The metric is singular at the pole; its corner takes that of the ring.
+    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+    const CornerValue pole{point_on_pole(fan, share), mean(first.metric, second.metric)};
+    const int from = i + 1 == count ? fan.contour_from : -1;
+    const int to = i == 0 ? fan.contour_to : -1;
+    PatchTriangle triangle;
+    triangle.vertices = {fan.pole, vertices_[far], vertices_[near]};
+    triangle.corners = {pole, second, first};
+    triangle.contours = {from, -1, to};
+    return triangle;
   }
 
   const PatchMesh& patch_;
-  int index_;
   bool is_turned_;
-  TriangleSoup& soup_;
   std::vector<int> vertices_;  ///< result vertex of each vertex of the domain mesh
   std::vector<int> contours_;  ///< of the segment after each boundary node
+};
+
+/// All triangles of the result before they are linked.
+struct TriangleSoup {
+  std::vector<std::array<int, 3>> triangles;
+  /// Of each side the one it is glued to within its patch, -1 for none: see build_triangles.
+  std::vector<int> twins;
+
+  void reserve(std::size_t count) {
+    triangles.reserve(count);
+    twins.reserve(3 * count);
+  }
+
+  void add(const PatchTriangles& patch) {
+    const std::size_t first = triangles.size();
+    std::vector<int> side_of(patch.halfedge_count(), -1);
+    std::vector<HalfedgeHandle> halfedges;
+    halfedges.reserve(side_of.size());
+    patch.for_each([&](const PatchTriangle& triangle) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        halfedges.push_back(triangle.sides[k]);
+        if (!triangle.sides[k].is_valid()) continue;
+        side_of[static_cast<std::size_t>(triangle.sides[k].idx())] =
+            static_cast<int>(3 * triangles.size() + k);
+      }
+      triangles.push_back(triangle.vertices);
+    });
+    twins.resize(3 * triangles.size(), -1);
+    for (std::size_t i = 0; i < halfedges.size(); ++i) {
+      if (!halfedges[i].is_valid()) continue;
+      twins[3 * first + i] = side_of[static_cast<std::size_t>(patch.opposite(halfedges[i]).idx())];
+    }
+  }
 };
 
 std::vector<Vec3> contour_points(const Model& model, const std::vector<ContourNodes>& nodes,
@@ -145,75 +175,88 @@ std::vector<Vec3> contour_points(const Model& model, const std::vector<ContourNo
 }
 
 /// Drop vertices that no triangle has (of cage faces without a surface).
-void drop_unused(TriangleSoup& soup) {
-  std::vector<int> number(soup.points.size(), -1);
-  for (const auto& triangle : soup.triangles) {
-    for (const int v : triangle) number[static_cast<std::size_t>(v)] = 0;
+void drop_unused(std::vector<Vec3>& points, std::vector<std::array<int, 3>>& triangles) {
+  std::vector<char> is_used(points.size(), 0);
+  for (const auto& triangle : triangles) {
+    for (const int v : triangle) is_used[static_cast<std::size_t>(v)] = 1;
   }
+  if (std::find(is_used.begin(), is_used.end(), 0) == is_used.end()) return;
+  std::vector<int> number(points.size(), -1);
   int count = 0;
   for (std::size_t v = 0; v < number.size(); ++v) {
-    if (number[v] < 0) continue;
-    soup.points[static_cast<std::size_t>(count)] = soup.points[v];
+    if (!is_used[v]) continue;
+    points[static_cast<std::size_t>(count)] = points[v];
     number[v] = count++;
   }
-  soup.points.resize(static_cast<std::size_t>(count));
-  for (auto& triangle : soup.triangles) {
+  points.resize(static_cast<std::size_t>(count));
+  for (auto& triangle : triangles) {
     for (int& v : triangle) v = number[static_cast<std::size_t>(v)];
   }
 }
 
-void write_properties(const TriangleSoup& soup, PolyMesh& mesh) {
-  const auto patch = attach(mesh, keys::face_patch, -1);
+void set_points(const std::vector<Vec3>& points, const std::vector<int>& copied, PolyMesh& mesh) {
+  for (std::size_t v = 0; v < mesh.n_vertices(); ++v) {
+    const std::size_t from =
+        v < points.size() ? v : static_cast<std::size_t>(copied[v - points.size()]);
+    mesh.set_point(VertexHandle(static_cast<int>(v)), to_openmesh(points[from]));
+  }
+}
+
+/// Faces are in the order of the triangles, their halfedges at the sides from corner 0.
+void write_properties(const std::vector<PatchTriangles>& patches, PolyMesh& mesh) {
+  const auto patch_of = attach(mesh, keys::face_patch, -1);
   const auto contour = attach(mesh, keys::edge_contour, -1);
   const auto uv = attach(mesh, keys::corner_uv);
   const auto metric = attach(mesh, keys::corner_metric);
-  for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
-    const FaceHandle fh(static_cast<int>(f));
-    mesh.property(patch, fh) = soup.patches[f];
-    HalfedgeHandle heh = mesh.halfedge_handle(fh);
-    for (std::size_t k = 0; k < 3; ++k, heh = mesh.next_halfedge_handle(heh)) {
-      const CornerValue& tip = soup.corners[f][(k + 1) % 3];
-      mesh.property(uv, heh) = tip.uv;
-      mesh.property(metric, heh) = tip.metric;
-      if (soup.contours[f][k] >= 0) {
-        mesh.property(contour, mesh.edge_handle(heh)) = soup.contours[f][k];
+  int face = 0;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    patches[p].for_each([&](const PatchTriangle& triangle) {
+      const FaceHandle fh(face++);
+      mesh.property(patch_of, fh) = static_cast<int>(p);
+      HalfedgeHandle heh = mesh.halfedge_handle(fh);
+      for (std::size_t k = 0; k < 3; ++k, heh = mesh.next_halfedge_handle(heh)) {
+        const CornerValue& tip = triangle.corners[(k + 1) % 3];
+        mesh.property(uv, heh) = tip.uv;
+        mesh.property(metric, heh) = tip.metric;
+        if (triangle.contours[k] >= 0) {
+          mesh.property(contour, mesh.edge_handle(heh)) = triangle.contours[k];
+        }
       }
-    }
+    });
   }
 }
 
 }  // namespace
 
-Assembly assemble(const Model& model, const std::vector<ContourNodes>& nodes,
-                  const NodeNumbers& numbers, const std::vector<PatchMesh>& patches) {
+AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<ContourNodes>& nodes,
+                        const NodeNumbers& numbers, const std::vector<PatchMesh>& patches) {
   const PatchOrientation orientation = orient_patches(model);
-  TriangleSoup soup;
-  soup.points = contour_points(model, nodes, numbers);
+  std::vector<Vec3> points = contour_points(model, nodes, numbers);
   std::size_t triangle_count = 0;
   for (const PatchMesh& patch : patches) triangle_count += patch.delaunay->n_faces();
+  points.reserve(points.size() + triangle_count / 2);  // about as many as a closed mesh has
+  TriangleSoup soup;
   soup.reserve(triangle_count);
+  std::vector<PatchTriangles> triangles;
+  triangles.reserve(patches.size());
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    PatchCollector(patches[p], static_cast<int>(p), orientation.is_turned[p] != 0, soup)
-        .run();
+    triangles.emplace_back(patches[p], orientation.is_turned[p] != 0, points);
+    soup.add(triangles.back());
   }
-  drop_unused(soup);
+  drop_unused(points, soup.triangles);
 
-  SeparatedFans separated = separate_fans(soup.points.size(), soup.triangles);
-  Assembly result;
-  if (separated.cut_edges > 0) {
-    result.report.warnings.push_back(
+  const Separation separation =
+      build_triangles(mesh, points.size(), soup.triangles, std::span<const int>(soup.twins));
+  AssembleReport report;
+  if (separation.cut_edges > 0) {
+    report.warnings.push_back(
         fmt::format("{} sides of triangles are left open where three or more patches meet, or "
                     "where the surface cannot be oriented",
-                    separated.cut_edges));
+                    separation.cut_edges));
   }
-  soup.triangles = std::move(separated.triangles);
-  build_triangles(result.mesh, separated.old_vertex.size(), soup.triangles);
-  for (std::size_t v = 0; v < separated.old_vertex.size(); ++v) {
-    result.mesh.set_point(VertexHandle(static_cast<int>(v)),
-                          to_openmesh(soup.points[static_cast<std::size_t>(separated.old_vertex[v])]));
-  }
-  write_properties(soup, result.mesh);
-  return result;
+  set_points(points, separation.copied, mesh);
+  write_properties(triangles, mesh);
+  return report;
 }
 
 }  // namespace surfmesh

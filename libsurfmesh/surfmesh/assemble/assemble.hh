@@ -13,12 +13,7 @@ struct AssembleReport {
   std::vector<std::string> warnings;
 };
 
-struct Assembly {
-  PolyMesh mesh;
-  AssembleReport report;
-};
-
-/// Join the meshes of all patches to one.
+/// Join the meshes of all patches to one, in a mesh without elements.
 ///
 /// Vertices on contours are the same by the numbers of their nodes, never by distance; several
 /// vertices of a domain may become one (seams, poles), and a triangle that collapses is left out.
@@ -28,9 +23,9 @@ struct Assembly {
 ///
 /// Writes   point(); surf:patch (face), surf:contour (edge), surf:uv and surf:metric (halfedge, at
 ///          its tip)
-/// Cost     O(n log n) for the connectivity
+/// Cost     O(n), about 200 ns a triangle; O(n log n) for the sides at contours
 /// Pre      split_improper_chords and evaluate_vertices have been called
-Assembly assemble(const Model& model, const std::vector<ContourNodes>& nodes,
-                  const NodeNumbers& numbers, const std::vector<PatchMesh>& patches);
+AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<ContourNodes>& nodes,
+                        const NodeNumbers& numbers, const std::vector<PatchMesh>& patches);
 
 }  // namespace surfmesh

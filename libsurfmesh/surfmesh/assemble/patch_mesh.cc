@@ -110,6 +110,8 @@ std::size_t split_one_of(std::vector<PatchMesh>& patches, const std::vector<Chor
 }  // namespace
 
 void evaluate_vertices(PatchMesh& patch) {
+  patch.points.reserve(patch.delaunay->n_vertices());
+  patch.normals.reserve(patch.delaunay->n_vertices());
   for (std::size_t v = patch.points.size(); v < patch.delaunay->n_vertices(); ++v) {
     const Uv uv = patch.delaunay->uv(VertexHandle(static_cast<int>(v)));
     const Jet jet = patch.surface->evaluate(uv, Order::First);

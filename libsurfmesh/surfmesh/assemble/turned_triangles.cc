@@ -64,13 +64,27 @@ EdgeHandle swap_or_choose(PatchMesh& patch, FaceHandle fh) {
   return longest.is_valid() ? mesh.edge_handle(longest) : EdgeHandle();
 }
 
+std::size_t count_turned_in_fans(const PatchMesh& patch) {
+  std::size_t count = 0;
+  for (const PoleFan& fan : patch.boundary.fans) {
+    const Vec3 pole = patch.surface->evaluate(fan.sides.front(), Order::Position).point;
+    for (std::size_t i = 0; i + 1 < fan.ring.size(); ++i) {
+      const auto near = static_cast<std::size_t>(fan.ring[i]);
+      const auto far = static_cast<std::size_t>(fan.ring[i + 1]);
+      const Vec3 normal = (patch.points[far] - pole).cross(patch.points[near] - pole);
+      if (normal.dot(patch.normals[near] + patch.normals[far]) <= 0) ++count;
+    }
+  }
+  return count;
+}
+
 }  // namespace
 
 bool is_turned(const PatchMesh& patch, FaceHandle fh) {
   return is_turned(patch, vertices(patch.delaunay->mesh(), fh));
 }
 
-void mend_turned_triangles(PatchMesh& patch) {
+std::size_t mend_turned_triangles(PatchMesh& patch) {
   std::vector<FaceHandle> faces = turned_faces(patch);
   std::size_t least = faces.size();
   int failures = 0;
@@ -90,20 +104,11 @@ void mend_turned_triangles(PatchMesh& patch) {
     if (faces.size() >= least) ++failures;
     least = std::min(least, faces.size());
   }
+  return faces.size() + count_turned_in_fans(patch);
 }
 
 std::size_t count_turned_triangles(const PatchMesh& patch) {
-  std::size_t count = turned_faces(patch).size();
-  for (const PoleFan& fan : patch.boundary.fans) {
-    const Vec3 pole = patch.surface->evaluate(fan.sides.front(), Order::Position).point;
-    for (std::size_t i = 0; i + 1 < fan.ring.size(); ++i) {
-      const auto near = static_cast<std::size_t>(fan.ring[i]);
-      const auto far = static_cast<std::size_t>(fan.ring[i + 1]);
-      const Vec3 normal = (patch.points[far] - pole).cross(patch.points[near] - pole);
-      if (normal.dot(patch.normals[near] + patch.normals[far]) <= 0) ++count;
-    }
-  }
-  return count;
+  return turned_faces(patch).size() + count_turned_in_fans(patch);
 }
 
 }  // namespace surfmesh

@@ -21,7 +21,8 @@ std::size_t count_turned_triangles(const PatchMesh& patch);
 ///
 /// Writes   surf:uv, surf:metric of new vertices; points and normals of the patch
 /// Some may stay turned: those at a contour whose own segments are too long.
+/// Returns  how many are turned at the end, those of fans around poles among them
 /// Cost     O(faces) if none is turned
-void mend_turned_triangles(PatchMesh& patch);
+std::size_t mend_turned_triangles(PatchMesh& patch);
 
 }  // namespace surfmesh

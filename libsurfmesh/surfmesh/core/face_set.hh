@@ -38,8 +38,6 @@ class FaceList {
     vertices_.reserve(corners);
   }
 
-  void set_vertex(std::size_t corner, int vertex) { vertices_[corner] = vertex; }
-
   friend bool operator==(const FaceList&, const FaceList&) = default;
 
  private:

@@ -59,21 +59,25 @@ struct Side {
   bool is_rising;  ///< leads from the smaller to the larger vertex
 };
 
-/// Sides of all faces sorted by their smaller, then by their larger vertex.
+/// Some sides sorted by their smaller, then by their larger vertex.
 class SideTable {
  public:
   template <class Corners>
-  SideTable(std::size_t vertex_count, const Corners& corners)
-      : first_(vertex_count + 1, 0), sides_(corners.count()) {
-    const auto smaller = [&corners](std::size_t c) {
-      return static_cast<std::size_t>(std::min(corners.vertex(c), corners.vertex(corners.next(c))));
+  SideTable(std::size_t vertex_count, const Corners& corners, const std::vector<int>& sides)
+      : first_(vertex_count + 1, 0), sides_(sides.size()) {
+    const auto ends = [&corners](int side) {
+      const auto c = static_cast<std::size_t>(side);
+      return std::pair(corners.vertex(c), corners.vertex(corners.next(c)));
     };
-    for (std::size_t c = 0; c < corners.count(); ++c) ++first_[smaller(c) + 1];
+    const auto smaller = [](std::pair<int, int> side) {
+      return static_cast<std::size_t>(std::min(side.first, side.second));
+    };
+    for (const int side : sides) ++first_[smaller(ends(side)) + 1];
     for (std::size_t v = 0; v < vertex_count; ++v) first_[v + 1] += first_[v];
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t c = 0; c < corners.count(); ++c) {
-      const int a = corners.vertex(c), b = corners.vertex(corners.next(c));
-      sides_[next[smaller(c)]++] = {std::max(a, b), static_cast<int>(c), a < b};
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (const int side : sides) {
+      const auto [a, b] = ends(side);
+      sides_[next[smaller({a, b})]++] = {std::max(a, b), side, a < b};
     }
     for (std::size_t v = 0; v < vertex_count; ++v) {
       std::sort(begin(v), begin(v + 1), [](const Side& a, const Side& b) {
@@ -100,7 +104,7 @@ class SideTable {
     return sides_.begin() + static_cast<std::ptrdiff_t>(first_[v]);
   }
 
-  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> first_;
   std::vector<Side> sides_;
 };
 
@@ -115,16 +119,28 @@ class HalfedgeAssignment {
 
   std::size_t edge_count() const { return count_; }
 
-  void assign(SideTable& table) {
-    table.for_each_edge([this](auto first, auto last) {
+  /// Glue sides to their twins, those without one (-1, or no twins at all) by their vertices.
+  /// Returns  the number of sides left open though others have their vertices
+  std::size_t assign(std::size_t vertex_count, std::span<const int> twins) {
+    std::vector<int> others;
+    for (std::size_t side = 0; side < halfedge_of_.size(); ++side) {
+      const int twin = twins.empty() ? -1 : twins[side];
+      if (twin < 0) {
+        others.push_back(static_cast<int>(side));
+      } else if (twin > static_cast<int>(side)) {
+        glue(static_cast<int>(side), twin);
+      }
+    }
+    std::size_t cut = 0;
+    SideTable(vertex_count, corners_, others).for_each_edge([&](auto first, auto last) {
       if (last - first == 2 && first->is_rising != first[1].is_rising) {
-        give(first->index, 2 * count_);
-        give(first[1].index, 2 * count_ + 1);
-        ++count_;
+        glue(first->index, first[1].index);
         return;
       }
+      if (last - first > 1) cut += static_cast<std::size_t>(last - first);
       for (; first != last; ++first) give(first->index, 2 * count_++);
     });
+    return cut;
   }
 
   void set_vertices() {
@@ -137,6 +153,12 @@ class HalfedgeAssignment {
   }
 
  private:
+  void glue(int side, int twin) {
+    give(side, 2 * count_);
+    give(twin, 2 * count_ + 1);
+    ++count_;
+  }
+
   void give(int side, std::size_t halfedge) {
     halfedge_of_[static_cast<std::size_t>(side)] = HalfedgeHandle(static_cast<int>(halfedge));
   }
@@ -168,89 +190,77 @@ void link_open_halfedges(Mesh& mesh) {
   }
 }
 
-/// Corners of faces, joined where they belong to one fan.
-class CornerUnion {
+/// Gives every fan of faces around a vertex a vertex of its own.
+template <class Mesh>
+class FanSeparation {
  public:
-  explicit CornerUnion(std::size_t count) : parents_(count) {
-    for (std::size_t i = 0; i < count; ++i) parents_[i] = static_cast<int>(i);
-  }
+  explicit FanSeparation(Mesh& mesh)
+      : mesh_(mesh), is_seen_(mesh.n_halfedges(), 0), first_fan_(mesh.n_vertices()) {}
 
-  int root(int corner) {
-    while (parent(corner) != corner) {
-      parent(corner) = parent(parent(corner));
-      corner = parent(corner);
+  /// Pre      `of(side)` is the halfedge that leaves the corner `side`
+  /// Returns  the vertex that each new one is a copy of
+  template <class HalfedgeOf>
+  std::vector<int> run(std::size_t corner_count, HalfedgeOf of) {
+    std::vector<HalfedgeHandle> further_fans;
+    for (std::size_t corner = 0; corner < corner_count; ++corner) {
+      const HalfedgeHandle heh = of(corner);
+      if (is_seen_[index(heh)]) continue;
+      for_each_spoke(heh, [this](HalfedgeHandle spoke) { is_seen_[index(spoke)] = 1; });
+      HalfedgeHandle& first = first_fan_[static_cast<std::size_t>(mesh_.from_vertex_handle(heh).idx())];
+      if (first.is_valid()) {
+        further_fans.push_back(heh);
+      } else {
+        first = heh;
+      }
     }
-    return corner;
-  }
-
-  /// The smaller root stays, so that the result does not depend on the order.
-  void join(int a, int b) {
-    a = root(a);
-    b = root(b);
-    parent(std::max(a, b)) = std::min(a, b);
+    return duplicate(further_fans);
   }
 
  private:
-  int& parent(int corner) { return parents_[static_cast<std::size_t>(corner)]; }
+  static std::size_t index(HalfedgeHandle heh) { return static_cast<std::size_t>(heh.idx()); }
 
-  std::vector<int> parents_;
-};
-
-/// Every corner with the vertex of its fan.
-struct CornerFans {
-  std::vector<int> vertex_of;
-  std::vector<int> old_vertex;
-  std::size_t cut_edges = 0;
-};
-
-/// Join the corners of glued sides. Returns the number of sides that are cut.
-template <class Corners>
-std::size_t join_fans(std::size_t vertex_count, const Corners& corners, CornerUnion& fans) {
-  std::size_t cut_edges = 0;
-  const auto tip = [&corners](int side) {
-    return static_cast<int>(corners.next(static_cast<std::size_t>(side)));
-  };
-  SideTable(vertex_count, corners).for_each_edge([&](auto first, auto last) {
-    if (last - first == 2 && first->is_rising != first[1].is_rising) {
-      fans.join(first->index, tip(first[1].index));
-      fans.join(tip(first->index), first[1].index);
-    } else if (last - first > 1) {
-      cut_edges += static_cast<std::size_t>(last - first);
-    }
-  });
-  return cut_edges;
-}
-
-template <class Corners>
-CornerFans find_fans(std::size_t vertex_count, const Corners& corners) {
-  CornerFans result;
-  CornerUnion fans(corners.count());
-  result.cut_edges = join_fans(vertex_count, corners, fans);
-  result.old_vertex.resize(vertex_count);
-  for (std::size_t v = 0; v < vertex_count; ++v) result.old_vertex[v] = static_cast<int>(v);
-  std::vector<bool> has_fan(vertex_count, false);
-  result.vertex_of.resize(corners.count());
-  for (std::size_t corner = 0; corner < corners.count(); ++corner) {
-    const int vertex = corners.vertex(corner);
-    const auto root = static_cast<std::size_t>(fans.root(static_cast<int>(corner)));
-    if (root != corner) {
-      result.vertex_of[corner] = result.vertex_of[root];
-    } else if (!has_fan[static_cast<std::size_t>(vertex)]) {
-      has_fan[static_cast<std::size_t>(vertex)] = true;
-      result.vertex_of[corner] = vertex;
-    } else {
-      result.vertex_of[corner] = static_cast<int>(result.old_vertex.size());
-      result.old_vertex.push_back(vertex);
-    }
+  template <class Visit>
+  void for_each_spoke(HalfedgeHandle start, Visit visit) {
+    HalfedgeHandle heh = start;
+    do {
+      visit(heh);
+      heh = mesh_.opposite_halfedge_handle(mesh_.prev_halfedge_handle(heh));
+    } while (heh != start);
   }
-  return result;
-}
+
+  std::vector<int> duplicate(const std::vector<HalfedgeHandle>& fans) {
+    std::vector<int> copied;
+    std::size_t count = mesh_.n_vertices();
+    mesh_.resize(count + fans.size(), mesh_.n_edges(), mesh_.n_faces());
+    for (const HalfedgeHandle heh : fans) {
+      const VertexHandle old = mesh_.from_vertex_handle(heh);
+      copied.push_back(old.idx());
+      give(heh, VertexHandle(static_cast<int>(count++)));
+      give(first_fan_[static_cast<std::size_t>(old.idx())], old);
+    }
+    return copied;
+  }
+
+  /// Let a fan be that of the vertex, whose own halfedge is the open one if there is one.
+  void give(HalfedgeHandle fan, VertexHandle vh) {
+    mesh_.set_halfedge_handle(vh, fan);
+    for_each_spoke(fan, [&](HalfedgeHandle spoke) {
+      mesh_.set_vertex_handle(mesh_.opposite_halfedge_handle(spoke), vh);
+      if (mesh_.is_boundary(spoke)) mesh_.set_halfedge_handle(vh, spoke);
+    });
+  }
+
+  Mesh& mesh_;
+  std::vector<char> is_seen_;
+  std::vector<HalfedgeHandle> first_fan_;  ///< by vertex
+};
 
 template <class Mesh, class Corners>
-void build_connectivity(Mesh& mesh, std::size_t vertex_count, const Corners& corners) {
-  SideTable table(vertex_count, corners);
+Separation build_connectivity(Mesh& mesh, std::size_t vertex_count, const Corners& corners,
+                              std::span<const int> twins) {
   HalfedgeAssignment<Mesh, Corners> halfedges(mesh, corners);
-  halfedges.assign(table);
+  Separation separation;
+  separation.cut_edges = halfedges.assign(vertex_count, twins);
   mesh.resize(vertex_count, halfedges.edge_count(), corners.face_count());
   halfedges.set_vertices();
   for (std::size_t f = 0; f < corners.face_count(); ++f) {
@@ -264,40 +274,104 @@ void build_connectivity(Mesh& mesh, std::size_t vertex_count, const Corners& cor
     mesh.set_halfedge_handle(fh, halfedges.of(corners.leading_side(f)));
   }
   link_open_halfedges(mesh);
+  separation.copied =
+      FanSeparation(mesh).run(corners.count(), [&](std::size_t c) { return halfedges.of(c); });
+  return separation;
+}
+
+/// Put `heir` into the place of a halfedge between the same vertices.
+void replace_halfedge(TriMesh& mesh, HalfedgeHandle heh, HalfedgeHandle heir) {
+  const FaceHandle fh = mesh.face_handle(heh);
+  mesh.set_next_halfedge_handle(mesh.prev_halfedge_handle(heh), heir);
+  mesh.set_next_halfedge_handle(heir, mesh.next_halfedge_handle(heh));
+  mesh.set_face_handle(heir, fh);
+  mesh.set_halfedge_handle(fh, heir);
+}
+
+/// Let a vertex refer to `spoke` if it refers to `freed`.
+void replace_spoke(TriMesh& mesh, VertexHandle vh, HalfedgeHandle freed, HalfedgeHandle spoke) {
+  if (mesh.halfedge_handle(vh) == freed) mesh.set_halfedge_handle(vh, spoke);
 }
 
 }  // namespace
 
-SeparatedFans separate_fans(std::size_t vertex_count,
-                            const std::vector<std::array<int, 3>>& triangles) {
-  CornerFans fans = find_fans(vertex_count, TriangleCorners(triangles));
-  SeparatedFans result{triangles, std::move(fans.old_vertex), fans.cut_edges};
-  for (std::size_t c = 0; c < fans.vertex_of.size(); ++c) {
-    result.triangles[c / 3][c % 3] = fans.vertex_of[c];
-  }
-  return result;
+FreedElements collapse(TriMesh& mesh, HalfedgeHandle heh) {
+  const HalfedgeHandle back = mesh.opposite_halfedge_handle(heh);
+  const HalfedgeHandle left = mesh.next_halfedge_handle(heh);         // tip to left apex
+  const HalfedgeHandle left_gone = mesh.next_halfedge_handle(left);   // left apex to origin
+  const HalfedgeHandle right_gone = mesh.next_halfedge_handle(back);  // origin to right apex
+  const HalfedgeHandle right = mesh.next_halfedge_handle(right_gone); // right apex to tip
+  const VertexHandle origin = mesh.to_vertex_handle(back), tip = mesh.to_vertex_handle(heh);
+  const FreedElements freed = {
+      origin,
+      {mesh.edge_handle(heh), mesh.edge_handle(left_gone), mesh.edge_handle(right_gone)},
+      {mesh.face_handle(heh), mesh.face_handle(back)}};
+  HalfedgeHandle spoke = heh;
+  do {
+    mesh.set_vertex_handle(mesh.opposite_halfedge_handle(spoke), tip);
+    spoke = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(spoke));
+  } while (spoke != heh);
+  replace_spoke(mesh, tip, back, left);
+  replace_spoke(mesh, mesh.to_vertex_handle(left), left_gone, mesh.opposite_halfedge_handle(left));
+  replace_spoke(mesh, mesh.from_vertex_handle(right), mesh.opposite_halfedge_handle(right_gone),
+                right);
+  replace_halfedge(mesh, mesh.opposite_halfedge_handle(left_gone), left);
+  replace_halfedge(mesh, mesh.opposite_halfedge_handle(right_gone), right);
+  return freed;
 }
 
-SeparatedFaces separate_fans(std::size_t vertex_count, const FaceList& faces) {
-  CornerFans fans = find_fans(vertex_count, PolygonCorners(faces));
-  SeparatedFaces result{faces, std::move(fans.old_vertex), fans.cut_edges};
-  for (std::size_t c = 0; c < fans.vertex_of.size(); ++c) {
-    result.faces.set_vertex(c, fans.vertex_of[c]);
-  }
-  return result;
+namespace detail {
+
+void renumber_element(TriMesh& mesh, VertexHandle from, VertexHandle to) {
+  const HalfedgeHandle start = mesh.halfedge_handle(from);
+  HalfedgeHandle heh = start;
+  do {
+    mesh.set_vertex_handle(mesh.opposite_halfedge_handle(heh), to);
+    heh = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(heh));
+  } while (heh != start);
+  mesh.set_halfedge_handle(to, start);
 }
+
+void renumber_element(TriMesh& mesh, EdgeHandle from, EdgeHandle to) {
+  for (const unsigned k : {0u, 1u}) {
+    const HalfedgeHandle old = mesh.halfedge_handle(from, k), heh = mesh.halfedge_handle(to, k);
+    const VertexHandle origin = mesh.from_vertex_handle(old);
+    const FaceHandle fh = mesh.face_handle(old);
+    mesh.set_vertex_handle(heh, mesh.to_vertex_handle(old));
+    mesh.set_face_handle(heh, fh);
+    mesh.set_next_halfedge_handle(mesh.prev_halfedge_handle(old), heh);
+    mesh.set_next_halfedge_handle(heh, mesh.next_halfedge_handle(old));
+    if (fh.is_valid() && mesh.halfedge_handle(fh) == old) mesh.set_halfedge_handle(fh, heh);
+    if (mesh.halfedge_handle(origin) == old) mesh.set_halfedge_handle(origin, heh);
+  }
+}
+
+void renumber_element(TriMesh& mesh, FaceHandle from, FaceHandle to) {
+  const HalfedgeHandle start = mesh.halfedge_handle(from);
+  HalfedgeHandle heh = start;
+  do {
+    mesh.set_face_handle(heh, to);
+    heh = mesh.next_halfedge_handle(heh);
+  } while (heh != start);
+  mesh.set_halfedge_handle(to, start);
+}
+
+}  // namespace detail
 
 template <class Mesh>
-void build_triangles(Mesh& mesh, std::size_t vertex_count,
-                     const std::vector<std::array<int, 3>>& triangles) {
-  build_connectivity(mesh, vertex_count, TriangleCorners(triangles));
+Separation build_triangles(Mesh& mesh, std::size_t vertex_count,
+                           const std::vector<std::array<int, 3>>& triangles,
+                           std::span<const int> twins) {
+  return build_connectivity(mesh, vertex_count, TriangleCorners(triangles), twins);
 }
 
-template void build_triangles(TriMesh&, std::size_t, const std::vector<std::array<int, 3>>&);
-template void build_triangles(PolyMesh&, std::size_t, const std::vector<std::array<int, 3>>&);
+template Separation build_triangles(TriMesh&, std::size_t, const std::vector<std::array<int, 3>>&,
+                                    std::span<const int>);
+template Separation build_triangles(PolyMesh&, std::size_t, const std::vector<std::array<int, 3>>&,
+                                    std::span<const int>);
 
-void build_faces(PolyMesh& mesh, std::size_t vertex_count, const FaceList& faces) {
-  build_connectivity(mesh, vertex_count, PolygonCorners(faces));
+Separation build_faces(PolyMesh& mesh, std::size_t vertex_count, const FaceList& faces) {
+  return build_connectivity(mesh, vertex_count, PolygonCorners(faces), {});
 }
 
 }  // namespace surfmesh

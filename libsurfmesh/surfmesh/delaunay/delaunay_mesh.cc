@@ -4,8 +4,13 @@
 #include <fmt/format.h>
 
 #include <deque>
+#include <numeric>
+#include <span>
+#include <type_traits>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/renumber.hh"
+#include "surfmesh/delaunay/spatial_order.hh"
 
 namespace surfmesh {
 
@@ -27,6 +32,20 @@ DelaunayMesh::DelaunayMesh(const std::vector<Uv>& points,
       constrain(eh);
     }
   }
+}
+
+void DelaunayMesh::sort_spatially(std::size_t fixed) {
+  std::vector<int> order(fixed);
+  std::iota(order.begin(), order.end(), 0);
+  const std::vector<Uv>& uvs = mesh_.property(uv_).data_vector();
+  for (const int i : cell_order(std::span(uvs).subspan(fixed))) {
+    order.push_back(i + static_cast<int>(fixed));
+  }
+  const Numbering numbering = number_along(mesh_, order);
+  renumber(mesh_, numbering);
+  renumber_values(mesh_.property(uv_).data_vector(), numbering.vertex);
+  renumber_values(mesh_.property(metric_).data_vector(), numbering.vertex);
+  renumber_values(mesh_.property(constrained_).data_vector(), numbering.edge);
 }
 
 bool DelaunayMesh::is_insertable(const Location& location) const {
@@ -69,6 +88,17 @@ bool DelaunayMesh::can_flip(EdgeHandle eh) const {
   const Uv left = uv(mesh_.to_vertex_handle(mesh_.next_halfedge_handle(a)));
   const Uv right = uv(mesh_.to_vertex_handle(mesh_.next_halfedge_handle(b)));
   return orient2d(right, tip, left) > 0 && orient2d(left, origin, right) > 0;
+}
+
+void DelaunayMesh::collapse(HalfedgeHandle heh) {
+  pool_.take_out(surfmesh::collapse(mesh_, heh), [this]<class Handle>(Handle from, Handle to) {
+    if constexpr (std::is_same_v<Handle, VertexHandle>) {
+      uv(to) = uv(from);
+      metric(to) = metric(from);
+    } else if constexpr (std::is_same_v<Handle, EdgeHandle>) {
+      mesh_.property(constrained_, to) = mesh_.property(constrained_, from);
+    }
+  });
 }
 
 HalfedgeHandle DelaunayMesh::find_halfedge(VertexHandle a, VertexHandle b) const {

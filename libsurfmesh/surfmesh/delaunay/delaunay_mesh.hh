@@ -58,6 +58,13 @@ class DelaunayMesh {
   /// Cut off the surplus elements.
   void shrink() { pool_.shrink(); }
 
+  /// Renumber all elements along a Hilbert curve, but for the first `fixed` vertices, which stay.
+  ///
+  /// For what visits every element once and more; locality halves its time at a million triangles.
+  /// Cost     about 200 ns a triangle
+  /// Pre      shrink() has been called
+  void sort_spatially(std::size_t fixed);
+
   // --- insertion ---
 
   Location locate(Uv p, FaceHandle start) {
@@ -106,6 +113,11 @@ class DelaunayMesh {
   }
 
   void flip(EdgeHandle eh) { surfmesh::flip(mesh_, eh); }
+
+  /// Merge the origin of a halfedge, an inner vertex, into its tip. The last vertex, edges and faces
+  /// take the numbers of those that go, so handles of the last ones change.
+  /// Pre      the tip sees all triangles around the origin that do not have it as a corner
+  void collapse(HalfedgeHandle heh);
 
   /// The halfedge from a to b; an invalid handle if they are not joined.
   HalfedgeHandle find_halfedge(VertexHandle a, VertexHandle b) const;

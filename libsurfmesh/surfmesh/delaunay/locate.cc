@@ -19,8 +19,8 @@ class Walk {
                     mesh_.property(uv_, mesh_.to_vertex_handle(heh)), p_);
   }
 
-  /// Classify p within a triangle that contains it.
-  Location inside(FaceHandle fh) const {
+  /// Classify p within a triangle that contains it, on its rim or not.
+  Location on_rim(FaceHandle fh) const {
     const HalfedgeHandle a = mesh_.halfedge_handle(fh);
     const HalfedgeHandle b = mesh_.next_halfedge_handle(a);
     const HalfedgeHandle c = mesh_.next_halfedge_handle(b);
@@ -51,7 +51,7 @@ class Walk {
 Location search_all(const Walk& walk, FaceHandle last, std::size_t face_count) {
   for (std::size_t i = 0; i < face_count; ++i) {
     const FaceHandle fh(static_cast<int>(i));
-    if (walk.contains(fh)) return walk.inside(fh);
+    if (walk.contains(fh)) return walk.on_rim(fh);
   }
   return {Location::Kind::Outside, last, HalfedgeHandle(), VertexHandle()};
 }
@@ -75,14 +75,19 @@ Location locate(const TriMesh& mesh, decltype(keys::vertex_uv)::Handle uv, Uv p,
     HalfedgeHandle b = mesh.next_halfedge_handle(a);
     if (random.next() & 1u) std::swap(a, b);
     HalfedgeHandle exit;
-    if (walk.side(a) < 0) {
+    const int side_a = walk.side(a), side_b = side_a < 0 ? 0 : walk.side(b);
+    // The side it came through has the point on its left.
+    const int side_entry = is_first && side_a >= 0 && side_b >= 0 ? walk.side(entry) : 1;
+    if (side_a < 0) {
       exit = a;
-    } else if (walk.side(b) < 0) {
+    } else if (side_b < 0) {
       exit = b;
-    } else if (is_first && walk.side(entry) < 0) {
+    } else if (side_entry < 0) {
       exit = entry;
+    } else if (side_a > 0 && side_b > 0 && side_entry > 0) {
+      return {Location::Kind::Inside, mesh.face_handle(entry), HalfedgeHandle(), VertexHandle()};
     } else {
-      return walk.inside(mesh.face_handle(entry));
+      return walk.on_rim(mesh.face_handle(entry));
     }
     is_first = false;
     const HalfedgeHandle opposite = mesh.opposite_halfedge_handle(exit);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "surfmesh/core/values.hh"
@@ -24,5 +25,12 @@ std::vector<int> spatial_order(const std::vector<Uv>& points);
 /// Returns  indices into `points`
 /// Cost     O(n log n), about 100 ns a point
 std::vector<int> hilbert_order(const std::vector<Uv>& points);
+
+/// The order of points by cells along one Hilbert curve, about four points a cell if they are
+/// spread evenly; within a cell points keep their order. Deterministic.
+///
+/// Returns  indices into `points`
+/// Cost     O(n), about 25 ns a point
+std::vector<int> cell_order(std::span<const Uv> points);
 
 }  // namespace surfmesh

@@ -12,7 +12,8 @@ namespace surfmesh {
 struct ImproveOptions {
   /// Smoothing sweeps over all inner vertices; the first brings 75 % of the gain, the second 18 %.
   int sweeps = 2;
-  /// Passes over the triangles of low quality at the end; 0 is off.
+  /// Collapses and splits of edges out of the unit range, then at most so many passes over the
+  /// triangles of low quality; 0 is off.
   int repairs = 3;
   Observer* observer = nullptr;  ///< asked whether to go on; not owned, null for none
 };
@@ -21,20 +22,22 @@ void check(const ImproveOptions& options);
 
 struct ImproveReport {
   std::size_t moved = 0;    ///< vertex moves accepted
-  std::size_t swapped = 0;  ///< edges
+  std::size_t swapped = 0;    ///< edges
+  std::size_t collapsed = 0;  ///< edges
+  std::size_t split = 0;      ///< edges
   QueryCounts queries;  ///< of the metric field
 
   friend bool operator==(const ImproveReport&, const ImproveReport&) = default;
 };
 
-/// Move inner vertices to where their edges are of unit length, swap edges by quality, and repair
-/// what is bad after that.
+/// Move inner vertices to where their edges are of unit length, swap edges by quality, collapse or
+/// split edges that are still far from unit length, and repair what is bad after that.
 ///
-/// A move is accepted only if no triangle around the vertex is inverted and the worst of them does
-/// not become worse, or stays good. Boundary vertices stay.
+/// A change is accepted only if no triangle is inverted and the worst of those around does not become
+/// worse, or stays good. Boundary vertices stay, and keep their numbers.
 ///
 /// Reads    surf:constrained
-/// Writes   surf:uv, surf:metric of moved vertices
+/// Writes   surf:uv, surf:metric of moved and new vertices
 /// Cost     about 0.1 µs a triangle and half a metric query a sweep
 /// Source   paper, section 2.1, item 4
 ImproveReport improve(DelaunayMesh& delaunay, const MetricField& field,

@@ -99,23 +99,22 @@ FaceSet face_set_of(const PolyMesh& mesh) {
 MeshFile mesh_from(FaceSetFile file, const std::string& name) {
   MeshFile result{{}, std::move(file.patch_names), std::move(file.warnings)};
   const FaceSet& set = file.set;
-  const SeparatedFaces fans = separate_fans(set.points.size(), set.faces);
-  const std::size_t added = fans.old_vertex.size() - set.points.size();
+  const Separation separation = build_faces(result.mesh, set.points.size(), set.faces);
   if (!file.degenerate_faces.empty()) {
     result.warnings.push_back(
         fmt::format("{}: {} triangles with two equal corners are left out, the first is number {}",
                     name, file.degenerate_faces.size(), file.degenerate_faces.front()));
   }
-  if (fans.cut_edges > 0 || added > 0) {
+  if (separation.cut_edges > 0 || !separation.copied.empty()) {
     result.warnings.push_back(fmt::format(
         "{}: the faces do not make a manifold mesh: {} sides of faces are left open and "
         "{} vertices are there twice",
-        name, fans.cut_edges, added));
+        name, separation.cut_edges, separation.copied.size()));
   }
-  build_faces(result.mesh, fans.old_vertex.size(), fans.faces);
-  for (std::size_t v = 0; v < fans.old_vertex.size(); ++v) {
-    result.mesh.set_point(VertexHandle(static_cast<int>(v)),
-                          to_openmesh(set.points[static_cast<std::size_t>(fans.old_vertex[v])]));
+  for (std::size_t v = 0; v < result.mesh.n_vertices(); ++v) {
+    const std::size_t given =
+        v < set.points.size() ? v : static_cast<std::size_t>(separation.copied[v - set.points.size()]);
+    result.mesh.set_point(VertexHandle(static_cast<int>(v)), to_openmesh(set.points[given]));
   }
   if (!set.patches.empty()) {
     const auto patch_of = attach(result.mesh, keys::face_patch, -1);

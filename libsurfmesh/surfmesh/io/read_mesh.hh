@@ -50,7 +50,7 @@ FaceSetFile read_face_set(const std::filesystem::path& path);
 
 /// Read a mesh in the format of the ending.
 ///
-/// Where the faces do not make a proper mesh, vertices are duplicated as separate_fans does, and
+/// Where the faces do not make a proper mesh, vertices are duplicated as build_faces does, and
 /// faces of fewer than three different vertices left out: the warnings tell the counts.
 ///
 /// Writes   surf:patch (face) where the file has patches; of .om files all that they have

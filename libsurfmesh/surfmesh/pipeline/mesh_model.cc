@@ -53,11 +53,12 @@ class Run {
   }
 
   MeshResult mesh() {
+    MeshResult result;  // OpenMesh's meshes cannot be moved, only copied
     const auto start = std::chrono::steady_clock::now();
     make_spaces();
     place_nodes();
     mesh_patches();
-    MeshResult result = assemble_patches();
+    assemble_patches(result.mesh);
     measure(result.mesh);
     report_.seconds.wall =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -93,8 +94,12 @@ class Run {
     if (!handle.is_valid()) return;  // a grid has none
     Report::Classes& classes = report_.control.classes;
     for (const FaceHandle fh : mesh.faces()) {
-      const int index = mesh.property(handle, fh);
-      ++(index == 0 ? classes.single : index == 1 ? classes.triangle : classes.circles);
+      switch (static_cast<Interpolation>(mesh.property(handle, fh))) {
+        case Interpolation::Single: ++classes.single; break;
+        case Interpolation::Triangle: ++classes.triangle; break;
+        case Interpolation::Linear: ++classes.linear; break;
+        default: ++classes.circles;
+      }
     }
   }
 
@@ -123,15 +128,17 @@ class Run {
       }
     });
     const StageClock clock(report_.seconds.assemble);
-    for (PatchMesh& patch : patches_) {
-      evaluate_vertices(patch);
-      mend_turned_triangles(patch);
-    }
-    split_improper_chords(patches_);
     std::size_t turned = 0;
     for (PatchMesh& patch : patches_) {
       evaluate_vertices(patch);
-      turned += count_turned_triangles(patch);
+      turned += mend_turned_triangles(patch);
+    }
+    if (split_improper_chords(patches_) > 0) {
+      turned = 0;
+      for (PatchMesh& patch : patches_) {
+        evaluate_vertices(patch);
+        turned += count_turned_triangles(patch);
+      }
     }
     if (turned > 0) {
       report_.shortfalls.push_back(
@@ -160,7 +167,15 @@ class Run {
     }
     {
       const StageClock clock(report_.seconds.refine);
-      report_.control.queries.refine += refine(*patch.delaunay, *patch.field, refine_options).queries;
+      const RefineReport refined = refine(*patch.delaunay, *patch.field, refine_options);
+      report_.control.queries.refine += refined.queries;
+      if (refined.is_stopped) {
+        report_.shortfalls.push_back(
+            fmt::format("patch {}: given up at three times the triangles that the sizes ask for: "
+                        "they change direction faster than elements can follow; smaller stretch or "
+                        "a lower grade helps",
+                        model_.patches[p].name));
+      }
     }
     const StageClock clock(report_.seconds.improve);
     ImproveOptions improve_options = options_.improve;
@@ -169,15 +184,12 @@ class Run {
         improve(*patch.delaunay, *patch.field, improve_options).queries;
   }
 
-  MeshResult assemble_patches() {
+  void assemble_patches(PolyMesh& mesh) {
     const StageClock clock(report_.seconds.assemble);
     tell("assemble", 0, 1);
-    Assembly assembly = assemble(model_, nodes_, *numbers_, patches_);
-    for (std::string& warning : assembly.report.warnings) {
-      report_.warnings.push_back(std::move(warning));
-    }
+    AssembleReport report = assemble(mesh, model_, nodes_, *numbers_, patches_);
+    for (std::string& warning : report.warnings) report_.warnings.push_back(std::move(warning));
     tell("assemble", 1, 1);
-    return {std::move(assembly.mesh), {}};
   }
 
   void measure(const PolyMesh& mesh) {

@@ -23,8 +23,14 @@ double accepted_size(Placement placement) {
 /// How many times too large a triangle may be for a place inside it that its vertices do not show.
 constexpr double kMissedSize = 2;
 
+/// Vertices for which room is made at least.
+constexpr std::size_t kLeastGrowth = 64;
+
 /// Least metric distance of a new node from the others.
 double least_distance(Placement placement) { return placement == Placement::Frontal ? 0.7 : 0.5; }
+
+/// Triangles for each that the metric area asks for above which a run is given up.
+constexpr double kMostTriangles = 3;
 
 class Refinement {
  public:
@@ -37,7 +43,8 @@ class Refinement {
         least_distance_(least_distance(options.placement)) {}
 
   RefineReport run() {
-    grow_states();
+    slack_ = delaunay_.n_faces();
+    states_.resize(delaunay_.n_faces());
     for (std::size_t f = 0; f < delaunay_.n_faces(); ++f) {
       measure(FaceHandle(static_cast<int>(f)));
     }
@@ -52,7 +59,8 @@ class Refinement {
 
  private:
   struct State {
-    double squared_radius = 0;
+    float squared_radius = 0;
+    float metric_area = 0;
     std::uint32_t stamp = 0;
     bool is_accepted = false;
     bool is_active = false;
@@ -62,6 +70,11 @@ class Refinement {
     FrontQueue::Entry entry;
     std::size_t steps = 0;
     while (queue_.pop(entry)) {
+      if (is_astray()) {
+        report_.is_stopped = true;
+        return;
+      }
+      fetch_ahead();
       State& state = states_[index(entry.face)];
       if (state.stamp != entry.stamp || state.is_accepted) continue;
       if (++steps % kStepsBetweenCancellation == 0) throw_if_cancelled(options_.observer);
@@ -73,6 +86,60 @@ class Refinement {
         accept(entry.face);
       }
     }
+  }
+
+  double predicted_count() const { return metric_area_ / kUnitTriangleArea; }
+
+  /// True if there are far more triangles than the metric area of the mesh asks for: no triangles of
+  /// unit edges follow a metric that turns too fast.
+  bool is_astray() const {
+    return static_cast<double>(delaunay_.n_faces() - slack_) > kMostTriangles * predicted_count();
+  }
+
+  /// Ask for the memory of the triangles that come next in the queue and of their neighbours, in
+  /// steps of which each follows the handles that the one before has brought: at a million triangles
+  /// the front is longer than the near cache, and the vertices that its triangles see across the
+  /// empty domain are far away.
+  void fetch_ahead() const {
+    const TriMesh& mesh = delaunay_.mesh();
+    queue_.look_ahead(20, [&](FaceHandle fh) {
+      __builtin_prefetch(&mesh.face(fh));
+      __builtin_prefetch(&states_[index(fh)]);
+    });
+    queue_.look_ahead(16, [&](FaceHandle fh) { fetch(mesh.halfedge_handle(fh)); });
+    queue_.look_ahead(12, [&](FaceHandle fh) {
+      const HalfedgeHandle heh = mesh.halfedge_handle(fh);
+      fetch(mesh.next_halfedge_handle(heh));
+      fetch(mesh.prev_halfedge_handle(heh));
+      fetch(mesh.to_vertex_handle(heh));
+      fetch(mesh.from_vertex_handle(heh));
+    });
+    queue_.look_ahead(8, [&](FaceHandle fh) {
+      for_each_side(fh, [&](HalfedgeHandle heh) {
+        fetch(mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(heh)));
+      });
+    });
+    queue_.look_ahead(4, [&](FaceHandle fh) {
+      for_each_side(fh, [&](HalfedgeHandle heh) {
+        fetch(mesh.to_vertex_handle(mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(heh))));
+      });
+    });
+  }
+
+  template <class Visit>
+  void for_each_side(FaceHandle fh, Visit visit) const {
+    const TriMesh& mesh = delaunay_.mesh();
+    HalfedgeHandle heh = mesh.halfedge_handle(fh);
+    for (int k = 0; k < 3; ++k, heh = mesh.next_halfedge_handle(heh)) visit(heh);
+  }
+
+  void fetch(HalfedgeHandle heh) const {
+    __builtin_prefetch(&delaunay_.mesh().edge(delaunay_.mesh().edge_handle(heh)));
+  }
+
+  void fetch(VertexHandle vh) const {
+    __builtin_prefetch(&delaunay_.uv(vh));
+    __builtin_prefetch(&delaunay_.metric(vh));
   }
 
   /// Insert places of the field that lie in triangles much too large for them: what lies between
@@ -102,11 +169,16 @@ class Refinement {
 
   static std::size_t index(FaceHandle fh) { return static_cast<std::size_t>(fh.idx()); }
 
-  void grow_states() {
-    // Faces come two at a time; the states grow in bulk.
-    if (states_.size() < delaunay_.n_faces()) {
-      states_.resize(delaunay_.n_faces() + delaunay_.n_faces() / 2 + 64);
-    }
+  /// Faces come two at a time; mesh and states grow in bulk, towards the count that is predicted by
+  /// now: at first from the boundary alone, which may be far off.
+  void grow() {
+    if (delaunay_.n_faces() + 2 <= states_.size()) return;
+    constexpr double reserve = 1.1, least = 1.5, most = 4;
+    const auto count = static_cast<double>(delaunay_.n_faces());
+    const double wanted = std::clamp(reserve * predicted_count(), least * count, most * count);
+    const auto added = static_cast<std::size_t>(wanted - count) / 2 + kLeastGrowth;
+    delaunay_.reserve(added);
+    states_.resize(delaunay_.n_faces() + 2 * added);
   }
 
   BaseTriangle triangle_at(HalfedgeHandle base) const {
@@ -118,9 +190,17 @@ class Refinement {
 
   void measure(FaceHandle fh) {
     const BaseTriangle t = triangle_at(delaunay_.mesh().halfedge_handle(fh));
+    set_size(fh, product_of_sides(t.a, t.b, t.apex), metric_area(t.a, t.b, t.apex));
+  }
+
+  void set_size(FaceHandle fh, double product_of_sides, double metric_area) {
     State& state = states_[index(fh)];
-    state.squared_radius = squared_circumradius(t.a, t.b, t.apex);
-    state.is_accepted = state.squared_radius <= accepted_size_;
+    metric_area_ -= static_cast<double>(state.metric_area);
+    state.metric_area = std::isfinite(metric_area) ? static_cast<float>(metric_area) : 0.0f;
+    metric_area_ += static_cast<double>(state.metric_area);
+    const double size = squared_circumradius(product_of_sides, metric_area);
+    state.squared_radius = static_cast<float>(size);
+    state.is_accepted = size <= accepted_size_;
     state.is_active = false;
     ++state.stamp;
   }
@@ -143,7 +223,7 @@ class Refinement {
       return;
     }
     state.is_active = true;
-    queue_.push({fh, state.stamp}, state.squared_radius);
+    queue_.push({fh, state.stamp}, static_cast<double>(state.squared_radius));
   }
 
   void activate_neighbour(HalfedgeHandle heh) {
@@ -237,6 +317,7 @@ class Refinement {
   }
 
   void insert(Uv p, const Metric& metric, const Location& location) {
+    grow();
     VertexHandle vh;
     if (options_.kernel == Kernel::Cavity) {
       vh = delaunay_.fill(cavity_, p);
@@ -249,18 +330,46 @@ class Refinement {
       throw Error(ErrorCode::Limit,
                   fmt::format("more than max_elements = {} triangles", options_.max_elements));
     }
-    grow_states();
     update_fan(vh);
   }
 
+  /// Measure the triangles around a vertex: as measure() does, but each spoke once.
+  void measure_fan(VertexHandle vh) {
+    const TriMesh& mesh = delaunay_.mesh();
+    const MetricCorner centre = corner(delaunay_, vh);
+    const double centre_density = density(centre.metric);
+    const HalfedgeHandle start = mesh.halfedge_handle(vh);
+    HalfedgeHandle spoke = start;
+    FanCorner near = fan_corner(centre, spoke);
+    do {
+      const FaceHandle fh = mesh.face_handle(spoke);
+      spoke = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(spoke));
+      const FanCorner far = fan_corner(centre, spoke);
+      const double base = fast_edge_length(near.at.uv, near.at.metric, far.at.uv, far.at.metric);
+      const double area = 0.5 * cross(near.at.uv - centre.uv, far.at.uv - centre.uv);
+      set_size(fh, near.spoke * base * far.spoke,
+               area * (centre_density + near.density + far.density) / 3);
+      near = far;
+    } while (spoke != start);
+  }
+
+  /// A neighbour of a vertex, with its own density and its distance.
+  struct FanCorner {
+    MetricCorner at;
+    double density;
+    double spoke;
+  };
+
+  FanCorner fan_corner(const MetricCorner& centre, HalfedgeHandle spoke) const {
+    const MetricCorner at = corner(delaunay_, delaunay_.mesh().to_vertex_handle(spoke));
+    return {at, density(at.metric), fast_edge_length(centre.uv, centre.metric, at.uv, at.metric)};
+  }
+
   void update_fan(VertexHandle vh) {
+    measure_fan(vh);
     const TriMesh& mesh = delaunay_.mesh();
     const HalfedgeHandle start = mesh.halfedge_handle(vh);
     HalfedgeHandle spoke = start;
-    do {
-      measure(mesh.face_handle(spoke));
-      spoke = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(spoke));
-    } while (spoke != start);
     do {
       activate(mesh.face_handle(spoke));
       // A neighbour of an accepted triangle is at the front now.
@@ -280,6 +389,8 @@ class Refinement {
   MetricField::Hint hint_;
   FrontQueue queue_;
   std::vector<State> states_;
+  double metric_area_ = 0;  ///< of all triangles
+  std::size_t slack_ = 0;   ///< triangles that the boundary alone makes
   Cavity cavity_;
   RefineReport report_;
 };
@@ -295,8 +406,10 @@ void check(const RefineOptions& options) {
 RefineReport refine(DelaunayMesh& delaunay, const MetricField& field,
                     const RefineOptions& options) {
   check(options);
+  const std::size_t boundary_count = delaunay.n_vertices();
   RefineReport report = Refinement(delaunay, field, options).run();
   delaunay.shrink();
+  delaunay.sort_spatially(boundary_count);
   return report;
 }
 

@@ -31,7 +31,10 @@ void check(const RefineOptions& options);
 struct RefineReport {
   std::size_t inserted = 0;  ///< inner nodes
   std::size_t refused = 0;   ///< triangles left larger than wanted, for no place was good
-  QueryCounts queries;       ///< of the metric field
+  /// True if the run was given up at three times the count of triangles that the metric area asks
+  /// for: the metric turns faster than elements can follow.
+  bool is_stopped = false;
+  QueryCounts queries;  ///< of the metric field
 
   friend bool operator==(const RefineReport&, const RefineReport&) = default;
 };
@@ -40,7 +43,8 @@ struct RefineReport {
 ///
 /// One loop: take the worst triangle of the front, ask the placement for a point, insert it if it
 /// keeps its distance from nodes and boundary and the metric there conforms with the triangle's,
-/// else try the circumcentre, else leave the triangle as it is.
+/// else try the circumcentre, else leave the triangle as it is. A run that makes three times as many
+/// triangles as the metric area of the mesh asks for is given up.
 ///
 /// Reads    surf:constrained
 /// Writes   surf:uv, surf:metric of new vertices

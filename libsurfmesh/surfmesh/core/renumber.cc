@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/core/renumber.hh"
+
+#include <algorithm>
+
+namespace surfmesh {
+namespace {
+
+/// The connectivity of a halfedge.
+struct Links {
+  VertexHandle tip;
+  HalfedgeHandle next;
+  FaceHandle face;  ///< invalid at an open halfedge
+};
+
+template <class Handle>
+Handle renumbered(Handle handle, const std::vector<int>& new_number) {
+  return handle.is_valid() ? Handle(new_number[static_cast<std::size_t>(handle.idx())]) : handle;
+}
+
+HalfedgeHandle renumbered_halfedge(HalfedgeHandle heh, const std::vector<int>& new_edge) {
+  if (!heh.is_valid()) return heh;  // of a vertex without edges
+  return HalfedgeHandle(2 * new_edge[static_cast<std::size_t>(heh.idx() / 2)] + heh.idx() % 2);
+}
+
+/// Numbers of elements in the order of a key each, those of equal keys in the order they had: a sort
+/// by counting.
+template <class Key>
+std::vector<int> number_by(std::size_t count, std::size_t key_count, Key key) {
+  std::vector<int> next(key_count + 1, 0), keys(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    keys[i] = key(static_cast<int>(i));
+    ++next[static_cast<std::size_t>(keys[i]) + 1];
+  }
+  for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
+  for (std::size_t i = 0; i < count; ++i) keys[i] = next[static_cast<std::size_t>(keys[i])]++;
+  return keys;
+}
+
+}  // namespace
+
+Numbering number_along(const TriMesh& mesh, const std::vector<int>& vertex_order) {
+  Numbering numbering;
+  numbering.vertex.resize(mesh.n_vertices());
+  for (std::size_t i = 0; i < vertex_order.size(); ++i) {
+    numbering.vertex[static_cast<std::size_t>(vertex_order[i])] = static_cast<int>(i);
+  }
+  const auto tip = [&](HalfedgeHandle heh) {
+    return numbering.vertex[static_cast<std::size_t>(mesh.to_vertex_handle(heh).idx())];
+  };
+  numbering.edge = number_by(mesh.n_edges(), mesh.n_vertices(), [&](int e) {
+    return std::min(tip(HalfedgeHandle(2 * e)), tip(HalfedgeHandle(2 * e + 1)));
+  });
+  numbering.face = number_by(mesh.n_faces(), mesh.n_vertices(), [&](int f) {
+    const HalfedgeHandle heh = mesh.halfedge_handle(FaceHandle(f));
+    const HalfedgeHandle next = mesh.next_halfedge_handle(heh);
+    return std::min({tip(heh), tip(next), tip(mesh.next_halfedge_handle(next))});
+  });
+  return numbering;
+}
+
+void renumber(TriMesh& mesh, const Numbering& numbering) {
+  std::vector<Links> links(mesh.n_halfedges());
+  for (std::size_t h = 0; h < links.size(); ++h) {
+    const HalfedgeHandle heh(static_cast<int>(h));
+    const HalfedgeHandle place = renumbered_halfedge(heh, numbering.edge);
+    links[static_cast<std::size_t>(place.idx())] = {
+        renumbered(mesh.to_vertex_handle(heh), numbering.vertex),
+        renumbered_halfedge(mesh.next_halfedge_handle(heh), numbering.edge),
+        renumbered(mesh.face_handle(heh), numbering.face)};
+  }
+  std::vector<HalfedgeHandle> of_vertex(mesh.n_vertices()), of_face(mesh.n_faces());
+  for (std::size_t v = 0; v < of_vertex.size(); ++v) {
+    of_vertex[static_cast<std::size_t>(numbering.vertex[v])] = renumbered_halfedge(
+        mesh.halfedge_handle(VertexHandle(static_cast<int>(v))), numbering.edge);
+  }
+  for (std::size_t f = 0; f < of_face.size(); ++f) {
+    of_face[static_cast<std::size_t>(numbering.face[f])] = renumbered_halfedge(
+        mesh.halfedge_handle(FaceHandle(static_cast<int>(f))), numbering.edge);
+  }
+  for (std::size_t h = 0; h < links.size(); ++h) {
+    const HalfedgeHandle heh(static_cast<int>(h));
+    mesh.set_vertex_handle(heh, links[h].tip);
+    mesh.set_next_halfedge_handle(heh, links[h].next);
+    mesh.set_face_handle(heh, links[h].face);
+  }
+  for (std::size_t v = 0; v < of_vertex.size(); ++v) {
+    mesh.set_halfedge_handle(VertexHandle(static_cast<int>(v)), of_vertex[v]);
+  }
+  for (std::size_t f = 0; f < of_face.size(); ++f) {
+    mesh.set_halfedge_handle(FaceHandle(static_cast<int>(f)), of_face[f]);
+  }
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "surfmesh/improve/vertex_moves.hh"
+
+namespace surfmesh {
+
+struct FitReport {
+  std::size_t collapsed = 0;  ///< edges
+  std::size_t split = 0;      ///< edges
+};
+
+/// Collapse inner edges shorter than 1/√2, split those longer than √2, and smooth around both.
+///
+/// A collapse merges an inner vertex into its neighbour. Either is done only if no triangle is
+/// inverted, the worst one does not become worse or stays good, and no new edge leaves the unit
+/// range at the other end.
+///
+/// Writes   surf:uv, surf:metric; the last elements take the numbers of those that go, those before
+///          the first inner vertex keep theirs
+/// Cost     about 20 ns an edge, and 2 µs a change
+FitReport fit_lengths(DelaunayMesh& delaunay, VertexMoves& moves);
+
+}  // namespace surfmesh

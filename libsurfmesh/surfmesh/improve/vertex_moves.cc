@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/improve/vertex_moves.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace surfmesh {
+namespace {
+
+/// Metric length below which a move is not worth its metric query.
+constexpr double kLeastMove = 0.01;
+
+/// Gain of score for which a vertex is moved: far above rounding, so that a search ends.
+constexpr double kLeastGain = 1e-6;
+
+/// By so much the score of a place within a fifth of a unit may differ with its own metric and with
+/// that of the vertex.
+constexpr double kMetricChange = 0.02;
+
+/// Steps of a search for a better place; four halvings and a few moves are usual.
+constexpr int kMaxSearchRounds = 40;
+
+}  // namespace
+
+void VertexMoves::move(VertexHandle vh, const MetricCorner& p) {
+  delaunay_.uv(vh) = p.uv;
+  delaunay_.metric(vh) = p.metric;
+  ++count_;
+}
+
+Uv VertexMoves::spring_step(const MetricCorner& centre) const {
+  double a11 = 0, a12 = 0, a22 = 0, b1 = 0, b2 = 0;
+  for (const MetricCorner& neighbour : star_.ring()) {
+    const Metric m = mean(centre.metric, neighbour.metric);
+    const Uv edge = centre.uv - neighbour.uv;
+    const double length =
+        fast_edge_length(centre.uv, centre.metric, neighbour.uv, neighbour.metric);
+    const double g1 = (m.m11 * edge.u + m.m12 * edge.v) / length;
+    const double g2 = (m.m12 * edge.u + m.m22 * edge.v) / length;
+    a11 += g1 * g1;
+    a12 += g1 * g2;
+    a22 += g2 * g2;
+    b1 += g1 * (1 - length);
+    b2 += g2 * (1 - length);
+  }
+  const double determinant = a11 * a22 - a12 * a12;
+  return {(a22 * b1 - a12 * b2) / determinant, (a11 * b2 - a12 * b1) / determinant};
+}
+
+void VertexMoves::smooth(VertexHandle vh) {
+  if (!star_.collect(delaunay_, vh)) return;
+  const MetricCorner old = corner(delaunay_, vh);
+  Uv step = spring_step(old);
+  const double length = std::sqrt(squared_length(old.metric, step));
+  if (!(length >= kLeastMove && length < INFINITY)) return;
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    const Uv place = old.uv + step;
+    // Far moves that invert a triangle are not worth a query.
+    if (star_.sees(place)) {
+      const MetricCorner p = at(place);
+      const double reached = star_.quality(p);
+      if (reached >= kGoodQuality || reached >= star_.quality(old)) {
+        move(vh, p);
+        return;
+      }
+    }
+    step = 0.5 * step;
+  }
+}
+
+/// Least quality around the vertex less half the excess of its edges over the unit range.
+double VertexMoves::score(const MetricCorner& p) const {
+  const double least = star_.quality(p);
+  if (least <= 0) return least;
+  double excess = 0;
+  for (const MetricCorner& neighbour : star_.ring()) {
+    const double length = fast_edge_length(p.uv, p.metric, neighbour.uv, neighbour.metric);
+    excess = std::max({excess, 1 / std::numbers::sqrt2 - length, length - std::numbers::sqrt2});
+  }
+  // A valid place never scores below an inverted one.
+  return std::max(least - 0.5 * excess, 0.0);
+}
+
+/// The best of eight places around one, or that itself.
+MetricCorner VertexMoves::best_around(const MetricCorner& from, double step, double& best_score) {
+  constexpr int directions = 8;
+  MetricCorner best = from;
+  // Unit steps in the metric: the columns of its inverse Cholesky factor.
+  const double l11 = std::sqrt(from.metric.m11), l21 = from.metric.m12 / l11;
+  const double l22 = std::sqrt(from.metric.m22 - l21 * l21);
+  if (!(l22 > 0)) return best;  // singular by rounding
+  for (int i = 0; i < directions; ++i) {
+    const double angle = 2 * std::numbers::pi * i / directions;
+    const double y = step * std::sin(angle) / l22;
+    const Uv place = from.uv + Uv{(step * std::cos(angle) - l21 * y) / l11, y};
+    // Most places are worse by far already in the metric of the vertex.
+    if (score({place, from.metric}) <= best_score - kMetricChange) continue;
+    const MetricCorner p = at(place);
+    const double value = score(p);
+    if (value > best_score + kLeastGain) {
+      best_score = value;
+      best = p;
+    }
+  }
+  return best;
+}
+
+void VertexMoves::search(VertexHandle vh) {
+  constexpr double first_step = 0.2, last_step = 0.02;
+  if (!star_.collect(delaunay_, vh)) return;
+  const MetricCorner old = corner(delaunay_, vh);
+  MetricCorner best = old;
+  double best_score = score(best);
+  double step = first_step;
+  for (int round = 0; round < kMaxSearchRounds && step >= last_step; ++round) {
+    const MetricCorner next = best_around(best, step, best_score);
+    if (next.uv == best.uv) step *= 0.5;
+    best = next;
+  }
+  if (!(best.uv == old.uv)) move(vh, best);
+}
+
+}  // namespace surfmesh

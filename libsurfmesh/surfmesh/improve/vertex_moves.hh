@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surfmesh/control/metric_field.hh"
+#include "surfmesh/improve/star.hh"
+
+namespace surfmesh {
+
+/// Down to this least quality around them, vertices may lose quality in favour of edge lengths.
+inline constexpr double kGoodQuality = 0.8;
+
+/// Moves single inner vertices of a mesh; those of the boundary stay.
+///
+/// No triangle is ever inverted, and a moved vertex gets the metric of its new place.
+class VertexMoves {
+ public:
+  VertexMoves(DelaunayMesh& delaunay, const MetricField& field)
+      : delaunay_(delaunay), field_(field) {}
+
+  /// Move a vertex to where its edges are of unit length, or half the way there, if the worst of its
+  /// triangles does not become worse or stays good.
+  ///
+  /// A Gauss-Newton step for Σ (l − 1)² over its edges. A step below a hundredth of a unit is not
+  /// worth its metric query.
+  void smooth(VertexHandle vh);
+
+  /// Search a better place for the vertex of a bad triangle: eight directions, steps from 0.2 to 0.02
+  /// units, for the best of the least quality less half the excess of edges over the unit range.
+  void search(VertexHandle vh);
+
+  MetricCorner at(Uv p) { return {p, field_.at(p, hint_)}; }
+
+  std::size_t count() const { return count_; }  ///< of moves so far
+  const QueryCounts& queries() const { return hint_.answers; }
+
+ private:
+  void move(VertexHandle vh, const MetricCorner& p);
+  Uv spring_step(const MetricCorner& centre) const;
+  double score(const MetricCorner& p) const;
+  MetricCorner best_around(const MetricCorner& from, double step, double& best_score);
+
+  DelaunayMesh& delaunay_;
+  const MetricField& field_;
+  MetricField::Hint hint_;
+  Star star_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace surfmesh
