@@ -40,7 +40,8 @@ constexpr NamedOption kNamedOptions[] = {
     {kMeshing, "placement", "frontal|circumcentre", "where new nodes go"},
     {kMeshing, "threads", "N", "any number is accepted; for now the work is done by one"},
     {kMeshing, "max_elements", "N", "refuse to make more triangles"},
-    {kCages, "patches", "auto|faces", "what is a patch of a cage"},
+    {kCages, "patches", "auto|faces|blocks",
+     "what is a patch of a cage: a face, or a block of faces (auto, where they are quads)"},
 };
 
 /// "max-elements" for "max_elements".
@@ -89,6 +90,12 @@ void add_flags(CLI::App& command, Settings& settings, FlagSet flags) {
           "--inner-nodes", [&settings] { settings.emplace_back("inner_nodes", "true"); },
           "refine the control mesh for the shape of its triangles")
       ->group(kControl);
+}
+
+CageOptions cage_options(Scheme scheme, const Settings& settings) {
+  PipelineOptions options;
+  for (const auto& [name, value] : settings) set_option(options, name, value);
+  return {.scheme = scheme, .patches = options.patches};
 }
 
 std::string names_for_set() {

@@ -24,7 +24,8 @@ void append(std::vector<PlacedSize>& all, const std::vector<PlacedSize>& more) {
 std::vector<PlacedSize> sizes_of_contour(const Model& model, const Contour& contour,
                                          const Sizing& sizing, const SizeBounds& bounds) {
   const ContourUse& use = contour.uses.front();
-  const CurveOnSurface curve(model.patches[static_cast<std::size_t>(use.patch)].surface, use.curve);
+  const CurveOnSurface curve(model.patches[static_cast<std::size_t>(use.patch)].surface, use.curve,
+                             contour.part_count);
   std::vector<PlacedSize> sizes;
   if (sizing.contour_curvature && sizing.curvature > 0) {
     append(sizes, contour_curvature_sizes(curve, sizing, bounds));

@@ -20,7 +20,7 @@ constexpr double kDamping = 1e-13;
 constexpr double kBorder = 1e-12;
 
 constexpr std::size_t kCandidates = 8;
-constexpr int kLeastSamples = 8, kMostSamples = 320;  // along a side of a patch
+constexpr int kLeastSamples = 8, kMostSamples = 320;  // along a side of a cell of a patch
 constexpr double kAllSamples = 1e5;
 
 /// The half plane n·(s,t) ≤ c of shares of the domain.
@@ -160,8 +160,12 @@ struct SurfaceSearch::Candidates {
 };
 
 SurfaceSearch::SurfaceSearch(const Model& model) : model_(model) {
-  const double share =
-      kAllSamples / static_cast<double>(std::max<std::size_t>(1, model.patches.size()));
+  double cell_count = 0;
+  for (const Patch& patch : model.patches) {
+    const CellCount cells = patch.surface->cells();
+    cell_count += static_cast<double>(cells.u) * cells.v;
+  }
+  const double share = kAllSamples / std::max(1.0, cell_count);
   const int count = std::clamp(static_cast<int>(std::sqrt(share)), kLeastSamples, kMostSamples);
   for (std::size_t p = 0; p < model.patches.size(); ++p) add_samples(static_cast<int>(p), count);
   sort_tree(0, samples_.size(), 0);
@@ -170,10 +174,12 @@ SurfaceSearch::SurfaceSearch(const Model& model) : model_(model) {
 void SurfaceSearch::add_samples(int patch, int count) {
   const Surface& surface = *model_.patches[static_cast<std::size_t>(patch)].surface;
   const Domain domain = surface.domain();
-  for (int j = 0; j <= count; ++j) {
-    for (int i = 0; i <= count; ++i) {
+  const CellCount cells = surface.cells();
+  const int columns = count * cells.u, rows = count * cells.v;
+  for (int j = 0; j <= rows; ++j) {
+    for (int i = 0; i <= columns; ++i) {
       if (domain.shape == Domain::Shape::Triangle && i + j > count) continue;
-      const Uv uv = domain.at(static_cast<double>(i) / count, static_cast<double>(j) / count);
+      const Uv uv = domain.at(static_cast<double>(i) / columns, static_cast<double>(j) / rows);
       samples_.push_back({surface.evaluate(uv, Order::Position).point, uv, patch});
     }
   }

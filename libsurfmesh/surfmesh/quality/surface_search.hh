@@ -31,7 +31,7 @@ NearPoint find_near_point(const Surface& surface, const Vec3& point, Uv guess);
 class SurfaceSearch {
  public:
   /// The model must outlive the search.
-  /// Cost     at least 81 evaluations a patch, 100,000 in all for a few patches
+  /// Cost     at least 64 evaluations a cell of a patch, 100,000 in all for a few cells
   explicit SurfaceSearch(const Model& model);
 
   /// The nearest point; `patches` are the ones to look at, empty for all.
