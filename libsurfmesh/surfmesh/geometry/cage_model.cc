@@ -335,7 +335,8 @@ Model model_of_blocks(const RefinedCage& regular, Scheme scheme, const CageOptio
   const Level level = topology.refiner->GetLevel(0);
   const std::vector<int> sets = group_sets(regular.cage, surfaces);
   const std::vector<Block> blocks =
-      has_blocks(options.patches, scheme) ? gather_blocks(level, sets) : single_faces(sets);
+      has_blocks(options.patches, scheme) ? gather_blocks(*topology.refiner, sets)
+                                          : single_faces(sets);
   ModelBuilder builder(level, scheme, blocks);
   for (const Block& block : blocks) {
     Patch patch;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/geometry/gather_blocks_detail.hh"
 
+#include <opensubdiv/sdc/crease.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +12,8 @@
 namespace surfmesh {
 namespace {
 
-using Level = OpenSubdiv::Far::TopologyLevel;
+namespace Far = OpenSubdiv::Far;
+namespace Sdc = OpenSubdiv::Sdc;
 
 /// In faces; an upper bound may be far more than there are.
 using Area = std::int64_t;
@@ -28,15 +31,17 @@ int rotated(int place) { return placed(face_of(place), rotation_of(place) + 1); 
 /// Tells which placed faces lie beside each other in a block.
 class Neighbours {
  public:
-  Neighbours(const Level& level, const std::vector<int>& sets)
-      : level_(level),
+  Neighbours(const Far::TopologyRefiner& refiner, const std::vector<int>& sets)
+      : level_(refiner.GetLevel(0)),
+        is_chaikin_(refiner.GetSchemeOptions().GetCreasingMethod() ==
+                    Sdc::Options::CREASE_CHAIKIN),
         sets_(sets),
         across_(4 * sets.size(), kNone),
-        is_flat_(static_cast<std::size_t>(level.GetNumVertices()), 0) {
-    for (int f = 0; f < level.GetNumFaces(); ++f) {
+        is_flat_(static_cast<std::size_t>(level_.GetNumVertices()), 0) {
+    for (int f = 0; f < level_.GetNumFaces(); ++f) {
       for (int side = 0; is_quad(f) && side < 4; ++side) link(f, side);
     }
-    for (int v = 0; v < level.GetNumVertices(); ++v) is_flat_[index(v)] = surrounds(v);
+    for (int v = 0; v < level_.GetNumVertices(); ++v) is_flat_[index(v)] = surrounds(v);
   }
 
   int place_count() const { return static_cast<int>(across_.size()); }
@@ -80,10 +85,23 @@ class Neighbours {
     return true;
   }
 
+  bool is_wall(int edge) const {
+    if (level_.GetEdgeFaces(edge).size() != 2 || level_.GetEdgeSharpness(edge) > 0) return true;
+    const auto ends = level_.GetEdgeVertices(edge);
+    return is_chaikin_ && (has_semi_sharp(ends[0]) || has_semi_sharp(ends[1]));
+  }
+
+  bool has_semi_sharp(int vertex) const {
+    const auto edges = level_.GetVertexEdges(vertex);
+    return std::any_of(edges.begin(), edges.end(), [this](int edge) {
+      return Sdc::Crease::IsSemiSharp(level_.GetEdgeSharpness(edge));
+    });
+  }
+
   void link(int face, int side) {
     const int edge = level_.GetFaceEdges(face)[side];
+    if (is_wall(edge)) return;
     const auto faces = level_.GetEdgeFaces(edge);
-    if (faces.size() != 2 || level_.GetEdgeSharpness(edge) > 0) return;
     const int other = faces[faces[0] == face ? 1 : 0];
     if (!is_quad(other) || sets_[index(other)] != sets_[index(face)]) return;
     const int other_side = level_.GetFaceEdges(other).FindIndex(edge);
@@ -107,7 +125,8 @@ class Neighbours {
     });
   }
 
-  const Level& level_;
+  Far::TopologyLevel level_;
+  bool is_chaikin_;
   const std::vector<int>& sets_;
   std::vector<int> across_;  ///< by face and side: the other face and its side there
   std::vector<char> is_flat_;
@@ -277,8 +296,9 @@ int first_face(const Block& block) {
       ->face;
 }
 
-std::vector<Block> gather_blocks(const Level& level, const std::vector<int>& sets) {
-  const Neighbours neighbours(level, sets);
+std::vector<Block> gather_blocks(const Far::TopologyRefiner& refiner,
+                                 const std::vector<int>& sets) {
+  const Neighbours neighbours(refiner, sets);
   std::vector<Block> blocks = BlockGatherer(neighbours).run();
   std::sort(blocks.begin(), blocks.end(),
             [](const Block& a, const Block& b) { return first_face(a) < first_face(b); });

@@ -115,8 +115,8 @@ class LimitSurface : public Surface {
   Uv outside_of_reach(Uv uv) const {
     for (const SingularPoint& singular : singular_points_) {
       Uv step = uv - singular.at;
+      if (step.u * step.u + step.v * step.v >= singular.reach * singular.reach) continue;
       double length = std::hypot(step.u, step.v);
-      if (length >= singular.reach) continue;
       if (length == 0) {
         step = {singular.at.u > 0 ? -1.0 : 1.0, singular.at.v > 0 ? -1.0 : 1.0};
         if (domain_.shape == Domain::Shape::Triangle) step = to_middle_of_triangle(singular.at);
