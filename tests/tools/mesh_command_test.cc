@@ -106,7 +106,7 @@ TEST_F(MeshProgram, PrintsNoProgressWhereThereIsNoTerminal) {
 
 TEST_F(MeshProgram, ShowsStagesAndPatchesOnATerminal) {
   if (shell("script -qec true /dev/null") != 0) GTEST_SKIP() << "no program script";
-  const std::string line = "mesh " + own_model("torus.obj") + " -o out.obj";
+  const std::string line = "mesh " + own_model("torus.obj") + " -o out.obj --patches faces";
   EXPECT_EQ(shell("script -qec \"" SURFMESH_PROGRAM " " + line + "\" /dev/null"), 0) << out_;
   for (const char* text : {"control 48/48", "boundary 0/", "mesh 0/48", "mesh 48/48", "assemble"}) {
     EXPECT_NE(out_.find(text), std::string::npos) << text << " in " << out_;

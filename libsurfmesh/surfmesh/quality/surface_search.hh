@@ -51,6 +51,8 @@ class SurfaceSearch {
 
   void add_samples(int patch, int count);
   void sort_tree(std::size_t first, std::size_t end, int axis);
+  /// True if both lead to the same place of a patch.
+  bool are_beside(const Sample& a, const Sample& b) const;
   void search(std::size_t first, std::size_t end, int axis, Candidates& candidates) const;
 
   const Model& model_;
