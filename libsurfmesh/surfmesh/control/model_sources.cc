@@ -65,9 +65,11 @@ std::vector<PatchSources> model_sources(const Model& model, const Sources& sourc
                sizing.proximity, "0 (off) or above");
   auto boundary = boundary_sizes(model, sizing);
   const auto near = near_tree(sources, sizing, model.diagonal);
+  const SizeBounds bounds(sizing, model.diagonal);
   std::vector<PatchSources> result;
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
     PatchSources& patch = result.emplace_back(sources_of_patch(sources, static_cast<int>(p)));
+    patch.rings = short_rings(model, static_cast<int>(p), bounds);
     if (near) patch.trees.push_back(near);
     if (boundary[p].empty()) continue;
     patch.trees.push_back(std::make_shared<SourceTree>(std::move(boundary[p]), sizing.grade));

@@ -60,6 +60,7 @@ void SizeField::take_sources(const PatchSources& sources, const Sizing& sizing, 
     everywhere_ = everywhere_ ? bounds_.clamp(minimum(*everywhere_, size)) : size;
   }
   fields_ = sources.fields;
+  rings_ = sources.rings;
   for (const TableSource& source : sources.tables) {
     tables_.push_back(std::make_shared<NodeInterpolation>(
         interpolate_table(source, surface_, bounds_, precision)));
@@ -118,7 +119,8 @@ void SizeField::take_tree(std::shared_ptr<const SourceTree> tree) {
 }
 
 bool SizeField::has_area_source() const {
-  return factor_ > 0 || everywhere_ || !areas_.empty() || !fields_.empty() || !tables_.empty();
+  return factor_ > 0 || everywhere_ || !areas_.empty() || !fields_.empty() || !tables_.empty() ||
+         !rings_.empty();
 }
 
 bool SizeField::has_source() const { return has_area_source() || !trees_.empty(); }
@@ -235,6 +237,16 @@ void SizeField::add_sources(Uv uv, const Jet& jet, Sample& sample) const {
   size = bounds_.clamp(size);
 }
 
+void SizeField::add_rings(Uv uv, Sample& sample) const {
+  for (const Ring& ring : rings_) {
+    const double around = size_around(ring.length_at(uv), bounds_);
+    if (around >= bounds_.hmax || !is_regular(sample.form)) continue;
+    // The frame's first axis is along p_u.
+    const double angle = ring.is_along_u ? 0 : std::atan2(sample.form.l22, sample.form.l21);
+    sample.size = minimum(sample.size, size_tensor(around, bounds_.hmax, angle));
+  }
+}
+
 SizeField::Sample SizeField::at(Uv uv) const {
   uv = domain_.fold(uv);
   const Jet jet = factor_ > 0 ? second_order(uv) : surface_.evaluate(uv, Order::First);
@@ -244,6 +256,7 @@ SizeField::Sample SizeField::at(Uv uv) const {
   sample.size = isotropic(bounds_.hmax);
   if (factor_ > 0) add_curvature(uv, jet, sample);
   if (has_wishes_) add_sources(uv, jet, sample);
+  add_rings(uv, sample);
   return sample;
 }
 

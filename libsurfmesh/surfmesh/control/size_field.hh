@@ -39,8 +39,8 @@ class SizeField {
   ///
   /// Curvature gives the size factor × radius along each principal direction, clamped, then the
   /// larger limited to stretch times the smaller; then the minimum with the other sources is
-  /// taken, in the order everywhere, inside, fields, tables, sizes around places; at last all are
-  /// clamped. Around an extraordinary vertex, where curvature grows without bound, the size is
+  /// taken, in the order everywhere, inside, fields, tables, sizes around places; then all are
+  /// clamped. Around a short ring of faces sizes leave room for four elements, below hmin, too. Around an extraordinary vertex, where curvature grows without bound, the size is
   /// isotropic: h with h = factor / (greatest curvature on the ring at the distance h/2), so that it
   /// does not depend on how near to the vertex one looks. Beside a narrowly rounded side the
   /// curvature is taken where the rounding ends.
@@ -84,6 +84,7 @@ class SizeField {
   Jet second_order(Uv uv) const;
   void add_curvature(Uv uv, const Jet& jet, Sample& sample) const;
   void add_sources(Uv uv, const Jet& jet, Sample& sample) const;
+  void add_rings(Uv uv, Sample& sample) const;
   SizeTensor size_of_field(const FieldSource& field, Uv uv, const Sample& sample) const;
   SizeTensor size_from_curvature(const Jet& jet) const;
   Disc make_disc(const SingularPoint& singular) const;
@@ -102,6 +103,7 @@ class SizeField {
   std::vector<FieldSource> fields_;
   std::vector<std::shared_ptr<const NodeInterpolation>> tables_;
   std::vector<std::shared_ptr<const SourceTree>> trees_;
+  std::vector<Ring> rings_;
   std::vector<Uv> places_;
   bool has_wishes_ = false;  ///< for more than the curvature
   std::vector<Disc> discs_;
