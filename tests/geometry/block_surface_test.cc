@@ -98,7 +98,9 @@ TEST(BlockSurface, NamesThePointInErrors) {
 
 TEST(BlockSurface, RefusesCellsThatMakeNoRectangle) {
   const BlockCell cell{part(0, 0, 0), 0};
-  EXPECT_EQ(error_of([&] { BlockSurface(2, {cell, cell, cell}); }),
+  EXPECT_EQ(error_of([&] {
+              BlockSurface(2, {cell, cell, cell});
+            }),
             "invalid input: 3 cells make no rectangle of 2 columns");
   EXPECT_NE(error_of([&] { BlockSurface(0, {cell}); }), "no error");
   EXPECT_NE(error_of([&] { BlockSurface(1, {}); }), "no error");
@@ -108,7 +110,9 @@ TEST(BlockSurface, RefusesCellsThatAreNotOverTheUnitSquare) {
   const auto wide = make_callable_surface({0, 2, 0, 1}, [](auto u, auto v) {
     return std::array{u, v, u * v};
   });
-  EXPECT_EQ(error_of([&] { BlockSurface(1, {{wide, 0}}); }),
+  EXPECT_EQ(error_of([&] {
+              BlockSurface(1, {{wide, 0}});
+            }),
             "invalid input: cell 0 of a block is no surface over the unit square");
   EXPECT_NE(error_of([&] { BlockSurface(1, {{nullptr, 0}}); }), "no error");
   EXPECT_NE(error_of([&] { BlockSurface(1, {{part(0, 0, 0), 4}}); }), "no error");

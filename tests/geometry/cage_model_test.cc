@@ -278,15 +278,16 @@ TEST(CageModel, EndsContoursWhereCreasesDo) {
 
 TEST(CageModel, HasExtraordinaryVerticesAtEndsOfContours) {
   for (const Cage& cage : {testing::cube(), testing::quad_fan(5), testing::quad_fan(6)}) {
-    const Cage refined = refine_once(refine_once(cage, Scheme::CatmullClark).cage,
-                                     Scheme::CatmullClark).cage;
+    const Cage refined =
+        refine_once(refine_once(cage, Scheme::CatmullClark).cage, Scheme::CatmullClark).cage;
     const Model model = model_from_cage(refined);
     expect_valid(model);
     for (const Patch& patch : model.patches) {
       for (const SingularPoint& singular : patch.surface->singular_points()) {
         const Vec3 point = patch.surface->evaluate(singular.at, Order::Position).point;
         EXPECT_TRUE(std::any_of(
-            patch.loops[0].begin(), patch.loops[0].end(), [&](const LoopEntry& entry) {
+            patch.loops[0].begin(), patch.loops[0].end(),
+            [&](const LoopEntry& entry) {
               const int start = contour_of(model, entry).start, end = contour_of(model, entry).end;
               const auto at = [&](int v) { return model.vertices[std::size_t(v)].position; };
               return std::min((at(start) - point).norm(), (at(end) - point).norm()) < 1e-9;

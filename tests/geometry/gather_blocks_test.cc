@@ -39,8 +39,8 @@ Cage refined(Cage cage, int times) {
 
 /// Vertex of the cage at a corner of the place of a face, counter-clockwise from the lower left.
 int vertex_at(const Cage& cage, const BlockFace& f, int corner) {
-  return cage.faces[static_cast<std::size_t>(f.face)]
-                   [static_cast<std::size_t>((f.rotation + corner) % 4)];
+  return cage
+      .faces[static_cast<std::size_t>(f.face)][static_cast<std::size_t>((f.rotation + corner) % 4)];
 }
 
 const BlockFace& face_at(const Block& block, int column, int row) {
@@ -159,9 +159,7 @@ TEST(GatherBlocks, EndsWhereSetsDo) {
   EXPECT_EQ(sizes_of(blocks_of(testing::sheet(4, 1), {0, 0, 1, 1})), (Sizes{"2x1", "2x1"}));
 }
 
-TEST(GatherBlocks, EndsAtEdgesOfThreeFaces) {
-  EXPECT_EQ(blocks_of(testing::fan()).size(), 3u);
-}
+TEST(GatherBlocks, EndsAtEdgesOfThreeFaces) { EXPECT_EQ(blocks_of(testing::fan()).size(), 3u); }
 
 TEST(GatherBlocks, EndsWhereNeighboursAreTurned) {
   Cage cage = testing::sheet(2, 1);

@@ -269,7 +269,8 @@ TEST(MeshModel, HasElementsLargerThanFacesOnBlocks) {
   const Cage cage = testing::torus(24, 16);
   PipelineOptions options;
   options.sizing = {.curvature = 0, .hmax = {1, false}};
-  const MeshResult faces = mesh_model(model_from_cage(cage, {.patches = PatchKind::Faces}), {}, options);
+  const MeshResult faces =
+      mesh_model(model_from_cage(cage, {.patches = PatchKind::Faces}), {}, options);
   const MeshResult blocks = mesh_model(model_from_cage(cage), {}, options);
   testing::expect_valid(blocks.mesh);
   EXPECT_TRUE(blocks.report.mesh.is_closed);

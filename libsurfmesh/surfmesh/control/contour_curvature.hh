@@ -24,8 +24,9 @@ double curve_curvature(const SpaceCurve& curve, double t);
 ///
 /// The contour becomes segments on which the sizes change linearly; they are halved until the size
 /// in the middle of each is within a tenth of the mean and the chord within a tenth of the size of
-/// the curve, or 2^-10 of a part of the contour. Segments that want no size below hmax are left out. Without
-/// gradation sizes hold within half of their length, so that there is an element with them.
+/// the curve, or 2^-10 of a part of the contour. Segments that want no size below hmax are left
+/// out. Without gradation sizes hold within half of their length, so that there is an element with
+/// them.
 ///
 /// Cost     40 evaluations of the curve for a simple one
 std::vector<PlacedSize> contour_curvature_sizes(const SpaceCurve& curve, const Sizing& sizing,

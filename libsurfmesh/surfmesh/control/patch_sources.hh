@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "surfmesh/control/size_bounds.hh"
 #include "surfmesh/control/ring_sizes.hh"
+#include "surfmesh/control/size_bounds.hh"
 #include "surfmesh/control/sizing.hh"
 #include "surfmesh/control/source_tree.hh"
 

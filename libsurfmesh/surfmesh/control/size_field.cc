@@ -197,7 +197,8 @@ Jet SizeField::second_order(Uv uv) const {
 
 /// Set the size that follows from the curvature, if there is a tangent plane here or beside.
 void SizeField::add_curvature(Uv uv, const Jet& jet, Sample& sample) const {
-  const Uv place = is_regular(sample.form) ? surface_.beside_roundings(uv) : beside_pole(surface_, uv);
+  const Uv place =
+      is_regular(sample.form) ? surface_.beside_roundings(uv) : beside_pole(surface_, uv);
   const Jet there = place == uv ? jet : second_order(place);
   if (!is_regular(first_form_factor(there.du, there.dv))) return;
   sample.size = size_from_curvature(there);

@@ -40,10 +40,11 @@ class SizeField {
   /// Curvature gives the size factor × radius along each principal direction, clamped, then the
   /// larger limited to stretch times the smaller; then the minimum with the other sources is
   /// taken, in the order everywhere, inside, fields, tables, sizes around places; then all are
-  /// clamped. Around a short ring of faces sizes leave room for four elements, below hmin, too. Around an extraordinary vertex, where curvature grows without bound, the size is
-  /// isotropic: h with h = factor / (greatest curvature on the ring at the distance h/2), so that it
-  /// does not depend on how near to the vertex one looks. Beside a narrowly rounded side the
-  /// curvature is taken where the rounding ends.
+  /// clamped. Around a short ring of faces sizes leave room for four elements, below hmin, too.
+  /// Around an extraordinary vertex, where curvature grows without bound, the size is isotropic: h
+  /// with h = factor / (greatest curvature on the ring at the distance h/2), so that it does not
+  /// depend on how near to the vertex one looks. Beside a narrowly rounded side the curvature is
+  /// taken where the rounding ends.
   ///
   /// Cost     one surface evaluation with second derivatives, and what the sources cost
   /// Throws   InvalidInput where a field is not positive (definite) and finite, naming (u,v)

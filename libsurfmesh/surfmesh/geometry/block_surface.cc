@@ -86,8 +86,8 @@ Jet BlockSurface::evaluate(Uv uv, Order order) const {
     turn_derivatives(jet, cell.rotation);
     return jet;
   } catch (const Error& error) {
-    throw Error(error.code(), fmt::format("at ({}, {}) of a block of faces: {}", uv.u, uv.v,
-                                          error.what()));
+    throw Error(error.code(),
+                fmt::format("at ({}, {}) of a block of faces: {}", uv.u, uv.v, error.what()));
   }
 }
 

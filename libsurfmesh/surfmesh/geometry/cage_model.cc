@@ -198,8 +198,8 @@ class ModelBuilder {
     contour.start = vertex_of_[static_cast<std::size_t>(chain.front().from)];
     contour.end = vertex_of_[static_cast<std::size_t>(chain.back().to)];
     contour.part_count = static_cast<int>(chain.size());
-    contour.is_smooth = scheme_ != Scheme::Bilinear &&
-                        !OpenSubdiv::Sdc::Crease::IsInfinite(level_.GetEdgeSharpness(chain[0].edge));
+    contour.is_smooth = scheme_ != Scheme::Bilinear && !OpenSubdiv::Sdc::Crease::IsInfinite(
+                                                           level_.GetEdgeSharpness(chain[0].edge));
     model.contours.push_back(std::move(contour));
     first_edge_.push_back(chain[0].edge);
     for (const BorderEdge& edge : chain) contour_of_[static_cast<std::size_t>(edge.edge)] = index;
@@ -334,9 +334,9 @@ Model model_of_blocks(const RefinedCage& regular, Scheme scheme, const CageOptio
                                                 {options.approximation_level, true});
   const Level level = topology.refiner->GetLevel(0);
   const std::vector<int> sets = group_sets(regular.cage, surfaces);
-  const std::vector<Block> blocks =
-      has_blocks(options.patches, scheme) ? gather_blocks(*topology.refiner, sets)
-                                          : single_faces(sets);
+  const std::vector<Block> blocks = has_blocks(options.patches, scheme)
+                                        ? gather_blocks(*topology.refiner, sets)
+                                        : single_faces(sets);
   ModelBuilder builder(level, scheme, blocks);
   for (const Block& block : blocks) {
     Patch patch;

@@ -24,8 +24,8 @@ struct CageOptions {
 /// the borders of groups, and vertices that are not regular are on its border. Blocks are there
 /// under Catmull-Clark only; otherwise, and with PatchKind::Faces, each face is a patch. If a face
 /// of a Catmull-Clark or bilinear cage is not a quad, the cage is refined once first. See
-/// make_regular for faces that cannot be used; those without limit surface (see make_limit_surfaces)
-/// are left out, too.
+/// make_regular for faces that cannot be used; those without limit surface (see
+/// make_limit_surfaces) are left out, too.
 ///
 /// A contour runs along edges of the cage from one model vertex to the next; these are the corners
 /// of blocks, all vertices where other than two borders meet, and the ends of creases. The side of

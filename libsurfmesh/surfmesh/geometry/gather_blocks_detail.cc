@@ -33,8 +33,7 @@ class Neighbours {
  public:
   Neighbours(const Far::TopologyRefiner& refiner, const std::vector<int>& sets)
       : level_(refiner.GetLevel(0)),
-        is_chaikin_(refiner.GetSchemeOptions().GetCreasingMethod() ==
-                    Sdc::Options::CREASE_CHAIKIN),
+        is_chaikin_(refiner.GetSchemeOptions().GetCreasingMethod() == Sdc::Options::CREASE_CHAIKIN),
         sets_(sets),
         across_(4 * sets.size(), kNone),
         is_flat_(static_cast<std::size_t>(level_.GetNumVertices()), 0) {
@@ -157,8 +156,9 @@ std::vector<int> run_lengths(const Neighbours& neighbours, Joins joins) {
 
 /// Takes the largest rectangle again and again.
 ///
-/// A queue holds for each place an upper bound of the rectangles whose lower left it is. Bounds only
-/// fall as faces are taken; so a bound that is reached when it comes to the front is the largest.
+/// A queue holds for each place an upper bound of the rectangles whose lower left it is. Bounds
+/// only fall as faces are taken; so a bound that is reached when it comes to the front is the
+/// largest.
 class BlockGatherer {
  public:
   explicit BlockGatherer(const Neighbours& neighbours)
@@ -170,7 +170,8 @@ class BlockGatherer {
 
   std::vector<Block> run() {
     for (int place = 0; place < neighbours_.place_count(); ++place) {
-      if (neighbours_.is_usable(face_of(place))) push(place, Area{row(place)} * row(rotated(place)));
+      if (neighbours_.is_usable(face_of(place)))
+        push(place, Area{row(place)} * row(rotated(place)));
     }
     std::vector<Block> blocks;
     while (!queue_.empty()) {
@@ -196,7 +197,9 @@ class BlockGatherer {
  private:
   int row(int place) const { return row_[static_cast<std::size_t>(place)]; }
   int strip(int place) const { return strip_[static_cast<std::size_t>(place)]; }
-  bool is_taken(int place) const { return is_taken_[static_cast<std::size_t>(face_of(place))] != 0; }
+  bool is_taken(int place) const {
+    return is_taken_[static_cast<std::size_t>(face_of(place))] != 0;
+  }
 
   /// Of equal areas the first place comes first.
   void push(int place, Area area) { queue_.emplace(area, -place); }

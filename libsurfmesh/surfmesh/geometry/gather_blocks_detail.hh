@@ -25,11 +25,12 @@ int first_face(const Block& block);
 
 /// Gather the faces of a refiner's base level into rectangles as large as can be, largest first.
 ///
-/// Blocks end at creases of any sharpness, at boundaries, at edges of more than two faces, and where
-/// neighbours pass their edge in the same direction. The vertices inside a block are regular: four
-/// faces, no sharpness. By Chaikin's rule, under which the surfaces of faces beside a crease may
-/// differ (see model_from_cage), blocks end at edges from semi-sharp creases, too. Two opposite sides of a block may be the same edges (a ring). The blocks
-/// are in the order of their first faces.
+/// Blocks end at creases of any sharpness, at boundaries, at edges of more than two faces, and
+/// where neighbours pass their edge in the same direction. The vertices inside a block are regular:
+/// four faces, no sharpness. By Chaikin's rule, under which the surfaces of faces beside a crease
+/// may differ (see model_from_cage), blocks end at edges from semi-sharp creases, too. Two opposite
+/// sides of a block may be the same edges (a ring). The blocks are in the order of their first
+/// faces.
 ///
 /// `sets` has a number for each face: faces of different sets come into different blocks, those of
 /// the set -1 into none.

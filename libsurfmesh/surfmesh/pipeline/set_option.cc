@@ -202,7 +202,9 @@ constexpr auto kOptions = std::to_array<OptionEntry>({
      }},
     {"nodes", false, set_nodes, get_nodes},
     {"precision", false,
-     [](Options& o, const Text& t) { o.control.nodes.precision = t.number(kPositive, is_positive); },
+     [](Options& o, const Text& t) {
+       o.control.nodes.precision = t.number(kPositive, is_positive);
+     },
      [](const Options& o) -> OptionValue { return o.control.nodes.precision; }},
     {"control", false,
      [](Options& o, const Text& t) {
@@ -238,8 +240,7 @@ constexpr auto kOptions = std::to_array<OptionEntry>({
      [](const Options& o) -> OptionValue {
        return std::string(o.control.space.lookup == DiscLookup::Disc ? "disc" : "vertices");
      }},
-    {"inner_nodes", false,
-     [](Options& o, const Text& t) { o.control.inner_nodes = t.boolean(); },
+    {"inner_nodes", false, [](Options& o, const Text& t) { o.control.inner_nodes = t.boolean(); },
      [](const Options& o) -> OptionValue { return o.control.inner_nodes; }},
     {"reuse", false,
      [](Options& o, const Text& t) { o.control.space.reuse = t.number_from(0, kFromZero); },

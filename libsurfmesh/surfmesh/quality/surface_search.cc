@@ -231,9 +231,9 @@ NearPoint SurfaceSearch::nearest(const Vec3& point, const std::vector<int>& patc
   for (std::size_t i = 0; i < candidates.count; ++i) {
     const Sample& sample = *candidates.best[i].second;
     const auto first = candidates.best.begin();
-    const bool is_tried = std::any_of(
-        first, first + static_cast<std::ptrdiff_t>(i),
-        [&](const auto& candidate) { return are_beside(*candidate.second, sample); });
+    const bool is_tried =
+        std::any_of(first, first + static_cast<std::ptrdiff_t>(i),
+                    [&](const auto& candidate) { return are_beside(*candidate.second, sample); });
     if (is_tried && i > 1) continue;
     NearPoint found = find_near_point(
         *model_.patches[static_cast<std::size_t>(sample.patch)].surface, point, sample.uv);
