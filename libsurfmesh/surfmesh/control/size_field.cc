@@ -181,9 +181,9 @@ SizeField::Disc SizeField::make_disc(const SingularPoint& singular) const {
 
 void SizeField::blend_with_discs(Sample& sample) const {
   for (const Disc& disc : discs_) {
-    const double distance = (sample.point - disc.centre).norm();
-    if (distance >= 2 * disc.radius) continue;
-    const double share = std::min(1.0, 2 - distance / disc.radius);
+    const double squared = (sample.point - disc.centre).squaredNorm();
+    if (squared >= 4 * disc.radius * disc.radius) continue;
+    const double share = std::min(1.0, 2 - std::sqrt(squared) / disc.radius);
     SizeTensor& h = sample.size;
     const SizeTensor inside = isotropic(disc.size);
     h = {(1 - share) * h.h11 + share * inside.h11, (1 - share) * h.h12,
