@@ -26,7 +26,7 @@ constexpr const char* kFooter =
     "Example:\n  surfmesh check knob.om --model knob.obj --json\n";
 
 ModelInput read_model_with(const std::string& path, Scheme scheme, const Settings& settings) {
-  ModelInput input = load_model(path, {.scheme = scheme});
+  ModelInput input = load_model(path, cage_options(scheme, settings));
   for (const auto& [name, value] : settings) set_option(input.options, name, value);
   return input;
 }

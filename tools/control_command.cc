@@ -57,9 +57,10 @@ int ControlCommand::write_control_meshes(Progress& progress) const {
   if (is_same_file(input_, output_)) {
     throw Error(ErrorCode::Io, fmt::format("{} is the input, it is not overwritten", output_));
   }
-  ModelInput input = load_model(input_, {.scheme = scheme_});
-  for (const auto& [name, value] : named_) set_option(input.options, name, value);
-  for (const auto& [name, value] : set_) set_option(input.options, name, value);
+  Settings settings = named_;
+  settings.insert(settings.end(), set_.begin(), set_.end());
+  ModelInput input = load_model(input_, cage_options(scheme_, settings));
+  for (const auto& [name, value] : settings) set_option(input.options, name, value);
   input.options.observer = &progress;
   const ControlSpaces control = make_control_spaces(input.model, input.sources, input.options);
   const std::vector<ControlPicture> pictures = pictures_of(input.model, control);

@@ -160,7 +160,7 @@ int MeshCommand::run() const {
   Progress progress(!is_quiet_ && is_terminal());
   try {
     check_paths(input_, output_, report_);
-    MeshRun run({.scheme = scheme_}, settings);
+    MeshRun run(cage_options(scheme_, settings), settings);
     run.read(input_);
     run.mesh(input_, progress);
     run.write(output_, report_);

@@ -34,13 +34,16 @@ constexpr NamedOption kNamedOptions[] = {
      "control nodes: chosen to the precision, or N regular ones a patch"},
     {kControl, "precision", "P", "conformity of the control space with the sizes asked for"},
     {kControl, "control", "mesh|grid", "triangulated, or a regular grid"},
-    {kControl, "interpolation", "linear|s|t|o|auto", "sizes linear in a triangle of nodes, or by distance from one, its triangle's, all circumcircles', or the cheapest that is as good"},
+    {kControl, "interpolation", "linear|s|t|o|auto",
+     "sizes linear in a triangle of nodes, or by distance from one, its triangle's, all circumcircles', "
+     "or the cheapest that is as good"},
     {kControl, "epsilon", "E", "accuracy of the interpolation auto"},
     {kControl, "reuse", "F", "use a size again within this metric distance; 0 is off"},
     {kMeshing, "placement", "frontal|circumcentre", "where new nodes go"},
     {kMeshing, "threads", "N", "any number is accepted; for now the work is done by one"},
     {kMeshing, "max_elements", "N", "refuse to make more triangles"},
-    {kCages, "patches", "auto|faces", "what is a patch of a cage"},
+    {kCages, "patches", "auto|faces|blocks",
+     "what is a patch of a cage: a face, or a block of faces (auto, where they are quads)"},
 };
 
 /// "max-elements" for "max_elements".
@@ -89,6 +92,12 @@ void add_flags(CLI::App& command, Settings& settings, FlagSet flags) {
           "--inner-nodes", [&settings] { settings.emplace_back("inner_nodes", "true"); },
           "refine the control mesh for the shape of its triangles")
       ->group(kControl);
+}
+
+CageOptions cage_options(Scheme scheme, const Settings& settings) {
+  PipelineOptions options;
+  for (const auto& [name, value] : settings) set_option(options, name, value);
+  return {.scheme = scheme, .patches = options.patches};
 }
 
 std::string names_for_set() {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "surfmesh/geometry/cage.hh"
+#include "surfmesh/geometry/cage_model.hh"
 
 namespace surfmesh {
 
@@ -23,6 +23,9 @@ enum class FlagSet { Control, Meshing };
 
 /// Add flags for the options that are most used, in groups.
 void add_flags(CLI::App& command, Settings& settings, FlagSet flags);
+
+/// What the command line asks for that a cage has to be loaded with.
+CageOptions cage_options(Scheme scheme, const Settings& settings);
 
 /// The names of all options, for the help of --set.
 std::string names_for_set();

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "surfmesh/geometry/cage_model.hh"
 #include "surfmesh/geometry/limit_surface.hh"
 #include "surfmesh/geometry/subdivision_detail.hh"
 
@@ -62,6 +63,21 @@ void BM_RegularByHand(benchmark::State& state) {
   evaluate(state, *surface, static_cast<Order>(state.range(0)));
 }
 BENCHMARK(BM_RegularByHand)->DenseRange(0, 2);
+
+/// The same face in a block of 4,096.
+void BM_RegularInBlock(benchmark::State& state) {
+  const Model model = model_from_cage(torus(false));
+  evaluate(state, *model.patches[0].surface, static_cast<Order>(state.range(0)));
+}
+BENCHMARK(BM_RegularInBlock)->DenseRange(0, 2);
+
+/// Argument: 0 faces, 1 blocks.
+void BM_Model(benchmark::State& state) {
+  const Cage cage = torus(true);
+  const PatchKind kind = state.range(0) == 0 ? PatchKind::Faces : PatchKind::Blocks;
+  for (auto _ : state) benchmark::DoNotOptimize(model_from_cage(cage, {.patches = kind}));
+}
+BENCHMARK(BM_Model)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
 void BM_RegularByBfr(benchmark::State& state) {
   const Cage cage = torus(false);

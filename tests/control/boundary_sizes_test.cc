@@ -161,6 +161,25 @@ TEST(CurvePolyline, HasTheLengthOfTheCurve) {
   EXPECT_NEAR(length(curve_polyline(circle, 1e-5)), 6, 1e-3);
 }
 
+/// A line of forty parts, straight but for a bump in the first quarter of one of them.
+class LineWithBump : public SpaceCurve {
+ public:
+  Vec3 evaluate(double t) const override {
+    const double inside = 40 * t - 17.02;
+    const double height = inside > 0 && inside < 0.25 ? std::sin(4 * std::numbers::pi * inside) : 0;
+    return {40 * t, 0.1 * height * height, 0};
+  }
+  int part_count() const override { return 40; }
+};
+
+TEST(CurvePolyline, SeesWhatIsInEachPart) {
+  double greatest = 0;
+  for (const CurvePoint& point : curve_polyline(LineWithBump(), 0.01)) {
+    greatest = std::max(greatest, point.point.y());
+  }
+  EXPECT_GT(greatest, 0.05);
+}
+
 TEST(ModelSources, GoToAllPatchesOfAContour) {
   // Two half cylinders: their rims are curved, the joints between them are smooth and straight.
   const double pi = std::numbers::pi;

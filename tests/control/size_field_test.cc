@@ -12,6 +12,7 @@
 #include "support/errors.hh"
 #include "support/tensors.hh"
 #include "support/waves.hh"
+#include "surfmesh/geometry/cage_model.hh"
 #include "surfmesh/geometry/curvature.hh"
 #include "surfmesh/geometry/limit_surface.hh"
 #include "surfmesh/metric/conformity.hh"
@@ -266,6 +267,44 @@ TEST_P(ExtraordinaryVertex, HardlyDependsOnTheLevelOfApproximation) {
     const Uv uv = near_corner(fine.at, share);
     EXPECT_LT(log_conformity(a.at(uv).size, b.at(uv).size), 0.03) << share;
   }
+}
+
+TEST(SizeField, IsIsotropicAroundAnExtraordinaryVertexInTheMiddleOfASide) {
+  const Model model = model_from_cage(testing::quad_fan(6));
+  for (const Patch& patch : model.patches) {
+    const SizeField field = field_of(*patch.surface, sizing_of(0.25, 1e-4, 10, 2));
+    for (const SingularPoint& singular : patch.surface->singular_points()) {
+      if (singular.at.u != 1) continue;
+      const SizeTensor size = field.at(singular.at).size;
+      EXPECT_LT(log_conformity(size, isotropic(size.h11)), 1e-12);
+      for (const double share : {1e-3, 1e-9}) {
+        EXPECT_EQ(field.at(lerp(singular.at, {0, 0.5}, share)).size, size);
+        EXPECT_EQ(field.at(lerp(singular.at, {2, 0.5}, share)).size, size);
+      }
+    }
+  }
+}
+
+TEST(SizeField, HasAPlaceInEachFaceOfABlock) {
+  const Model model = model_from_cage(testing::sheet(3, 2));
+  const SizeField field = field_of(*model.patches[0].surface, sizing_of(0.25, 0.01, 10, 2));
+  ASSERT_EQ(field.places().size(), 6u);
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_EQ(std::floor(field.places()[k].u), static_cast<double>(k % 3));
+    EXPECT_EQ(std::floor(field.places()[k].v), static_cast<double>(k / 3));
+  }
+}
+
+TEST(SizeField, LeavesRoomAroundARing) {
+  PatchSources sources;
+  sources.rings.push_back({true, 0, 1, {0.4, 0.8}});
+  const auto surface = plane();
+  const SizeField field(surface, sizing_of(0, 0.2, 10, 2), sources, 1);
+  expect_near(field.at({0.5, 0}).size, {0.1, 0, 10}, 1e-9);
+  expect_near(field.at({0.5, 0.5}).size, {0.15, 0, 10}, 1e-9);
+  sources.rings[0].is_along_u = false;
+  const SizeField across(surface, sizing_of(0, 0.2, 10, 2), sources, 1);
+  expect_near(across.at({1, 0.5}).size, {10, 0, 0.2}, 1e-9);
 }
 
 TEST_P(ExtraordinaryVertex, IsAloneWhenCurvatureIsOff) {

@@ -37,6 +37,24 @@ inline Cage torus(int m = 6, int n = 4) {
   return cage;
 }
 
+/// An open tube about the z axis of m × n quads, all vertices regular.
+inline Cage tube(int m, int n, double radius = 1) {
+  Cage cage;
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i < m; ++i) {
+      const double a = 2 * M_PI * i / m;
+      cage.points.emplace_back(radius * std::cos(a), radius * std::sin(a), j);
+    }
+  }
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < m; ++i) {
+      const int next = (i + 1) % m;
+      cage.faces.push_back({j * m + i, j * m + next, (j + 1) * m + next, (j + 1) * m + i});
+    }
+  }
+  return cage;
+}
+
 /// A bent sheet of m × n quads with a boundary.
 inline Cage sheet(int m = 3, int n = 3) {
   Cage cage;

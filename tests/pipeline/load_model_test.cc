@@ -26,7 +26,7 @@ std::string fault(const std::filesystem::path& path, const CageOptions& options 
 
 TEST(LoadModel, ReadsCages) {
   const ModelInput input = load_model(own_model("torus.obj"));
-  EXPECT_EQ(input.model.patches.size(), 48u);
+  EXPECT_EQ(input.model.patches.size(), 1u);
   EXPECT_EQ(input.options.sizing.curvature, Sizing{}.curvature);
 }
 
@@ -75,7 +75,7 @@ std::string cages(const std::string& scheme, const std::string& in_root = "") {
 TEST(LoadModel, ReadsSeveralCages) {
   const TestFolder folder;
   write_text(folder / "a.json", cages("bilinear"));
-  const Model model = load_model(folder / "a.json").model;
+  const Model model = load_model(folder / "a.json", {.patches = PatchKind::Faces}).model;
   EXPECT_EQ(model.patches.size(), 12u);
   EXPECT_EQ(model.patches[6].name, "b:f0");
   EXPECT_EQ(model.contours[12].uses[0].patch, 6);
@@ -92,6 +92,28 @@ TEST(LoadModel, ReplacesTheSchemeOfCages) {
   write_text(folder / "a.json", cages("catmark"));
   const Model model = load_model(folder / "a.json", {.scheme = Scheme::Bilinear}).model;
   EXPECT_EQ(model.vertices.front().position.cwiseAbs(), Vec3(1, 1, 1));
+}
+
+/// Patches of the torus in a model file with these keys for the cage and for the options.
+std::size_t torus_patches(const std::string& key, const std::string& option,
+                          PatchKind given = PatchKind::Auto) {
+  const TestFolder folder;
+  write_text(folder / "a.json", R"({"cages": [{"name": "a", "file": ")" +
+                                    own_model("torus.obj").string() + "\"" + key +
+                                    R"(}], "options": {)" + option + "}}");
+  return load_model(folder / "a.json", {.patches = given}).model.patches.size();
+}
+
+TEST(LoadModel, TakesBlocksOfCagesForPatches) {
+  EXPECT_EQ(torus_patches("", ""), 1u);
+  EXPECT_EQ(torus_patches(R"(, "patches": "faces")", ""), 48u);
+  EXPECT_EQ(torus_patches("", R"("patches": "faces")"), 48u);
+}
+
+TEST(LoadModel, PutsTheKeyOfACageBeforeTheOptionOfTheFile) {
+  EXPECT_EQ(torus_patches(R"(, "patches": "blocks")", R"("patches": "faces")"), 1u);
+  EXPECT_EQ(torus_patches(R"(, "patches": "blocks")", "", PatchKind::Faces), 48u);
+  EXPECT_EQ(torus_patches(R"(, "patches": "auto")", R"("patches": "faces")"), 48u);
 }
 
 TEST(LoadModel, NamesThePlaceOfABadCage) {

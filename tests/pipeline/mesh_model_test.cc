@@ -265,6 +265,30 @@ TEST(MeshModelError, EndsAtTheLimitOfAllPatchesTogether) {
   EXPECT_EQ(error_of([&] { mesh_model(model, {}, options); }).substr(0, 5), "limit");
 }
 
+TEST(MeshModel, HasElementsLargerThanFacesOnBlocks) {
+  const Cage cage = testing::torus(24, 16);
+  PipelineOptions options;
+  options.sizing = {.curvature = 0, .hmax = {1, false}};
+  const MeshResult faces =
+      mesh_model(model_from_cage(cage, {.patches = PatchKind::Faces}), {}, options);
+  const MeshResult blocks = mesh_model(model_from_cage(cage), {}, options);
+  testing::expect_valid(blocks.mesh);
+  EXPECT_TRUE(blocks.report.mesh.is_closed);
+  EXPECT_EQ(blocks.report.mesh.euler, 0);
+  EXPECT_GE(faces.report.mesh.triangles, 2 * cage.faces.size());
+  EXPECT_LT(blocks.report.mesh.triangles, cage.faces.size());
+  EXPECT_GT(blocks.report.quality.min, 0.5);
+}
+
+TEST(MeshModel, IsNotFlatOnATubeThinnerThanItsElements) {
+  PipelineOptions options;
+  options.sizing = {.curvature = 0.25, .hmin = {0.5, false}, .hmax = {2, false}};
+  const MeshResult result = mesh_model(model_from_cage(testing::tube(6, 12, 0.1)), {}, options);
+  testing::expect_valid(result.mesh);
+  EXPECT_EQ(result.report.mesh.euler, 0);
+  EXPECT_TRUE(result.report.shortfalls.empty()) << result.report.shortfalls.front();
+}
+
 /// Cages with extraordinary vertices of valence 3, 4, 5 and 6 (after refinement).
 std::vector<std::pair<std::string, Cage>> extraordinary_cages() {
   return {{"Cube", testing::cube()},

@@ -78,20 +78,32 @@ TEST(SetOption, SetsTheSizesOfContours) {
 
 TEST(SetOption, AcceptsTheOffValuesOfWhatIsNotBuilt) {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"sag", "off"},         {"sag", "0"},        {"patches", "faces"},
-      {"patches", "auto"},
-      {"quads", "false"},   {"threads", "8"},       {"threads", "all"},
-      {"smoothing", "best"}};
+      {"sag", "off"},   {"sag", "0"},       {"quads", "false"},
+      {"threads", "8"}, {"threads", "all"}, {"smoothing", "best"}};
   for (const auto& [name, value] : cases) EXPECT_EQ(fault(name, value), "no error") << name;
 }
 
 TEST(SetOption, SaysWhatIsNotBuiltYet) {
-  const std::vector<std::pair<std::string, std::string>> cases = {
-      {"sag", "0.1%"}, {"patches", "blocks"}, {"quads", "true"}};
+  const std::vector<std::pair<std::string, std::string>> cases = {{"sag", "0.1%"},
+                                                                  {"quads", "true"}};
   for (const auto& [name, value] : cases) {
     const std::string front = "invalid option: " + name + " = " + value + " is not built yet; ";
     EXPECT_TRUE(fault(name, value).starts_with(front)) << fault(name, value);
   }
+}
+
+TEST(SetOption, SetsWhatIsAPatchOfACage) {
+  PipelineOptions options;
+  EXPECT_EQ(to_text(get_option(options, "patches")), "auto");
+  for (const auto& [value, kind] :
+       {std::pair("faces", PatchKind::Faces), std::pair("blocks", PatchKind::Blocks),
+        std::pair("auto", PatchKind::Auto)}) {
+    set_option(options, "patches", value);
+    EXPECT_EQ(options.patches, kind);
+    EXPECT_EQ(to_text(get_option(options, "patches")), value);
+  }
+  EXPECT_EQ(fault("patches", "all"),
+            "invalid option: patches = all is outside its range: auto or faces or blocks");
 }
 
 TEST(SetOption, SetsHowControlSpacesAreMadeAndAsked) {

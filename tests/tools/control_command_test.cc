@@ -27,7 +27,8 @@ TEST_F(ControlProgram, TakesTheOptionsOfControlSpaces) {
 }
 
 TEST_F(ControlProgram, MakesOneMeshForEachPatchOfACage) {
-  EXPECT_EQ(run("control '" + own_model("cube.obj") + "' -o a.obj --quiet"), 0) << err_;
+  EXPECT_EQ(run("control '" + own_model("cube.obj") + "' -o a.obj --quiet --patches faces"), 0)
+      << err_;
   EXPECT_EQ(out_ + err_, "");
   const std::string text = read_text(folder_ / "a.obj");
   std::size_t groups = 0;

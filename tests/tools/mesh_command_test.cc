@@ -48,6 +48,18 @@ TEST_F(MeshProgram, HelpsWithDefaultsAndAnExample) {
   EXPECT_NE(out_.find("mesh"), std::string::npos);
 }
 
+TEST_F(MeshProgram, TakesBlocksOfFacesForPatches) {
+  const auto patches = [this](const std::string& flags) {
+    EXPECT_EQ(mesh("torus.obj", flags + " --quiet --report report.json"), 0) << err_;
+    return report()["mesh"]["patches"].get<int>();
+  };
+  const int faces = patches("--patches faces");
+  const int blocks = patches("--patches blocks");
+  EXPECT_LT(blocks, faces);
+  EXPECT_EQ(patches(""), blocks);
+  EXPECT_EQ(patches("--patches blocks --set patches=faces"), faces);
+}
+
 TEST_F(MeshProgram, GroupsItsOptions) {
   EXPECT_EQ(run("mesh --help"), 0);
   std::size_t last = 0;
@@ -94,7 +106,7 @@ TEST_F(MeshProgram, PrintsNoProgressWhereThereIsNoTerminal) {
 
 TEST_F(MeshProgram, ShowsStagesAndPatchesOnATerminal) {
   if (shell("script -qec true /dev/null") != 0) GTEST_SKIP() << "no program script";
-  const std::string line = "mesh " + own_model("torus.obj") + " -o out.obj";
+  const std::string line = "mesh " + own_model("torus.obj") + " -o out.obj --patches faces";
   EXPECT_EQ(shell("script -qec \"" SURFMESH_PROGRAM " " + line + "\" /dev/null"), 0) << out_;
   for (const char* text : {"control 48/48", "boundary 0/", "mesh 0/48", "mesh 48/48", "assemble"}) {
     EXPECT_NE(out_.find(text), std::string::npos) << text << " in " << out_;
@@ -183,7 +195,7 @@ TEST_F(MeshProgram, TellsWrongUsage) {
 TEST_F(MeshProgram, TellsWrongSettings) {
   expect_wrong_usage(mesh("cube.obj", "--set hmn=1"), "did you mean hmin?");
   expect_wrong_usage(mesh("cube.obj", "--set quads=true"), "quads = true is not built yet");
-  expect_wrong_usage(mesh("cube.obj", "--patches blocks"), "patches = blocks is not built yet");
+  expect_wrong_usage(mesh("cube.obj", "--patches all"), "patches = all is outside its range");
   expect_wrong_usage(mesh("cube.obj", "--set smoothing=much"), "outside its range");
 }
 

@@ -8,7 +8,7 @@
 namespace surfmesh {
 namespace {
 
-/// Parameter distance of the points through which the circle is laid.
+/// Parameter distance of the points through which the circle is laid, as a share of one part.
 constexpr double kStep = 1.0 / 512;
 
 /// Ratio of the size across a contour to that along it: elements there may be stretched so much.
@@ -17,7 +17,7 @@ constexpr double kAcross = 2;
 /// Relative difference of sizes, and distance of the chord in sizes, that elements do not show.
 constexpr double kTolerance = 0.1;
 
-constexpr int kFirstIntervals = 4;
+constexpr int kFirstIntervals = 4;  // of each part
 constexpr int kMaxHalvings = 8;
 
 /// Share of its size within which a size holds where there is no gradation.
@@ -30,8 +30,9 @@ class Sampler {
 
   std::vector<PlacedSize> run() {
     Place last = at(0);
-    for (int i = 1; i <= kFirstIntervals; ++i) {
-      const Place next = at(double(i) / kFirstIntervals);
+    const int count = kFirstIntervals * curve_.part_count();
+    for (int i = 1; i <= count; ++i) {
+      const Place next = at(double(i) / count);
       divide(last, next, 0);
       last = next;
     }
@@ -84,10 +85,11 @@ class Sampler {
 }  // namespace
 
 double curve_curvature(const SpaceCurve& curve, double t) {
-  const double middle = std::clamp(t, kStep, 1 - kStep);
+  const double step = kStep / curve.part_count();
+  const double middle = std::clamp(t, step, 1 - step);
   const Vec3 p = curve.evaluate(middle);
-  const Vec3 a = curve.evaluate(middle - kStep) - p;
-  const Vec3 b = curve.evaluate(middle + kStep) - p;
+  const Vec3 a = curve.evaluate(middle - step) - p;
+  const Vec3 b = curve.evaluate(middle + step) - p;
   const double sides = a.norm() * b.norm() * (b - a).norm();
   return sides > 0 ? 2 * a.cross(b).norm() / sides : 0;
 }

@@ -10,7 +10,7 @@ namespace surfmesh {
 
 /// The curvature of a curve in space at t, that of the circle through three of its points.
 ///
-/// The outer two are 1/512 of the parameter range away (at the ends the circle is that of the
+/// The outer two are 1/512 of a part of the curve away (at the ends the circle is that of the
 /// nearest place where they fit): nearer ones would be lost in the errors of the positions, which
 /// for a curve of length L found by projection are near 1e-12 L, and in the curvature 1e-6 / L.
 ///
@@ -24,8 +24,9 @@ double curve_curvature(const SpaceCurve& curve, double t);
 ///
 /// The contour becomes segments on which the sizes change linearly; they are halved until the size
 /// in the middle of each is within a tenth of the mean and the chord within a tenth of the size of
-/// the curve, or 2^-10 of the contour. Segments that want no size below hmax are left out. Without
-/// gradation sizes hold within half of their length, so that there is an element with them.
+/// the curve, or 2^-10 of a part of the contour. Segments that want no size below hmax are left
+/// out. Without gradation sizes hold within half of their length, so that there is an element with
+/// them.
 ///
 /// Cost     40 evaluations of the curve for a simple one
 std::vector<PlacedSize> contour_curvature_sizes(const SpaceCurve& curve, const Sizing& sizing,

@@ -6,7 +6,7 @@
 namespace surfmesh {
 namespace {
 
-/// The first intervals, each seen at four places.
+/// The first intervals of each part, each seen at four places.
 constexpr int kFirstIntervals = 8;
 
 constexpr int kMaxHalvings = 9;
@@ -21,9 +21,8 @@ class Divider {
 
   std::vector<CurvePoint> run() {
     points_.push_back(at(0));
-    for (int i = 1; i <= kFirstIntervals; ++i) {
-      divide(points_.back(), at(double(i) / kFirstIntervals), 0);
-    }
+    const int count = kFirstIntervals * curve_.part_count();
+    for (int i = 1; i <= count; ++i) divide(points_.back(), at(double(i) / count), 0);
     return std::move(points_);
   }
 

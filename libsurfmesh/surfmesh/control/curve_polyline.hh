@@ -18,10 +18,10 @@ struct CurvePoint {
 /// Points on a curve, both ends included, whose chords stay near to it.
 ///
 /// Intervals are halved until the curve at a quarter, the middle and three quarters of each is
-/// within the tolerance of the chord, or the interval is 2^-12 of the whole.
+/// within the tolerance of the chord, or the interval is 2^-12 of a part of the curve.
 ///
 /// Units    tolerance in model units, above 0
-/// Error    of a curve that is straight at 33 places and bends between them, nothing is seen
+/// Error    of a part that is straight at 33 places and bends between them, nothing is seen
 /// Cost     five evaluations a chord
 std::vector<CurvePoint> curve_polyline(const SpaceCurve& curve, double tolerance);
 

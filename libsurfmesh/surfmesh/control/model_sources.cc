@@ -24,7 +24,8 @@ void append(std::vector<PlacedSize>& all, const std::vector<PlacedSize>& more) {
 std::vector<PlacedSize> sizes_of_contour(const Model& model, const Contour& contour,
                                          const Sizing& sizing, const SizeBounds& bounds) {
   const ContourUse& use = contour.uses.front();
-  const CurveOnSurface curve(model.patches[static_cast<std::size_t>(use.patch)].surface, use.curve);
+  const CurveOnSurface curve(model.patches[static_cast<std::size_t>(use.patch)].surface, use.curve,
+                             contour.part_count);
   std::vector<PlacedSize> sizes;
   if (sizing.contour_curvature && sizing.curvature > 0) {
     append(sizes, contour_curvature_sizes(curve, sizing, bounds));
@@ -64,9 +65,11 @@ std::vector<PatchSources> model_sources(const Model& model, const Sources& sourc
                sizing.proximity, "0 (off) or above");
   auto boundary = boundary_sizes(model, sizing);
   const auto near = near_tree(sources, sizing, model.diagonal);
+  const SizeBounds bounds(sizing, model.diagonal);
   std::vector<PatchSources> result;
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
     PatchSources& patch = result.emplace_back(sources_of_patch(sources, static_cast<int>(p)));
+    patch.rings = short_rings(model, static_cast<int>(p), bounds);
     if (near) patch.trees.push_back(near);
     if (boundary[p].empty()) continue;
     patch.trees.push_back(std::make_shared<SourceTree>(std::move(boundary[p]), sizing.grade));

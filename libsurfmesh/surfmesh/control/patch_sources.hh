@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "surfmesh/control/ring_sizes.hh"
 #include "surfmesh/control/size_bounds.hh"
 #include "surfmesh/control/sizing.hh"
 #include "surfmesh/control/source_tree.hh"
@@ -21,6 +22,7 @@ struct PatchSources {
   std::vector<TableSource> tables = {};
   /// Sizes around places in space, perhaps shared with other patches: `near`, contours.
   std::vector<std::shared_ptr<const SourceTree>> trees = {};
+  std::vector<Ring> rings = {};  ///< short ones, around which hmin does not hold
 
   /// The least precision that a source asks for itself.
   std::optional<double> precision() const;

@@ -115,7 +115,8 @@ class GapSearch {
     if (c.is_smooth || c.is_degenerate) return;
     const auto& curve = c.uses[static_cast<std::size_t>(entry.use)].curve;
     const auto surface = model_.patches[static_cast<std::size_t>(patch_)].surface;
-    const auto points = curve_polyline(CurveOnSurface(surface, curve), kChordShare * bounds_.hmax);
+    const auto points =
+        curve_polyline(CurveOnSurface(surface, curve, c.part_count), kChordShare * bounds_.hmax);
     const double whole = length(points);
     double way = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {

@@ -25,8 +25,11 @@ namespace {
 /// Intervals of a curve or of a side of a polygon between whose ends its size is looked for.
 constexpr int kPlacesOnCurve = 64;
 
-/// Rays on which the ring around an extraordinary vertex is sampled, from side to side.
+/// Rays on which the ring around an extraordinary vertex is sampled, in each quarter of it.
 constexpr int kRingSamples = 5;
+
+/// Share of its width and height at which the field is looked at in each cell of the surface.
+constexpr double kCellShare = 0.45;
 
 }  // namespace
 
@@ -39,8 +42,7 @@ SizeField::SizeField(const Surface& surface, const Sizing& sizing, const PatchSo
       domain_(surface.domain()),
       bounds_(sizing, diagonal),
       factor_(sizing.curvature),
-      stretch_(sizing.stretch),
-      rounded_sides_(surface.rounded_sides()) {
+      stretch_(sizing.stretch) {
   check_sizing(factor_ >= 0 && std::isfinite(factor_), "curvature", factor_, "0 (off) or above");
   check_sizing(stretch_ >= 1, "stretch", stretch_, "1 or above");
   check_sizing(sizing.grade == 0 || (sizing.grade >= 1 && std::isfinite(sizing.grade)), "grade",
@@ -58,6 +60,7 @@ void SizeField::take_sources(const PatchSources& sources, const Sizing& sizing, 
     everywhere_ = everywhere_ ? bounds_.clamp(minimum(*everywhere_, size)) : size;
   }
   fields_ = sources.fields;
+  rings_ = sources.rings;
   for (const TableSource& source : sources.tables) {
     tables_.push_back(std::make_shared<NodeInterpolation>(
         interpolate_table(source, surface_, bounds_, precision)));
@@ -76,6 +79,7 @@ void SizeField::take_sources(const PatchSources& sources, const Sizing& sizing, 
   }
   for (const AtSource& source : sources.at) add_at(source, surface_, bounds_, placed);
   take_places(sources);
+  take_cells();
   take_tree(std::make_shared<SourceTree>(std::move(placed), sizing.grade));
   for (const auto& tree : sources.trees) take_tree(tree);
   has_wishes_ =
@@ -99,29 +103,27 @@ void SizeField::take_places(const PatchSources& sources) {
   }
 }
 
+/// What is in a cell may be too small to be seen from far apart, too.
+void SizeField::take_cells() {
+  const CellCount cells = surface_.cells();
+  if (cells.u * cells.v == 1) return;
+  for (int j = 0; j < cells.v; ++j) {
+    for (int i = 0; i < cells.u; ++i) {
+      places_.push_back(domain_.at((i + kCellShare) / cells.u, (j + kCellShare) / cells.v));
+    }
+  }
+}
+
 void SizeField::take_tree(std::shared_ptr<const SourceTree> tree) {
   if (!tree->empty()) trees_.push_back(std::move(tree));
 }
 
 bool SizeField::has_area_source() const {
-  return factor_ > 0 || everywhere_ || !areas_.empty() || !fields_.empty() || !tables_.empty();
+  return factor_ > 0 || everywhere_ || !areas_.empty() || !fields_.empty() || !tables_.empty() ||
+         !rings_.empty();
 }
 
 bool SizeField::has_source() const { return has_area_source() || !trees_.empty(); }
-
-/// The point itself, or one towards the far corner of the domain that lies outside of a rounding.
-Uv SizeField::beside_roundings(Uv uv) const {
-  for (const RoundedSide& rounded : rounded_sides_) {
-    const Uv a = domain_.corner(rounded.side);
-    const Uv b = domain_.corner((rounded.side + 1) % domain_.corner_count());
-    // The step that leads from the side to the far end of the domain.
-    const Uv opposite = domain_.corner((rounded.side + 2) % domain_.corner_count());
-    const double distance = cross(b - a, uv - a) / cross(b - a, opposite - a);
-    if (distance >= rounded.reach) continue;
-    uv = lerp(uv, opposite, (rounded.reach - distance) / (1 - distance));
-  }
-  return uv;
-}
 
 SizeTensor SizeField::size_from_curvature(const Jet& jet) const {
   const PrincipalCurvatures k = principal_curvatures(jet);
@@ -132,45 +134,56 @@ SizeTensor SizeField::size_from_curvature(const Jet& jet) const {
   return size_tensor(h1, h2, k.angle);
 }
 
-/// The least size on the ring at a parameter distance from a corner, and the ring's least
-/// distance from it in space.
-double SizeField::least_size_on_ring(Uv corner, double distance, double& radius) const {
-  const Vec3 centre = surface_.evaluate(corner, Order::Position).point;
-  const double width = domain_.u1 - domain_.u0, height = domain_.v1 - domain_.v0;
-  const double towards_u = corner.u == domain_.u0 ? 1 : -1;
-  const double towards_v = corner.v == domain_.v0 ? 1 : -1;
-  double size = bounds_.hmax;
-  radius = INFINITY;
+/// The part of a ring around a singular point in one quarter of the directions from it: the least
+/// size there, and the least distance in space.
+SizeField::Disc SizeField::quarter_ring(const Disc& so_far, Uv at, Uv towards,
+                                        double distance) const {
+  Disc ring = so_far;
   for (int i = 0; i < kRingSamples; ++i) {
     const double angle = 0.5 * std::numbers::pi * i / (kRingSamples - 1);
-    const Uv at{corner.u + towards_u * distance * width * std::cos(angle),
-                corner.v + towards_v * distance * height * std::sin(angle)};
-    const Jet jet = second_order(beside_roundings(domain_.fold(at)));
+    const Uv place{at.u + towards.u * distance * std::cos(angle),
+                   at.v + towards.v * distance * std::sin(angle)};
+    const Jet jet = second_order(surface_.beside_roundings(domain_.fold(place)));
     const PrincipalCurvatures k = principal_curvatures(jet);
     const double greatest = std::max(std::abs(k.k1), std::abs(k.k2));
-    size = std::min(size, std::max(bounds_.hmin, factor_ / greatest));
-    radius = std::min(radius, (jet.point - centre).norm());
+    ring.size = std::min(ring.size, std::max(bounds_.hmin, factor_ / greatest));
+    ring.radius = std::min(ring.radius, (jet.point - ring.centre).norm());
   }
-  return size;
+  return ring;
+}
+
+/// The ring at a distance (in cells) from a singular point, as far as it lies in the domain.
+SizeField::Disc SizeField::ring_around(Uv at, double distance) const {
+  Disc ring{surface_.evaluate(at, Order::Position).point, INFINITY, bounds_.hmax};
+  const CellCount cells = surface_.cells();
+  const double width = (domain_.u1 - domain_.u0) / cells.u;
+  const double height = (domain_.v1 - domain_.v0) / cells.v;
+  for (const double towards_v : {height, -height}) {
+    if (at.v == (towards_v > 0 ? domain_.v1 : domain_.v0)) continue;
+    for (const double towards_u : {width, -width}) {
+      if (at.u == (towards_u > 0 ? domain_.u1 : domain_.u0)) continue;
+      ring = quarter_ring(ring, at, {towards_u, towards_v}, distance);
+    }
+  }
+  return ring;
 }
 
 SizeField::Disc SizeField::make_disc(const SingularPoint& singular) const {
   // Rings of half the size of the one before, until a ring is as near as half the size on it.
-  double radius = 0;
   double distance = 0.5;
-  double size = least_size_on_ring(singular.at, distance, radius);
-  while (radius > 0.5 * size && 0.5 * distance >= singular.reach) {
+  Disc ring = ring_around(singular.at, distance);
+  while (ring.radius > 0.5 * ring.size && 0.5 * distance >= singular.reach) {
     distance *= 0.5;
-    size = least_size_on_ring(singular.at, distance, radius);
+    ring = ring_around(singular.at, distance);
   }
-  return {surface_.evaluate(singular.at, Order::Position).point, radius, size};
+  return ring;
 }
 
 void SizeField::blend_with_discs(Sample& sample) const {
   for (const Disc& disc : discs_) {
-    const double distance = (sample.point - disc.centre).norm();
-    if (distance >= 2 * disc.radius) continue;
-    const double share = std::min(1.0, 2 - distance / disc.radius);
+    const double squared = (sample.point - disc.centre).squaredNorm();
+    if (squared >= 4 * disc.radius * disc.radius) continue;
+    const double share = std::min(1.0, 2 - std::sqrt(squared) / disc.radius);
     SizeTensor& h = sample.size;
     const SizeTensor inside = isotropic(disc.size);
     h = {(1 - share) * h.h11 + share * inside.h11, (1 - share) * h.h12,
@@ -184,7 +197,8 @@ Jet SizeField::second_order(Uv uv) const {
 
 /// Set the size that follows from the curvature, if there is a tangent plane here or beside.
 void SizeField::add_curvature(Uv uv, const Jet& jet, Sample& sample) const {
-  const Uv place = is_regular(sample.form) ? beside_roundings(uv) : beside_pole(surface_, uv);
+  const Uv place =
+      is_regular(sample.form) ? surface_.beside_roundings(uv) : beside_pole(surface_, uv);
   const Jet there = place == uv ? jet : second_order(place);
   if (!is_regular(first_form_factor(there.du, there.dv))) return;
   sample.size = size_from_curvature(there);
@@ -224,6 +238,16 @@ void SizeField::add_sources(Uv uv, const Jet& jet, Sample& sample) const {
   size = bounds_.clamp(size);
 }
 
+void SizeField::add_rings(Uv uv, Sample& sample) const {
+  for (const Ring& ring : rings_) {
+    const double around = size_around(ring.length_at(uv), bounds_);
+    if (around >= bounds_.hmax || !is_regular(sample.form)) continue;
+    // The frame's first axis is along p_u.
+    const double angle = ring.is_along_u ? 0 : std::atan2(sample.form.l22, sample.form.l21);
+    sample.size = minimum(sample.size, size_tensor(around, bounds_.hmax, angle));
+  }
+}
+
 SizeField::Sample SizeField::at(Uv uv) const {
   uv = domain_.fold(uv);
   const Jet jet = factor_ > 0 ? second_order(uv) : surface_.evaluate(uv, Order::First);
@@ -233,6 +257,7 @@ SizeField::Sample SizeField::at(Uv uv) const {
   sample.size = isotropic(bounds_.hmax);
   if (factor_ > 0) add_curvature(uv, jet, sample);
   if (has_wishes_) add_sources(uv, jet, sample);
+  add_rings(uv, sample);
   return sample;
 }
 

@@ -39,11 +39,12 @@ class SizeField {
   ///
   /// Curvature gives the size factor × radius along each principal direction, clamped, then the
   /// larger limited to stretch times the smaller; then the minimum with the other sources is
-  /// taken, in the order everywhere, inside, fields, tables, sizes around places; at last all are
-  /// clamped. Around an extraordinary vertex, where curvature grows without bound, the size is
-  /// isotropic: h with h = factor / (greatest curvature on the ring at the distance h/2), so that it
-  /// does not depend on how near to the vertex one looks. Beside a narrowly rounded side the
-  /// curvature is taken where the rounding ends.
+  /// taken, in the order everywhere, inside, fields, tables, sizes around places; then all are
+  /// clamped. Around a short ring of faces sizes leave room for four elements, below hmin, too.
+  /// Around an extraordinary vertex, where curvature grows without bound, the size is isotropic: h
+  /// with h = factor / (greatest curvature on the ring at the distance h/2), so that it does not
+  /// depend on how near to the vertex one looks. Beside a narrowly rounded side the curvature is
+  /// taken where the rounding ends.
   ///
   /// Cost     one surface evaluation with second derivatives, and what the sources cost
   /// Throws   InvalidInput where a field is not positive (definite) and finite, naming (u,v)
@@ -53,8 +54,8 @@ class SizeField {
 
   const SizeBounds& bounds() const { return bounds_; }
 
-  /// Points of the domain at the places of `at`, `along` and `inside`: what they ask for may be too
-  /// small to be seen from far apart.
+  /// Points of the domain at the places of `at`, `along` and `inside`, and one in each cell of a
+  /// surface of several: what is asked for there may be too small to be seen from far apart.
   const std::vector<Uv>& places() const { return places_; }
 
   /// True if some source has a size at every point.
@@ -64,7 +65,7 @@ class SizeField {
   bool has_source() const;
 
  private:
-  /// Isotropic sizes around one extraordinary corner.
+  /// Isotropic sizes around one extraordinary vertex.
   struct Disc {
     Vec3 centre;
     double radius;  ///< the size holds within it and fades out over as much again
@@ -80,14 +81,16 @@ class SizeField {
   void take_sources(const PatchSources& sources, const Sizing& sizing, double precision);
   void take_tree(std::shared_ptr<const SourceTree> tree);
   void take_places(const PatchSources& sources);
-  Uv beside_roundings(Uv uv) const;
+  void take_cells();
   Jet second_order(Uv uv) const;
   void add_curvature(Uv uv, const Jet& jet, Sample& sample) const;
   void add_sources(Uv uv, const Jet& jet, Sample& sample) const;
+  void add_rings(Uv uv, Sample& sample) const;
   SizeTensor size_of_field(const FieldSource& field, Uv uv, const Sample& sample) const;
   SizeTensor size_from_curvature(const Jet& jet) const;
   Disc make_disc(const SingularPoint& singular) const;
-  double least_size_on_ring(Uv corner, double distance, double& radius) const;
+  Disc ring_around(Uv at, double distance) const;
+  Disc quarter_ring(const Disc& so_far, Uv at, Uv towards, double distance) const;
   void blend_with_discs(Sample& sample) const;
 
   const Surface& surface_;
@@ -101,9 +104,9 @@ class SizeField {
   std::vector<FieldSource> fields_;
   std::vector<std::shared_ptr<const NodeInterpolation>> tables_;
   std::vector<std::shared_ptr<const SourceTree>> trees_;
+  std::vector<Ring> rings_;
   std::vector<Uv> places_;
   bool has_wishes_ = false;  ///< for more than the curvature
-  std::vector<RoundedSide> rounded_sides_;
   std::vector<Disc> discs_;
 };
 

@@ -155,7 +155,7 @@ class CageCollector {
 ///
 /// Vertices and faces keep their order, and each face its first vertex. Those that are deleted are
 /// left out, which moves up the numbers of all that follow; else numbers are those of the mesh,
-/// also in Patch::cage_face.
+/// also in Patch::cage_faces.
 ///
 /// Reads    the properties that the options name
 /// Units    positions are model units, taken as they are

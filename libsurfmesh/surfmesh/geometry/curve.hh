@@ -47,6 +47,9 @@ class SpaceCurve {
   virtual ~SpaceCurve() = default;
 
   virtual Vec3 evaluate(double t) const = 0;
+
+  /// Equal parts of t, in each of which there may be as much to see as in any other curve.
+  virtual int part_count() const { return 1; }
 };
 
 /// A curve in space given by a C++ function of t in [0,1].
@@ -64,16 +67,20 @@ class CallableSpaceCurve : public SpaceCurve {
 /// The curve in space that a curve in the parameters of a surface is.
 class CurveOnSurface : public SpaceCurve {
  public:
-  CurveOnSurface(std::shared_ptr<const Surface> surface, std::shared_ptr<const Curve> curve)
-      : surface_(std::move(surface)), curve_(std::move(curve)) {}
+  CurveOnSurface(std::shared_ptr<const Surface> surface, std::shared_ptr<const Curve> curve,
+                 int part_count = 1)
+      : surface_(std::move(surface)), curve_(std::move(curve)), part_count_(part_count) {}
 
   Vec3 evaluate(double t) const override {
     return surface_->evaluate(curve_->evaluate(t), Order::Position).point;
   }
 
+  int part_count() const override { return part_count_; }
+
  private:
   std::shared_ptr<const Surface> surface_;
   std::shared_ptr<const Curve> curve_;
+  int part_count_;
 };
 
 /// The range of the parameter in which its author has written a curve: in messages t is taken there.

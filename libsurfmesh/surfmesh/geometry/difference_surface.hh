@@ -22,7 +22,8 @@ class DifferenceSurface : public Surface {
   Jet evaluate(Uv uv, Order order) const override;
   Domain domain() const override { return surface_.domain(); }
   std::vector<SingularPoint> singular_points() const override { return surface_.singular_points(); }
-  std::vector<RoundedSide> rounded_sides() const override { return surface_.rounded_sides(); }
+  CellCount cells() const override { return surface_.cells(); }
+  Uv beside_roundings(Uv uv) const override { return surface_.beside_roundings(uv); }
 
  private:
   Vec3 at(double u, double v) const { return surface_.evaluate({u, v}, Order::Position).point; }

@@ -35,6 +35,13 @@ constexpr double kSignStep = 1.0 / 16384;
 /// 2^(1 - sharpness) of a face wide, would ask for elements far smaller than the faces beside it.
 constexpr double kCreaseSharpness = 4;
 
+/// A side of the domain along which the surface is a narrowly rounded edge: a semi-sharp crease.
+struct RoundedSide {
+  int side = 0;  ///< from corner `side` of the domain to the next
+  /// Share of the domain's width or height within which the curvature is that of the rounding.
+  double reach = 0;
+};
+
 /// A Vec3 array is handed to OpenSubdiv as doubles.
 static_assert(sizeof(Vec3) == 3 * sizeof(double));
 
@@ -69,7 +76,19 @@ class LimitSurface : public Surface {
 
   std::vector<SingularPoint> singular_points() const override { return singular_points_; }
 
-  std::vector<RoundedSide> rounded_sides() const override { return rounded_sides_; }
+  /// Points in a rounding move towards the far corner of the domain.
+  Uv beside_roundings(Uv uv) const override {
+    for (const RoundedSide& rounded : rounded_sides_) {
+      const Uv a = domain_.corner(rounded.side);
+      const Uv b = domain_.corner((rounded.side + 1) % domain_.corner_count());
+      // The step that leads from the side to the far end of the domain.
+      const Uv opposite = domain_.corner((rounded.side + 2) % domain_.corner_count());
+      const double distance = cross(b - a, uv - a) / cross(b - a, opposite - a);
+      if (distance >= rounded.reach) continue;
+      uv = lerp(uv, opposite, (rounded.reach - distance) / (1 - distance));
+    }
+    return uv;
+  }
 
  private:
   /// Bfr looks for the sub-patch of a point and does not say what it does outside of the face.
@@ -96,8 +115,8 @@ class LimitSurface : public Surface {
   Uv outside_of_reach(Uv uv) const {
     for (const SingularPoint& singular : singular_points_) {
       Uv step = uv - singular.at;
+      if (step.u * step.u + step.v * step.v >= singular.reach * singular.reach) continue;
       double length = std::hypot(step.u, step.v);
-      if (length >= singular.reach) continue;
       if (length == 0) {
         step = {singular.at.u > 0 ? -1.0 : 1.0, singular.at.v > 0 ? -1.0 : 1.0};
         if (domain_.shape == Domain::Shape::Triangle) step = to_middle_of_triangle(singular.at);

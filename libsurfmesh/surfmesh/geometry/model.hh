@@ -33,6 +33,7 @@ struct Contour {
   /// True for a side that is one point in space (a pole): start and end are the same vertex.
   bool is_degenerate = false;
   bool is_smooth = true;  ///< false on true boundaries and sharp creases, where normals may jump
+  int part_count = 1;     ///< edges of the cage that it runs along, equal parts of t
 };
 
 /// One contour use of a loop, as indices into Model::contours and Contour::uses.
@@ -50,7 +51,8 @@ struct Patch {
   std::string name;
   std::shared_ptr<const Surface> surface;
   std::vector<PatchLoop> loops;  ///< the outer loop first, then the holes
-  int cage_face = -1;            ///< face of the cage that the patch is (a part of)
+  /// Faces of the cage that the patch covers, wholly or a part of them; ascending.
+  std::vector<int> cage_faces = {};
 };
 
 /// A named set of patches (OBJ `g`, `usemtl`).

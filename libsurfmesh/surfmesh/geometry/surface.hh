@@ -29,11 +29,10 @@ struct SingularPoint {
   double reach = 0;
 };
 
-/// A side of the domain along which the surface is a narrowly rounded edge: a semi-sharp crease.
-struct RoundedSide {
-  int side = 0;  ///< from corner `side` of the domain to the next
-  /// Share of the domain's width or height within which the curvature is that of the rounding.
-  double reach = 0;
+/// How many cells a surface is made of, side by side along u and along v.
+struct CellCount {
+  int u = 1;
+  int v = 1;
 };
 
 /// A parametric surface p(u,v).
@@ -53,12 +52,17 @@ class Surface {
 
   virtual Domain domain() const = 0;
 
-  /// Corners of the domain that are extraordinary; none for analytic surfaces.
+  /// Points that are extraordinary; none for analytic surfaces. They are corners of cells, and lie
+  /// on the border of the domain.
   virtual std::vector<SingularPoint> singular_points() const { return {}; }
 
-  /// Sides along which the surface is rounded too narrowly for elements to follow; none for
-  /// analytic surfaces.
-  virtual std::vector<RoundedSide> rounded_sides() const { return {}; }
+  /// Cells of equal width and height in parameters, in each of which there may be as much to see as
+  /// in any other surface: one who takes samples takes some in each.
+  virtual CellCount cells() const { return {}; }
+
+  /// The point itself, or one beside it where it lies in the narrow rounding of a semi-sharp crease
+  /// that elements are not to follow: the curvature there counts for sizes.
+  virtual Uv beside_roundings(Uv uv) const { return uv; }
 };
 
 }  // namespace surfmesh

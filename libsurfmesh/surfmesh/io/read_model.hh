@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "surfmesh/control/sizing.hh"
-#include "surfmesh/geometry/cage.hh"
+#include "surfmesh/geometry/cage_model.hh"
 #include "surfmesh/geometry/join_sides.hh"
 
 namespace surfmesh {
@@ -18,6 +18,7 @@ struct CageInput {
   std::string name;
   std::filesystem::path file;
   Scheme scheme = Scheme::Auto;
+  PatchKind patches = PatchKind::Auto;
   std::string origin;  ///< JSON pointer
 };
 

@@ -35,6 +35,14 @@ Scheme read_scheme(const JsonNode& node) {
   node.fail("must be auto, catmark, loop or bilinear");
 }
 
+PatchKind read_patch_kind(const JsonNode& node) {
+  const std::string text = node.text();
+  if (text == "auto") return PatchKind::Auto;
+  if (text == "faces") return PatchKind::Faces;
+  if (text == "blocks") return PatchKind::Blocks;
+  node.fail("must be faces, blocks or auto");
+}
+
 CageInput read_cage_input(const JsonNode& node, const std::filesystem::path& folder) {
   node.expect_keys({"name", "file", "scheme", "patches"});
   CageInput cage;
@@ -43,11 +51,7 @@ CageInput read_cage_input(const JsonNode& node, const std::filesystem::path& fol
   if (file.empty()) node.at("file").fail("must not be empty");
   cage.file = folder / file;
   if (const auto scheme = node.find("scheme")) cage.scheme = read_scheme(*scheme);
-  if (const auto patches = node.find("patches")) {
-    const std::string text = patches->text();
-    if (text == "blocks") patches->fail("blocks are not built yet; there are faces and auto");
-    if (text != "faces" && text != "auto") patches->fail("must be faces, blocks or auto");
-  }
+  if (const auto patches = node.find("patches")) cage.patches = read_patch_kind(*patches);
   cage.origin = node.pointer();
   return cage;
 }

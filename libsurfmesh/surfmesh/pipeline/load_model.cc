@@ -53,10 +53,22 @@ void set_file_option(PipelineOptions& options, const std::string& key, const std
   if (!json.is_null()) set_option(options, key, json.is_string() ? json.get<std::string>() : value);
 }
 
+/// What is asked for from outside comes first, then what a cage names itself, then what the file
+/// has in its options.
+CageOptions options_of(const CageInput& input, const CageOptions& given, PatchKind of_file) {
+  CageOptions options = given;
+  if (options.scheme == Scheme::Auto) options.scheme = input.scheme;
+  if (options.patches == PatchKind::Auto) options.patches = input.patches;
+  if (options.patches == PatchKind::Auto) options.patches = of_file;
+  return options;
+}
+
 /// Read the cages of a model file and add them to the model.
-void append_cages(const ModelFile& file, const std::string& name, Scheme scheme, Model& model) {
+void append_cages(const ModelFile& file, const std::string& name, const CageOptions& given,
+                  ModelInput& result) {
+  Model& model = result.model;
   for (const CageInput& input : file.cages) {
-    const CageOptions options{.scheme = scheme == Scheme::Auto ? input.scheme : scheme};
+    const CageOptions options = options_of(input, given, result.options.patches);
     Model cage;
     at_file(fmt::format("{}: {}/file", name, input.origin),
              [&] { cage = load_cage(input.file, options).model; });
@@ -136,10 +148,10 @@ void add_along_sources(const ModelFile& file, const std::string& name, ModelInpu
   }
 }
 
-ModelInput load_model_file(const std::filesystem::path& path, Scheme scheme) {
+ModelInput load_model_file(const std::filesystem::path& path, const CageOptions& cage_options) {
   const std::string name = path.string();
   const ModelFile file = read_model(path);
-  if (scheme != Scheme::Auto && file.cages.empty()) {
+  if (cage_options.scheme != Scheme::Auto && file.cages.empty()) {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("{}: only cages have a subdivision scheme", name));
   }
@@ -153,7 +165,7 @@ ModelInput load_model_file(const std::filesystem::path& path, Scheme scheme) {
     at_file(name, [&] { input.model = model_from_patches(file.patches, file.contours); });
     for (std::string& warning : input.model.warnings) warning.insert(0, name + ": ");
   }
-  append_cages(file, name, scheme, input.model);
+  append_cages(file, name, cage_options, input);
   input.sources = file.sources;
   add_group_sources(file, name, input);
   add_along_sources(file, name, input);
@@ -170,7 +182,7 @@ ModelInput load_model(const std::filesystem::path& path, const CageOptions& cage
                 fmt::format("{}: the ending of a cage is .obj or .off, that of a model file .json",
                             path.string()));
   }
-  return load_model_file(path, cage_options.scheme);
+  return load_model_file(path, cage_options);
 }
 
 }  // namespace surfmesh

@@ -22,7 +22,8 @@ struct ModelInput {
 ///
 /// The model of a model file has its formula patches, then those of its cages, named
 /// <cage>:<patch>; each cage is a group, too. Contours are shared within a cage and among formula
-/// patches, not between these. A scheme other than Auto replaces that of all cages.
+/// patches, not between these. A scheme or kind of patches other than Auto replaces
+/// that of all cages; a kind that a cage names in the file beats the option of the file.
 ///
 /// Throws   Io if a file cannot be read; InvalidInput for an unknown ending, a fault in a file
 ///          (naming it and the place) or a scheme for a model file without cages; Geometry

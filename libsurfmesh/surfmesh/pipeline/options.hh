@@ -5,6 +5,7 @@
 #include "surfmesh/control/make_control.hh"
 #include "surfmesh/control/sizing.hh"
 #include "surfmesh/core/observer.hh"
+#include "surfmesh/geometry/cage_model.hh"
 #include "surfmesh/improve/improve.hh"
 #include "surfmesh/refine/refine.hh"
 
@@ -17,6 +18,7 @@ struct PipelineOptions {
   BoundaryOptions boundary = {};
   RefineOptions refine = {};
   ImproveOptions improve = {};
+  PatchKind patches = PatchKind::Auto;  ///< of cages, when a model is loaded; not used in meshing
   Observer* observer = nullptr;  ///< told of the progress; not owned, null for none
 };
 

@@ -152,6 +152,17 @@ void set_smoothing(Options& options, const Text& text) {
   }
 }
 
+constexpr std::array<std::string_view, 3> kPatchKinds = {"auto", "faces", "blocks"};
+
+void set_patches(Options& options, const Text& text) {
+  options.patches =
+      static_cast<PatchKind>(text.choice({kPatchKinds[0], kPatchKinds[1], kPatchKinds[2]}));
+}
+
+OptionValue get_patches(const Options& options) {
+  return std::string(kPatchKinds[static_cast<std::size_t>(options.patches)]);
+}
+
 void set_threads(Options&, const Text& text) {
   // Any number gives the same mesh; for now one thread does the work.
   if (!text.is("all")) text.integer(1, kMostInt, "all, or 1 and above");
@@ -191,7 +202,9 @@ constexpr auto kOptions = std::to_array<OptionEntry>({
      }},
     {"nodes", false, set_nodes, get_nodes},
     {"precision", false,
-     [](Options& o, const Text& t) { o.control.nodes.precision = t.number(kPositive, is_positive); },
+     [](Options& o, const Text& t) {
+       o.control.nodes.precision = t.number(kPositive, is_positive);
+     },
      [](const Options& o) -> OptionValue { return o.control.nodes.precision; }},
     {"control", false,
      [](Options& o, const Text& t) {
@@ -227,8 +240,7 @@ constexpr auto kOptions = std::to_array<OptionEntry>({
      [](const Options& o) -> OptionValue {
        return std::string(o.control.space.lookup == DiscLookup::Disc ? "disc" : "vertices");
      }},
-    {"inner_nodes", false,
-     [](Options& o, const Text& t) { o.control.inner_nodes = t.boolean(); },
+    {"inner_nodes", false, [](Options& o, const Text& t) { o.control.inner_nodes = t.boolean(); },
      [](const Options& o) -> OptionValue { return o.control.inner_nodes; }},
     {"reuse", false,
      [](Options& o, const Text& t) { o.control.space.reuse = t.number_from(0, kFromZero); },
@@ -255,11 +267,7 @@ constexpr auto kOptions = std::to_array<OptionEntry>({
        o.improve.repairs = static_cast<int>(t.integer(0, kMostInt, kFromZero));
      },
      [](const Options& o) -> OptionValue { return std::int64_t{o.improve.repairs}; }},
-    {"patches", false,
-     [](Options&, const Text& t) {
-       t.expect({"auto", "faces"}, {"blocks"});
-     },
-     [](const Options&) -> OptionValue { return std::string("faces"); }},
+    {"patches", false, set_patches, get_patches},
     {"quads", false, [](Options&, const Text& t) { t.expect({"false"}, {"true"}); },
      [](const Options&) -> OptionValue { return false; }},
     {"threads", false, set_threads, [](const Options&) -> OptionValue { return std::int64_t{1}; }},

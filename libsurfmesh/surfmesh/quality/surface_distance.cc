@@ -60,12 +60,14 @@ Vec3 middle_of(const PolyMesh& mesh, const std::vector<HalfedgeHandle>& corners)
   return sum / static_cast<double>(corners.size());
 }
 
-/// A corner of a face: from the face's middle, unless it is much nearer elsewhere on the patch.
+/// A corner of a face: from the face's middle, unless it is much nearer elsewhere on the patch. At
+/// an extraordinary vertex the search from the middle ends short of it; the vertex itself may be
+/// found on the wrong side of a seam.
 Uv project_corner(const Model& model, const SurfaceSearch& search, const Vec3& point,
                   const NearPoint& middle) {
   const Surface& surface = *model.patches[static_cast<std::size_t>(middle.patch)].surface;
   const NearPoint near = find_near_point(surface, point, middle.uv);
-  if (near.distance <= kOnSurface * model.diagonal) return near.uv;
+  if (near.distance <= kOffSurface * model.diagonal) return near.uv;
   const NearPoint other = search.nearest(point, {middle.patch});
   return other.distance < 0.5 * near.distance ? other.uv : near.uv;
 }

@@ -20,7 +20,11 @@ constexpr double kDamping = 1e-13;
 constexpr double kBorder = 1e-12;
 
 constexpr std::size_t kCandidates = 8;
-constexpr int kLeastSamples = 8, kMostSamples = 320;  // along a side of a patch
+
+/// Samples of a patch that are farther from each other than this share of its domain are near to a
+/// point for reasons of their own: on both sides of a seam.
+constexpr double kElsewhere = 0.25;
+constexpr int kLeastSamples = 8, kMostSamples = 320;  // along a side of a cell of a patch
 constexpr double kAllSamples = 1e5;
 
 /// The half plane n·(s,t) ≤ c of shares of the domain.
@@ -160,8 +164,12 @@ struct SurfaceSearch::Candidates {
 };
 
 SurfaceSearch::SurfaceSearch(const Model& model) : model_(model) {
-  const double share =
-      kAllSamples / static_cast<double>(std::max<std::size_t>(1, model.patches.size()));
+  double cell_count = 0;
+  for (const Patch& patch : model.patches) {
+    const CellCount cells = patch.surface->cells();
+    cell_count += static_cast<double>(cells.u) * cells.v;
+  }
+  const double share = kAllSamples / std::max(1.0, cell_count);
   const int count = std::clamp(static_cast<int>(std::sqrt(share)), kLeastSamples, kMostSamples);
   for (std::size_t p = 0; p < model.patches.size(); ++p) add_samples(static_cast<int>(p), count);
   sort_tree(0, samples_.size(), 0);
@@ -170,10 +178,12 @@ SurfaceSearch::SurfaceSearch(const Model& model) : model_(model) {
 void SurfaceSearch::add_samples(int patch, int count) {
   const Surface& surface = *model_.patches[static_cast<std::size_t>(patch)].surface;
   const Domain domain = surface.domain();
-  for (int j = 0; j <= count; ++j) {
-    for (int i = 0; i <= count; ++i) {
+  const CellCount cells = surface.cells();
+  const int columns = count * cells.u, rows = count * cells.v;
+  for (int j = 0; j <= rows; ++j) {
+    for (int i = 0; i <= columns; ++i) {
       if (domain.shape == Domain::Shape::Triangle && i + j > count) continue;
-      const Uv uv = domain.at(static_cast<double>(i) / count, static_cast<double>(j) / count);
+      const Uv uv = domain.at(static_cast<double>(i) / columns, static_cast<double>(j) / rows);
       samples_.push_back({surface.evaluate(uv, Order::Position).point, uv, patch});
     }
   }
@@ -207,17 +217,24 @@ void SurfaceSearch::search(std::size_t first, std::size_t end, int axis,
   }
 }
 
+bool SurfaceSearch::are_beside(const Sample& a, const Sample& b) const {
+  if (a.patch != b.patch) return false;
+  const Domain domain = model_.patches[static_cast<std::size_t>(a.patch)].surface->domain();
+  return std::abs(a.uv.u - b.uv.u) < kElsewhere * (domain.u1 - domain.u0) &&
+         std::abs(a.uv.v - b.uv.v) < kElsewhere * (domain.v1 - domain.v0);
+}
+
 NearPoint SurfaceSearch::nearest(const Vec3& point, const std::vector<int>& patches) const {
   Candidates candidates{point, patches, {}};
   search(0, samples_.size(), 0, candidates);
   NearPoint best;
-  std::array<int, kCandidates> tried;
   for (std::size_t i = 0; i < candidates.count; ++i) {
     const Sample& sample = *candidates.best[i].second;
-    const auto end = tried.begin() + static_cast<std::ptrdiff_t>(i);
-    const bool is_new = std::find(tried.begin(), end, sample.patch) == end;
-    tried[i] = sample.patch;
-    if (!is_new && i > 1) continue;
+    const auto first = candidates.best.begin();
+    const bool is_tried =
+        std::any_of(first, first + static_cast<std::ptrdiff_t>(i),
+                    [&](const auto& candidate) { return are_beside(*candidate.second, sample); });
+    if (is_tried && i > 1) continue;
     NearPoint found = find_near_point(
         *model_.patches[static_cast<std::size_t>(sample.patch)].surface, point, sample.uv);
     found.patch = sample.patch;

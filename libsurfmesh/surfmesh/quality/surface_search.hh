@@ -31,7 +31,7 @@ NearPoint find_near_point(const Surface& surface, const Vec3& point, Uv guess);
 class SurfaceSearch {
  public:
   /// The model must outlive the search.
-  /// Cost     at least 81 evaluations a patch, 100,000 in all for a few patches
+  /// Cost     at least 64 evaluations a cell of a patch, 100,000 in all for a few cells
   explicit SurfaceSearch(const Model& model);
 
   /// The nearest point; `patches` are the ones to look at, empty for all.
@@ -51,6 +51,8 @@ class SurfaceSearch {
 
   void add_samples(int patch, int count);
   void sort_tree(std::size_t first, std::size_t end, int axis);
+  /// True if both lead to the same place of a patch.
+  bool are_beside(const Sample& a, const Sample& b) const;
   void search(std::size_t first, std::size_t end, int axis, Candidates& candidates) const;
 
   const Model& model_;

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "surfmesh/geometry/surface.hh"
+
+namespace surfmesh {
+
+/// A surface over the unit square in a block of them, and how it lies there.
+struct BlockCell {
+  std::shared_ptr<const Surface> surface;
+  int rotation = 0;  ///< 0 to 3: the corner of its domain that is at the lower left of its place
+};
+
+/// Surfaces side by side in a rectangle, as one over [0,columns] × [0,rows].
+///
+/// Each cell is a unit square. Derivatives are those of the cell, in the directions of the block;
+/// on an edge between two cells those of the right or upper one. Singular points are those of the
+/// cells.
+class BlockSurface : public Surface {
+ public:
+  /// Cells row by row from below, each from the left.
+  ///
+  /// Throws   InvalidInput if the cells make no rectangle, or one is missing or not over the unit
+  ///          square
+  BlockSurface(int columns, std::vector<BlockCell> cells);
+
+  /// Cost     that of the cell and 5 ns, at any number of cells
+  Jet evaluate(Uv uv, Order order) const override;
+
+  Domain domain() const override;
+  CellCount cells() const override { return {columns_, rows_}; }
+  std::vector<SingularPoint> singular_points() const override;
+  Uv beside_roundings(Uv uv) const override;
+
+ private:
+  struct Place {
+    const BlockCell& cell;
+    Uv corner;  ///< its lower left
+  };
+
+  Place place_of(Uv uv) const;
+
+  int columns_;
+  int rows_;
+  std::vector<BlockCell> cells_;
+};
+
+}  // namespace surfmesh
