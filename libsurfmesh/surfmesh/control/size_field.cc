@@ -28,6 +28,16 @@ constexpr int kPlacesOnCurve = 64;
 /// Rays on which the ring around an extraordinary vertex is sampled, from side to side.
 constexpr int kRingSamples = 5;
 
+/// What the curvature of the surface asks for: where sizes that hold the sag are known, its factor
+/// alone.
+CurvatureLength length_on(const Sizing& sizing, const PatchSources& sources, double diagonal) {
+  if (sources.sag.empty()) return CurvatureLength(sizing, diagonal);
+  Sizing by_factor = sizing;
+  by_factor.curvature = sizing.curvature_factor();
+  by_factor.sag.reset();
+  return CurvatureLength(by_factor, diagonal);
+}
+
 }  // namespace
 
 SizeField::SizeField(const Surface& surface, const Sizing& sizing, const PatchSources& sources,
@@ -38,15 +48,14 @@ SizeField::SizeField(const Surface& surface, const Sizing& sizing, const PatchSo
                        : nullptr),
       domain_(surface.domain()),
       bounds_(sizing, diagonal),
-      factor_(sizing.curvature),
+      length_(length_on(sizing, sources, diagonal)),
       stretch_(sizing.stretch),
       rounded_sides_(surface.rounded_sides()) {
-  check_sizing(factor_ >= 0 && std::isfinite(factor_), "curvature", factor_, "0 (off) or above");
   check_sizing(stretch_ >= 1, "stretch", stretch_, "1 or above");
   check_sizing(sizing.grade == 0 || (sizing.grade >= 1 && std::isfinite(sizing.grade)), "grade",
                sizing.grade, "0 (off), or 1 and above");
   take_sources(sources, sizing, precision);
-  if (factor_ == 0) return;
+  if (length_.is_off()) return;
   for (const SingularPoint& singular : surface.singular_points()) {
     discs_.push_back(make_disc(singular));
   }
@@ -58,9 +67,11 @@ void SizeField::take_sources(const PatchSources& sources, const Sizing& sizing, 
     everywhere_ = everywhere_ ? bounds_.clamp(minimum(*everywhere_, size)) : size;
   }
   fields_ = sources.fields;
-  for (const TableSource& source : sources.tables) {
-    tables_.push_back(std::make_shared<NodeInterpolation>(
-        interpolate_table(source, surface_, bounds_, precision)));
+  for (const auto* tables : {&sources.tables, &sources.sag}) {
+    for (const TableSource& source : *tables) {
+      tables_.push_back(std::make_shared<NodeInterpolation>(
+          interpolate_table(source, surface_, bounds_, precision)));
+    }
   }
   std::vector<PlacedSize> placed;
   for (const InsideSource& source : sources.inside) {
@@ -104,7 +115,7 @@ void SizeField::take_tree(std::shared_ptr<const SourceTree> tree) {
 }
 
 bool SizeField::has_area_source() const {
-  return factor_ > 0 || everywhere_ || !areas_.empty() || !fields_.empty() || !tables_.empty();
+  return !length_.is_off() || everywhere_ || !areas_.empty() || !fields_.empty() || !tables_.empty();
 }
 
 bool SizeField::has_source() const { return has_area_source() || !trees_.empty(); }
@@ -125,8 +136,8 @@ Uv SizeField::beside_roundings(Uv uv) const {
 
 SizeTensor SizeField::size_from_curvature(const Jet& jet) const {
   const PrincipalCurvatures k = principal_curvatures(jet);
-  double h1 = std::clamp(factor_ / std::abs(k.k1), bounds_.hmin, bounds_.hmax);
-  double h2 = std::clamp(factor_ / std::abs(k.k2), bounds_.hmin, bounds_.hmax);
+  double h1 = bounds_.clamp(length_.of_surface(k.k1));
+  double h2 = bounds_.clamp(length_.of_surface(k.k2));
   h1 = std::min(h1, stretch_ * h2);
   h2 = std::min(h2, stretch_ * h1);
   return size_tensor(h1, h2, k.angle);
@@ -148,7 +159,7 @@ double SizeField::least_size_on_ring(Uv corner, double distance, double& radius)
     const Jet jet = second_order(beside_roundings(domain_.fold(at)));
     const PrincipalCurvatures k = principal_curvatures(jet);
     const double greatest = std::max(std::abs(k.k1), std::abs(k.k2));
-    size = std::min(size, std::max(bounds_.hmin, factor_ / greatest));
+    size = std::min(size, std::max(bounds_.hmin, length_.around_vertex(greatest)));
     radius = std::min(radius, (jet.point - centre).norm());
   }
   return size;
@@ -226,12 +237,13 @@ void SizeField::add_sources(Uv uv, const Jet& jet, Sample& sample) const {
 
 SizeField::Sample SizeField::at(Uv uv) const {
   uv = domain_.fold(uv);
-  const Jet jet = factor_ > 0 ? second_order(uv) : surface_.evaluate(uv, Order::First);
+  const bool is_curved = !length_.is_off();
+  const Jet jet = is_curved ? second_order(uv) : surface_.evaluate(uv, Order::First);
   Sample sample;
   sample.point = jet.point;
   sample.form = first_form_factor(jet.du, jet.dv);
   sample.size = isotropic(bounds_.hmax);
-  if (factor_ > 0) add_curvature(uv, jet, sample);
+  if (is_curved) add_curvature(uv, jet, sample);
   if (has_wishes_) add_sources(uv, jet, sample);
   return sample;
 }

@@ -17,6 +17,8 @@
 #include "surfmesh/core/validate.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/for_each_patch_detail.hh"
+#include "surfmesh/pipeline/reach_sag_detail.hh"
+#include "surfmesh/pipeline/sag_swaps_detail.hh"
 #include "surfmesh/refine/boundary_triangulation.hh"
 
 namespace surfmesh {
@@ -126,6 +128,9 @@ class Run {
     for (PatchMesh& patch : patches_) {
       evaluate_vertices(patch);
       mend_turned_triangles(patch);
+      if (const auto& sag = options_.sizing.sag) {
+        detail::swap_for_sag(patch, sag->in_units(model_.diagonal));
+      }
     }
     split_improper_chords(patches_);
     std::size_t turned = 0;
@@ -211,7 +216,10 @@ class Run {
 MeshResult mesh_model(const Model& model, const Sources& sources, const PipelineOptions& options) {
   check(options);
   check(model);
-  return Run(model, sources, options).mesh();
+  if (!options.sizing.sag) return Run(model, sources, options).mesh();
+  return detail::reach_sag(model, sources, options, [&](const Sources& corrected) {
+    return Run(model, corrected, options).mesh();
+  });
 }
 
 }  // namespace surfmesh
