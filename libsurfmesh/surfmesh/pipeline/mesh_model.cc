@@ -7,6 +7,7 @@
 #include <ctime>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,7 +19,7 @@
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/for_each_patch_detail.hh"
 #include "surfmesh/pipeline/reach_sag_detail.hh"
-#include "surfmesh/pipeline/sag_swaps_detail.hh"
+#include "surfmesh/pipeline/sag_corrections_detail.hh"
 #include "surfmesh/refine/boundary_triangulation.hh"
 
 namespace surfmesh {
@@ -47,8 +48,10 @@ class StageClock {
 
 class Run {
  public:
-  Run(const Model& model, const Sources& sources, const PipelineOptions& options)
-      : model_(model), sources_(sources), options_(options) {
+  Run(const Model& model, const Sources& sources, const PipelineOptions& options,
+      bool is_corrected = false)
+      : model_(model), sources_(sources), options_(options), is_corrected_(is_corrected) {
+    if (options.sizing.sag) sag_ = options.sizing.sag->in_units(model.diagonal);
     report_.options = options;
     report_.options.observer = nullptr;
     report_.warnings = model.warnings;
@@ -103,7 +106,9 @@ class Run {
   void place_nodes() {
     const StageClock clock(report_.seconds.boundary);
     tell("boundary", 0, model_.contours.size());
-    BoundaryNodes boundary = place_contour_nodes(model_, fields_, options_.boundary);
+    BoundaryOptions boundary_options = options_.boundary;
+    boundary_options.sag = sag_;
+    BoundaryNodes boundary = place_contour_nodes(model_, fields_, boundary_options);
     nodes_ = std::move(boundary.contours);
     report_.control.queries.boundary = boundary.report.queries;
     numbers_ = std::make_unique<NodeNumbers>(model_, nodes_);
@@ -128,9 +133,7 @@ class Run {
     for (PatchMesh& patch : patches_) {
       evaluate_vertices(patch);
       mend_turned_triangles(patch);
-      if (const auto& sag = options_.sizing.sag) {
-        detail::swap_for_sag(patch, sag->in_units(model_.diagonal));
-      }
+      if (is_corrected_) detail::correct_sag(patch, *sag_);
     }
     split_improper_chords(patches_);
     std::size_t turned = 0;
@@ -202,6 +205,8 @@ class Run {
   const Model& model_;
   const Sources& sources_;
   const PipelineOptions& options_;
+  bool is_corrected_;           ///< triangles that are too far from the surface are swapped and split
+  std::optional<double> sag_;  ///< asked for, model units
   Report report_;
   std::vector<std::unique_ptr<ControlSpace>> spaces_;
   std::vector<std::unique_ptr<SurfaceMetricField>> surface_fields_;
@@ -217,8 +222,8 @@ MeshResult mesh_model(const Model& model, const Sources& sources, const Pipeline
   check(options);
   check(model);
   if (!options.sizing.sag) return Run(model, sources, options).mesh();
-  return detail::reach_sag(model, sources, options, [&](const Sources& corrected) {
-    return Run(model, corrected, options).mesh();
+  return detail::reach_sag(model, sources, options, [&](const Sources& corrected, bool is_last) {
+    return Run(model, corrected, options, is_last).mesh();
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -43,10 +44,11 @@ class SagLoop {
     MeshResult best;
     double best_sag = INFINITY;
     for (int round = 0;; ++round) {
-      MeshResult now = mesh_once_(sources_);
+      MeshResult now = mesh_once_(sources_, round >= kBalancingRounds);
       const Sag sag = measure_sag(now.mesh, model_, search_);
       { double sum=0; size_t over=0; for (double x : sag.of_faces) { sum += x; over += x > asked_; }
-      fmt::print(stderr, "round {} triangles {} sag {:.3f} mean {:.3f} over {} nodes {} control {:.2f} mesh {:.2f}\n", round, now.mesh.n_faces(), sag.max / asked_, sum/double(sag.of_faces.size())/asked_, over, now.report.control.nodes, now.report.seconds.control, now.report.seconds.total); }
+      double ms=1; for (const FaceHandle fh : now.mesh.faces()) { std::vector<Vec3> q; for (auto vh : now.mesh.fv_range(fh)) q.push_back(to_eigen(now.mesh.point(vh))); double x = 3.4641*(q[1]-q[0]).cross(q[2]-q[0]).norm()/((q[1]-q[0]).squaredNorm()+(q[2]-q[0]).squaredNorm()+(q[1]-q[2]).squaredNorm()); ms=std::min(ms,x); if (getenv("POOR") && x<0.08) fmt::print(stderr, "  poor {:.3f} patch {} at {:.4f} {:.4f} {:.4f} sides {:.4f} {:.4f} {:.4f}\n", x, model_.patches[size_t(now.mesh.property(require(now.mesh, keys::face_patch), fh))].name, q[0][0],q[0][1],q[0][2],(q[1]-q[0]).norm(),(q[1]-q[2]).norm(),(q[0]-q[2]).norm()); }
+      fmt::print(stderr, "minshape {:.3f} round {} triangles {} sag {:.3f} mean {:.3f} over {} nodes {} control {:.2f} mesh {:.2f}\n", ms, round, now.mesh.n_faces(), sag.max / asked_, sum/double(sag.of_faces.size())/asked_, over, now.report.control.nodes, now.report.seconds.control, now.report.seconds.total); }
       if (round < kBalancingRounds) {
         PolyMesh mesh = now.mesh;
         balance(mesh, sag);

@@ -7,8 +7,8 @@
 
 namespace surfmesh::detail {
 
-/// Mesh a model, with these sources and whatever else is given.
-using MeshOnce = std::function<MeshResult(const Sources&)>;
+/// Mesh a model with these sources; where it is the last time, correct triangles one by one.
+using MeshOnce = std::function<MeshResult(const Sources&, bool is_last)>;
 
 MeshResult reach_sag(const Model& model, const Sources& sources, const PipelineOptions& options,
                      const MeshOnce& mesh_once);

@@ -7,31 +7,10 @@
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/quality/face_corners_detail.hh"
 #include "surfmesh/quality/triangle_distance_detail.hh"
+#include "surfmesh/quality/triangle_sag_detail.hh"
 
 namespace surfmesh {
 namespace {
-
-/// Steps along a side between samples.
-constexpr int kSteps = 6;
-
-using Weights = std::array<double, 3>;
-
-/// The samples of a triangle, those nearest to the middle first: there the distance is greatest,
-/// and others that cannot be farther need no search.
-std::vector<Weights> make_samples() {
-  std::vector<Weights> samples;
-  for (int i = 0; i < kSteps; ++i) {
-    for (int j = 0; j < kSteps && i + j <= kSteps; ++j) {
-      const int k = kSteps - i - j;
-      if (k < kSteps) samples.push_back({double(i) / kSteps, double(j) / kSteps, double(k) / kSteps});
-    }
-  }
-  const auto spread = [](const Weights& w) { return w[0] * w[0] + w[1] * w[1] + w[2] * w[2]; };
-  std::stable_sort(samples.begin(), samples.end(), [&](const Weights& a, const Weights& b) {
-    return spread(a) < spread(b);
-  });
-  return samples;
-}
 
 /// Measures the faces of a mesh one after the other.
 class SagMeter {
@@ -41,8 +20,7 @@ class SagMeter {
         model_(model),
         search_(search),
         patch_of_(require(mesh, keys::face_patch)),
-        uv_of_(require(mesh, keys::corner_uv)),
-        samples_(make_samples()) {}
+        uv_of_(require(mesh, keys::corner_uv)) {}
 
   Sag run() {
     result_.of_faces.assign(mesh_.n_faces(), 0);
@@ -70,13 +48,13 @@ class SagMeter {
         triangle.points[i] = detail::point_of(mesh_, own[i]);
         triangle.uvs[i] = mesh_.property(uv_of_, own[i]);
       }
-      for (const Weights& w : samples_) sag = std::max(sag, distance_at(triangle, w, sag));
+      for (const detail::Weights& w : detail::sag_samples()) sag = std::max(sag, distance_at(triangle, w, sag));
     }
     result_.of_faces[static_cast<std::size_t>(fh.idx())] = sag;
   }
 
   /// The distance at a sample, if it is above `known`; else any value up to that.
-  double distance_at(const Triangle& t, const Weights& w, double known) {
+  double distance_at(const Triangle& t, const detail::Weights& w, double known) {
     const Vec3 point = w[0] * t.points[0] + w[1] * t.points[1] + w[2] * t.points[2];
     const Uv uv = w[0] * t.uvs[0] + w[1] * t.uvs[1] + w[2] * t.uvs[2];
     const Vec3 on_surface = t.surface.evaluate(uv, Order::Position).point;
@@ -130,7 +108,6 @@ class SagMeter {
   const SurfaceSearch& search_;
   decltype(keys::face_patch)::Handle patch_of_;
   decltype(keys::corner_uv)::Handle uv_of_;
-  std::vector<Weights> samples_;
   Sag result_;
 };
 
