@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,6 +11,7 @@
 #include "surfmesh/boundary/metric_arc.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
+#include "surfmesh/quality/triangle_distance_detail.hh"
 
 namespace surfmesh {
 namespace {
@@ -167,24 +167,22 @@ class ContourDivision {
     return true;
   }
 
-  /// The greatest distance of the segment between two t of the selected use. On a smooth contour
-  /// what counts is across the surface: within it the segment may part from the contour.
+  /// The greatest distance of the segment between two t of the selected use from the contour.
   double sag_between(double from, double to) const {
-    const Vec3 a = jet_at(from).point, b = jet_at(to).point;
+    const Vec3 a = point_at(from), b = point_at(to);
     double sag = 0;
     for (int i = 1; i < kSagSteps; ++i) {
-      const Jet jet = jet_at(from + (to - from) * i / kSagSteps);
-      const double share = (jet.point - a).dot(b - a) / (b - a).squaredNorm();
-      const Vec3 way = jet.point - a - share * (b - a);
-      const Vec3 normal = jet.du.cross(jet.dv).stableNormalized();
-      sag = std::max(sag, contour_.is_smooth ? std::abs(normal.dot(way)) : way.norm());
+      const Vec3 point = point_at(from + (to - from) * i / kSagSteps);
+      sag = std::max(sag, detail::segment_distance(point, a, b));
     }
     return sag;
   }
 
-  Jet jet_at(double t) const {
+  Vec3 point_at(double t) const {
     const ContourUse& use = contour_.uses[selected_];
-    return patch_of(model_, use).surface->evaluate(use.curve->evaluate(t), Order::First);
+    return patch_of(model_, use)
+        .surface->evaluate(use.curve->evaluate(t), Order::Position)
+        .point;
   }
 
   /// The t on a use of the point at t of the selected use.

@@ -20,8 +20,7 @@ struct ContourNodes {
 struct BoundaryOptions {
   /// The number of segments of every contour is a multiple of this; quads need 2. 1 or above.
   int multiple = 1;
-  /// Greatest distance between a segment and the surface or, where that is not smooth, the contour;
-  /// model units, unset is off. Above 0.
+  /// Greatest distance between a segment and its contour, model units; unset is off. Above 0.
   std::optional<double> sag = {};
 };
 

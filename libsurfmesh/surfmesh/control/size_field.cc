@@ -67,11 +67,13 @@ void SizeField::take_sources(const PatchSources& sources, const Sizing& sizing, 
     everywhere_ = everywhere_ ? bounds_.clamp(minimum(*everywhere_, size)) : size;
   }
   fields_ = sources.fields;
-  for (const auto* tables : {&sources.tables, &sources.sag}) {
-    for (const TableSource& source : *tables) {
-      tables_.push_back(std::make_shared<NodeInterpolation>(
-          interpolate_table(source, surface_, bounds_, precision)));
-    }
+  for (const TableSource& source : sources.tables) {
+    tables_.push_back(std::make_shared<NodeInterpolation>(
+        interpolate_table(source, surface_, bounds_, precision)));
+  }
+  for (const TableSource& source : sources.sag) {
+    tables_.push_back(std::make_shared<NodeInterpolation>(
+        surface_, table_nodes(source, surface_, bounds_)));
   }
   std::vector<PlacedSize> placed;
   for (const InsideSource& source : sources.inside) {

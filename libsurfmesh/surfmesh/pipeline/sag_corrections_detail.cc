@@ -4,12 +4,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
-#include <optional>
 #include <utility>
 #include <vector>
 
+#include "surfmesh/quality/surface_search.hh"
+#include "surfmesh/quality/triangle_distance_detail.hh"
 #include "surfmesh/quality/triangle_sag_detail.hh"
 
 namespace surfmesh::detail {
@@ -60,6 +60,18 @@ double shape_of(const std::vector<Triangle>& triangles) {
   double shape = 1;
   for (const Triangle& t : triangles) shape = std::min(shape, shape_of(t));
   return shape;
+}
+
+/// True if the triangle has the edge from one of these parameters to the other.
+bool has_edge(const Triangle& t, Uv from, Uv to) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (t[k].uv == from && t[(k + 1) % 3].uv == to) return true;
+  }
+  return false;
+}
+
+double distance(const Vec3& point, const Triangle& t) {
+  return triangle_distance(point, {t[0].point, t[1].point, t[2].point}).distance;
 }
 
 /// An inner edge and the apexes of its two triangles.
@@ -116,14 +128,45 @@ class SagCorrector {
   }
 
   double sag_of(const std::vector<Triangle>& triangles) const {
-    double sag = 0;
+    double sag = ridge_sag(triangles);
     for (const Triangle& t : triangles) sag = std::max(sag, sag_of(t));
     return sag;
   }
 
+  /// The greatest distance between the surface and the middles of the edges between some triangles,
+  /// both ways: over a sharp bend the planes of the two triangles pass nearer than their edge.
+  double ridge_sag(const std::vector<Triangle>& triangles) const {
+    double sag = 0;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Corner &a = triangles[i][k], &b = triangles[i][(k + 1) % 3];
+        for (std::size_t j = 0; j < i; ++j) {
+          if (has_edge(triangles[j], b.uv, a.uv)) {
+            sag = std::max(sag, ridge_sag(a, b, triangles[i], triangles[j]));
+          }
+        }
+      }
+    }
+    return sag;
+  }
+
+  double ridge_sag(const Corner& a, const Corner& b, const Triangle& left,
+                   const Triangle& right) const {
+    const Uv middle = lerp(a.uv, b.uv, 0.5);
+    const Vec3 on_surface = patch_.surface->evaluate(middle, Order::Position).point;
+    const Vec3 on_edge = 0.5 * (a.point + b.point);
+    const double from_mesh = std::min(distance(on_surface, left), distance(on_surface, right));
+    if ((on_surface - on_edge).norm() <= aim_) return from_mesh;
+    return std::max(from_mesh, find_near_point(*patch_.surface, on_edge, middle).distance);
+  }
+
   double sag_now(FaceHandle fh) const {
     const TriangleVertices v = vertices(mesh(), fh);
-    return sag_of(Triangle{corner(v[0]), corner(v[1]), corner(v[2])});
+    double sag = sag_of(Triangle{corner(v[0]), corner(v[1]), corner(v[2])});
+    for (const EdgeHandle eh : inner_edges(fh)) {
+      sag = std::max(sag, ridge_sag(around(eh).triangles()));
+    }
+    return sag;
   }
 
   void measure_new_faces() {
@@ -226,7 +269,7 @@ class SagCorrector {
     const Diamond diamond = around(eh);
     const auto after = diamond.split_at(corner_at(lerp(diamond.origin.uv, diamond.tip.uv, 0.5)));
     return shape_of(after) >= kLeastSplitShape &&
-           sag_of(after) <= kLeastReduction * sag_of(diamond.triangles());
+           sag_of(after) <= std::max(aim_, kLeastReduction * sag_of(diamond.triangles()));
   }
 
   /// Measure the triangles of the last node, and make them better.
