@@ -3,12 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <ctime>
+#include <limits>
 #include <utility>
 
-#include <cstdlib>
 #include "surfmesh/control/parse_length.hh"
 #include "surfmesh/control/size_bounds.hh"
 #include "surfmesh/control/tables_from_mesh.hh"
@@ -20,15 +21,20 @@
 namespace surfmesh::detail {
 namespace {
 
-double env(const char* n, double d) { const char* s = getenv(n); return s ? atof(s) : d; }
-const int kBalancingRounds = (int)env("BAL", 2);
-const int kLocalRounds = (int)env("LOC", 8);
-const double kAim = env("AIM", 0.9);
-const double kMostGrowth = env("GROW", 2);
-const double kMostShrinking = env("SHRINK", 0.5);
-const double kRadius = env("RAD", 0.6);
-const double kLocalShrink = env("LSH", 0.93);
-const double kMix = env("MIX", 1);
+/// Meshes whose sizes are scaled everywhere, and then those whose sizes get smaller in places.
+constexpr int kBalancedMeshes = 1;
+constexpr int kMostCorrectedMeshes = 7;
+
+/// Share of the sag at which the scaling of sizes aims, and bounds of one scaling.
+constexpr double kAim = 0.9;
+constexpr double kMostShrinking = 0.5;
+constexpr double kMostGrowth = 2;
+
+/// Sizes at a triangle that is still too far shrink at least so much.
+constexpr double kLeastShrinking = 0.93;
+
+/// Radius, in the smaller size, within which they hold: that of the triangle.
+constexpr double kReach = 0.6;
 
 class SagLoop {
  public:
@@ -36,96 +42,170 @@ class SagLoop {
           const MeshOnce& mesh_once)
       : model_(model),
         sources_(sources),
+        bounds_(options.sizing, model.diagonal),
         asked_(options.sizing.sag->in_units(model.diagonal)),
         mesh_once_(mesh_once),
         search_(model) {}
 
   MeshResult run() {
-    MeshResult best;
-    double best_sag = INFINITY;
-    for (int round = 0;; ++round) {
-      MeshResult now = mesh_once_(sources_, round >= kBalancingRounds);
-      const Sag sag = measure_sag(now.mesh, model_, search_);
-      { double sum=0; size_t over=0; for (double x : sag.of_faces) { sum += x; over += x > asked_; }
-      double ms=1; for (const FaceHandle fh : now.mesh.faces()) { std::vector<Vec3> q; for (auto vh : now.mesh.fv_range(fh)) q.push_back(to_eigen(now.mesh.point(vh))); double x = 3.4641*(q[1]-q[0]).cross(q[2]-q[0]).norm()/((q[1]-q[0]).squaredNorm()+(q[2]-q[0]).squaredNorm()+(q[1]-q[2]).squaredNorm()); ms=std::min(ms,x); if (getenv("POOR") && x<0.08) fmt::print(stderr, "  poor {:.3f} patch {} at {:.4f} {:.4f} {:.4f} sides {:.4f} {:.4f} {:.4f}\n", x, model_.patches[size_t(now.mesh.property(require(now.mesh, keys::face_patch), fh))].name, q[0][0],q[0][1],q[0][2],(q[1]-q[0]).norm(),(q[1]-q[2]).norm(),(q[0]-q[2]).norm()); }
-      fmt::print(stderr, "minshape {:.3f} round {} triangles {} sag {:.3f} mean {:.3f} over {} nodes {} control {:.2f} mesh {:.2f}\n", ms, round, now.mesh.n_faces(), sag.max / asked_, sum/double(sag.of_faces.size())/asked_, over, now.report.control.nodes, now.report.seconds.control, now.report.seconds.total); }
-      if (round < kBalancingRounds) {
-        PolyMesh mesh = now.mesh;
-        balance(mesh, sag);
-      } else if (sag.max > asked_ && round < kBalancingRounds + kLocalRounds) {
-        refine_locally(now.mesh, sag);
-      }
-      const bool is_reached = sag.max <= asked_;
-      const bool is_better = is_reached ? best_sag > asked_ || now.mesh.n_faces() < best.mesh.n_faces() : sag.max < best_sag;
-      if (is_better) { best = std::move(now); best_sag = sag.max; }
-      if (round >= kBalancingRounds && (is_reached || round >= kBalancingRounds + kLocalRounds)) break;
+    for (int i = 0; i < kBalancedMeshes; ++i) {
+      mesh(false);
+      balance();
     }
-    best.report.sag = {asked_, best_sag};
-    if (best_sag > asked_) best.report.shortfalls.push_back(fmt::format("the sag reached is {:.4g}, asked for is {:.4g}", best_sag, asked_));
-    return best;
+    for (int i = 0; i < kMostCorrectedMeshes; ++i) {
+      mesh(true);
+      if (sag_.max <= asked_ || !shrink_in_places()) break;
+    }
+    return std::move(best_);
   }
 
+  const StageSeconds& seconds() const { return seconds_; }
+
  private:
-  double factor(double sag) const {
+  /// Mesh the model, measure the mesh, and keep it if it is the best.
+  void mesh(bool is_corrected) {
+    now_ = mesh_once_(sources_, is_corrected);
+    add(now_.report.seconds);
+    const std::clock_t start = std::clock();
+    sag_ = measure_sag(now_.mesh, model_, search_);
+    seconds_.control += double(std::clock() - start) / CLOCKS_PER_SEC;
+    now_.report.sag = {asked_, sag_.max};
+    if (is_better()) best_ = now_;
+  }
+
+  void add(const StageSeconds& seconds) {
+    seconds_.control += seconds.control;
+    seconds_.boundary += seconds.boundary;
+    seconds_.triangulate += seconds.triangulate;
+    seconds_.refine += seconds.refine;
+    seconds_.improve += seconds.improve;
+    seconds_.assemble += seconds.assemble;
+  }
+
+  bool is_better() const {
+    if (!best_.report.sag.reached) return true;
+    const double best = *best_.report.sag.reached;
+    if (sag_.max > asked_) return sag_.max < best;
+    return best > asked_ || now_.mesh.n_faces() < best_.mesh.n_faces();
+  }
+
+  double sag_of(FaceHandle fh) const { return sag_.of_faces[static_cast<std::size_t>(fh.idx())]; }
+
+  /// Sag goes by the square of sizes.
+  double scale(double sag) const {
     return std::clamp(std::sqrt(kAim * asked_ / sag), kMostShrinking, kMostGrowth);
   }
 
-  void balance(PolyMesh& mesh, const Sag& sag) {
+  /// The geometric mean over the faces around.
+  double scale_at(VertexHandle vh) const {
+    double sum = 0;
+    int count = 0;
+    for (const FaceHandle fh : now_.mesh.vf_range(vh)) {
+      sum += std::log(scale(sag_of(fh)));
+      ++count;
+    }
+    return std::exp(sum / count);
+  }
+
+  /// Make the vertices of the mesh the nodes of the next control spaces, with scaled sizes.
+  void balance() {
+    PolyMesh& mesh = now_.mesh;
     const auto metric_of = require(mesh, keys::corner_metric);
     for (const VertexHandle vh : mesh.vertices()) {
-      double least = INFINITY, sum = 0; int n = 0;
-      for (const FaceHandle fh : mesh.vf_range(vh)) {
-        const double f = factor(sag.of_faces[static_cast<std::size_t>(fh.idx())]);
-        least = std::min(least, f);
-        sum += std::log(f); ++n;
-      }
-      const double mean = std::exp(sum / n);
-      const double f = std::pow(least, kMix) * std::pow(mean, 1 - kMix);
+      const double squared = std::pow(scale_at(vh), -2);
       for (const HalfedgeHandle corner : mesh.vih_range(vh)) {
-        if (mesh.is_boundary(corner)) continue;
         Metric& m = mesh.property(metric_of, corner);
-        m = {m.m11 / (f * f), m.m12 / (f * f), m.m22 / (f * f)};
+        m = {squared * m.m11, squared * m.m12, squared * m.m22};
       }
     }
     sources_.sag = tables_from_mesh(mesh);
   }
 
-  void refine_locally(const PolyMesh& mesh, const Sag& sag) {
-    const auto patch_of = require(mesh, keys::face_patch);
+  /// Ask for smaller sizes at the faces that are too far. Returns false if hmin is reached at all.
+  bool shrink_in_places() {
+    bool is_any = false;
+    for (const FaceHandle fh : now_.mesh.faces()) {
+      if (sag_of(fh) > asked_ && shrink_at(fh)) is_any = true;
+    }
+    return is_any;
+  }
+
+  bool shrink_at(FaceHandle fh) {
+    const Middle middle = middle_of(fh);
+    const double factor = std::min(kLeastShrinking, scale(sag_of(fh)));
+    const double along = bounds_.clamp(factor * middle.sizes.l_s);
+    const double across = bounds_.clamp(factor * middle.sizes.l_t);
+    if (along >= middle.sizes.l_s && across >= middle.sizes.l_t) return false;
+    AtSource source{middle.patch, middle.uv, {{along, false}, {across, false}, middle.sizes.angle}};
+    source.radius = {kReach * middle.sizes.l_t, false};
+    sources_.at.push_back(source);
+    return true;
+  }
+
+  /// The barycentre of a face in its parameters, and the sizes there.
+  struct Middle {
+    int patch;
+    Uv uv{0, 0};
+    PrincipalSizes sizes{};
+  };
+
+  Middle middle_of(FaceHandle fh) const {
+    const PolyMesh& mesh = now_.mesh;
     const auto uv_of = require(mesh, keys::corner_uv);
     const auto metric_of = require(mesh, keys::corner_metric);
-    for (const FaceHandle fh : mesh.faces()) {
-      const double s = sag.of_faces[static_cast<std::size_t>(fh.idx())];
-      if (s <= asked_) continue;
-      Uv uv{0, 0}; Metric m{0, 0, 0};
-      for (const HalfedgeHandle heh : mesh.fh_range(fh)) {
-        uv = uv + (1.0 / 3) * mesh.property(uv_of, heh);
-        const Metric& c = mesh.property(metric_of, heh);
-        m = {m.m11 + c.m11 / 3, m.m12 + c.m12 / 3, m.m22 + c.m22 / 3};
-      }
-      const int patch = mesh.property(patch_of, fh);
-      const Jet jet = model_.patches[static_cast<std::size_t>(patch)].surface->evaluate(uv, Order::First);
-      const PrincipalSizes h = principal_sizes(size_from_metric(first_form_factor(jet.du, jet.dv), m));
-      const double f = std::min(kLocalShrink, factor(s));
-      if (getenv("DUMP")) fmt::print(stderr, "  patch {} uv {:.3f} {:.3f} sag {:.3f} h {:.4f} {:.4f} ang {:.2f} quality M-area\n", model_.patches[size_t(patch)].name, uv.u, uv.v, s/asked_, h.l_s, h.l_t, h.angle);
-      AtSource at{patch, uv, {{f * h.l_s, false}, {f * h.l_t, false}, h.angle}};
-      at.radius = {kRadius * h.l_t, false};
-      sources_.at.push_back(at);
+    Middle middle{mesh.property(require(mesh, keys::face_patch), fh)};
+    Metric metric{0, 0, 0};
+    const double share = 1.0 / mesh.valence(fh);
+    for (const HalfedgeHandle corner : mesh.fh_range(fh)) {
+      const Metric& m = mesh.property(metric_of, corner);
+      middle.uv = middle.uv + share * mesh.property(uv_of, corner);
+      metric = {metric.m11 + share * m.m11, metric.m12 + share * m.m12, metric.m22 + share * m.m22};
     }
+    const Surface& surface = *model_.patches[static_cast<std::size_t>(middle.patch)].surface;
+    const Jet jet = surface.evaluate(middle.uv, Order::First);
+    middle.sizes = principal_sizes(size_from_metric(first_form_factor(jet.du, jet.dv), metric));
+    return middle;
   }
 
   const Model& model_;
   Sources sources_;
+  SizeBounds bounds_;
   double asked_;
   const MeshOnce& mesh_once_;
   SurfaceSearch search_;
+  MeshResult now_;
+  Sag sag_;  ///< of the mesh now
+  MeshResult best_;
+  StageSeconds seconds_;
 };
+
+void finish_clocks(Report& report, const StageSeconds& spent) {
+  report.seconds = spent;
+  StageSeconds& s = report.seconds;
+  const double meshing = s.boundary + s.triangulate + s.refine + s.improve + s.assemble;
+  s.total = meshing + s.control;
+  report.triangles_per_second =
+      meshing > 0 ? static_cast<double>(report.mesh.triangles) / meshing : 0;
+}
 
 }  // namespace
 
 MeshResult reach_sag(const Model& model, const Sources& sources, const PipelineOptions& options,
                      const MeshOnce& mesh_once) {
-  return SagLoop(model, sources, options, mesh_once).run();
+  const auto start = std::chrono::steady_clock::now();
+  SagLoop loop(model, sources, options, mesh_once);
+  MeshResult result = loop.run();
+  finish_clocks(result.report, loop.seconds());
+  const double asked = *result.report.sag.asked, reached = *result.report.sag.reached;
+  if (reached > asked) {
+    result.report.shortfalls.push_back(
+        fmt::format("mesh and surface are up to {:.6g} from each other, sag = {} asks for {:.6g}; "
+                    "a smaller hmin helps where that is in the way",
+                    reached, to_text(*options.sizing.sag), asked));
+  }
+  result.report.seconds.wall =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
 }
 
 }  // namespace surfmesh::detail

@@ -50,7 +50,11 @@ class OptionText {
     return number(range, [=](double x) { return x >= least && x <= most && x == std::floor(x); });
   }
 
-  Length length(std::string_view range = "a length above 0, or a share of the diagonal such as 0.1%") const {
+  Length length() const {
+    return length("a length above 0, or a share of the diagonal such as 0.1%");
+  }
+
+  Length length(std::string_view range) const {
     try {
       const Length length = parse_length(text_);
       if (length.value > 0) return length;
@@ -122,7 +126,8 @@ void set_sag(Options& options, const Text& text) {
   if (text.is("off") || text.is("0")) {
     options.sizing.sag.reset();
   } else {
-    options.sizing.sag = text.length("off, a length above 0, or a share of the diagonal such as 0.1%");
+    options.sizing.sag =
+        text.length("off, a length above 0, or a share of the diagonal such as 0.1%");
   }
 }
 
