@@ -17,8 +17,8 @@ namespace {
 /// hold the sizes: on a grid, and where discs end and gradation begins.
 bool needs_interpolated_points(const PatchSources& sources, const Sizing& sizing,
                                const ControlOptions& options) {
-  const bool has_others = sizing.curvature_factor() > 0 || sizing.sag || !sources.everywhere.empty() ||
-                          !sources.along.empty() || !sources.inside.empty() ||
+  const bool has_others = sizing.curvature_factor() > 0 || sizing.sag ||
+                          !sources.everywhere.empty() || !sources.along.empty() || !sources.inside.empty() ||
                           !sources.fields.empty() || !sources.tables.empty() ||
                           !sources.trees.empty();
   const bool has_disc = std::any_of(

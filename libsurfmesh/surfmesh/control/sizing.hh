@@ -29,8 +29,6 @@ enum class CurvatureFrom {
 struct Sizing {
   /// Size = factor × radius of curvature; 0 is off. Unset: 0.25, and off where `sag` is given.
   std::optional<double> curvature = {};
-  /// Greatest distance wanted between mesh and surface, above 0; unset is off.
-  std::optional<Length> sag = {};
   Length hmin = {0.001, true};  ///< lower clamp of all sizes, above 0
   Length hmax = {0.2, true};    ///< upper clamp of all sizes, at least hmin
   double stretch = 2;           ///< greatest ratio of the two sizes from curvature, at least 1
@@ -41,6 +39,8 @@ struct Sizing {
   double proximity = 1;  ///< elements wanted across a gap between two parts of a boundary; 0 is off
   bool features = true;  ///< short contours bound the sizes near them
   CurvatureFrom curvature_from = CurvatureFrom::Exact;
+  /// Greatest distance wanted between mesh and surface, above 0; unset is off.
+  std::optional<Length> sag = {};
 
   /// The factor that holds.
   double curvature_factor() const { return curvature.value_or(sag ? 0 : 0.25); }

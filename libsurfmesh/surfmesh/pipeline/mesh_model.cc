@@ -205,7 +205,7 @@ class Run {
   const Model& model_;
   const Sources& sources_;
   const PipelineOptions& options_;
-  bool is_corrected_;           ///< triangles that are too far from the surface are swapped and split
+  bool is_corrected_;          ///< triangles too far from the surface are swapped and split
   std::optional<double> sag_;  ///< asked for, model units
   Report report_;
   std::vector<std::unique_ptr<ControlSpace>> spaces_;

@@ -13,11 +13,12 @@ using MeshOnce = std::function<MeshResult(const Sources&, bool is_corrected)>;
 
 /// Mesh a model so that mesh and surface are nowhere farther from each other than the sag asks.
 ///
-/// The first mesh has the sizes that the curvature asks for. It is measured, and its vertices become
-/// the control nodes of the next one, with sizes scaled by what the sag around them allows, larger
-/// or smaller. In the next mesh triangles that are still too far are corrected one by one; where that
-/// is not enough, smaller sizes are asked for at them alone, and the model is meshed again, up to six
-/// times. Of those that reach the sag the mesh with the fewest triangles is taken, else the nearest.
+/// The first mesh has the sizes that the curvature asks for. It is measured, and its vertices
+/// become the control nodes of the next one, with sizes scaled by what the sag around them allows,
+/// larger or smaller. In the next mesh triangles that are still too far are corrected one by one;
+/// where that is not enough, smaller sizes are asked for at them alone, and the model is meshed
+/// again, up to six times. Of those that reach the sag the mesh with the fewest triangles is taken,
+/// else the nearest.
 ///
 /// Reads    surf:patch (face), surf:uv, surf:metric (halfedge) of the meshes
 /// Returns  the mesh; its report has the times of all meshes and the sag, with a shortfall if that

@@ -104,7 +104,8 @@ std::string to_json(const Report& report) {
         {"mean", report.quality.mean},
         {"below_0.3", report.quality.below_0_3}}},
       {"quads", {{"fraction", 0}, {"min_scaled_jacobian", 0}, {"mean_scaled_jacobian", 0}}},
-      {"sag", {{"asked", length_json(report.sag.asked)}, {"reached", length_json(report.sag.reached)}}},
+      {"sag",
+       {{"asked", length_json(report.sag.asked)}, {"reached", length_json(report.sag.reached)}}},
       {"control", control_json(report.control)},
       {"seconds", seconds_json(report.seconds)},
       {"triangles_per_second", report.triangles_per_second}};

@@ -81,8 +81,8 @@ struct Diamond {
   std::vector<Triangle> triangles() const { return {{origin, tip, left}, {tip, origin, right}}; }
   std::vector<Triangle> swapped() const { return {{right, tip, left}, {left, origin, right}}; }
   std::vector<Triangle> split_at(const Corner& middle) const {
-    return {{origin, middle, left}, {middle, tip, left}, {tip, middle, right},
-            {middle, origin, right}};
+    return {
+        {origin, middle, left}, {middle, tip, left}, {tip, middle, right}, {middle, origin, right}};
   }
 };
 
@@ -221,8 +221,8 @@ class SagCorrector {
   void correct(FaceHandle fh) {
     if (sag(fh) <= aim_) return;
     const std::vector<EdgeHandle> edges = inner_edges(fh);
-    const bool is_swapped = std::any_of(edges.begin(), edges.end(),
-                                        [this](EdgeHandle eh) { return swap_for_sag(eh); });
+    const bool is_swapped =
+        std::any_of(edges.begin(), edges.end(), [this](EdgeHandle eh) { return swap_for_sag(eh); });
     if (!is_swapped) split_longest(edges);
   }
 
@@ -248,9 +248,8 @@ class SagCorrector {
   /// Give a node to the middle of the longest edge where that helps; without one the sizes are to
   /// blame.
   void split_longest(std::vector<EdgeHandle> edges) {
-    std::sort(edges.begin(), edges.end(), [this](EdgeHandle a, EdgeHandle b) {
-      return squared_length(a) > squared_length(b);
-    });
+    std::sort(edges.begin(), edges.end(),
+              [this](EdgeHandle a, EdgeHandle b) { return squared_length(a) > squared_length(b); });
     for (const EdgeHandle eh : edges) {
       if (!helps_to_split(eh) || !split_chord(patch_, eh)) continue;
       tidy_new_node();
@@ -311,13 +310,14 @@ class SagCorrector {
     std::vector<Triangle> triangles;
     for (const HalfedgeHandle heh : mesh().voh_range(vh)) {
       const HalfedgeHandle next = mesh().next_halfedge_handle(heh);
-      triangles.push_back({centre, corner(mesh().to_vertex_handle(heh)),
-                           corner(mesh().to_vertex_handle(next))});
+      triangles.push_back(
+          {centre, corner(mesh().to_vertex_handle(heh)), corner(mesh().to_vertex_handle(next))});
     }
     return triangles;
   }
 
-  /// Move an inner node towards the middle of its neighbours if that makes the shapes around better.
+  /// Move an inner node towards the middle of its neighbours if that makes the shapes around
+  /// better.
   void smooth(VertexHandle vh) {
     if (static_cast<std::size_t>(vh.idx()) < boundary_count_) return;
     const Corner now = corner(vh);

@@ -48,7 +48,8 @@ class SagMeter {
         triangle.points[i] = detail::point_of(mesh_, own[i]);
         triangle.uvs[i] = mesh_.property(uv_of_, own[i]);
       }
-      for (const detail::Weights& w : detail::sag_samples()) sag = std::max(sag, distance_at(triangle, w, sag));
+      for (const detail::Weights& w : detail::sag_samples())
+        sag = std::max(sag, distance_at(triangle, w, sag));
     }
     result_.of_faces[static_cast<std::size_t>(fh.idx())] = sag;
   }
@@ -87,11 +88,11 @@ class SagMeter {
     const std::vector<HalfedgeHandle> corners = detail::corners_of(mesh_, fh);
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 2; k < corners.size(); ++k) {
-      nearest = std::min(
-          nearest, detail::triangle_distance(point, {detail::point_of(mesh_, corners[0]),
-                                                     detail::point_of(mesh_, corners[k - 1]),
-                                                     detail::point_of(mesh_, corners[k])})
-                       .distance);
+      nearest = std::min(nearest,
+                         detail::triangle_distance(point, {detail::point_of(mesh_, corners[0]),
+                                                           detail::point_of(mesh_, corners[k - 1]),
+                                                           detail::point_of(mesh_, corners[k])})
+                             .distance);
     }
     return nearest;
   }

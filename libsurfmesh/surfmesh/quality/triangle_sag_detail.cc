@@ -23,9 +23,8 @@ std::vector<Weights> make_samples() {
     }
   }
   const auto spread = [](const Weights& w) { return w[0] * w[0] + w[1] * w[1] + w[2] * w[2]; };
-  std::stable_sort(
-      samples.begin(), samples.end(),
-      [&](const Weights& a, const Weights& b) { return spread(a) < spread(b); });
+  std::stable_sort(samples.begin(), samples.end(),
+                   [&](const Weights& a, const Weights& b) { return spread(a) < spread(b); });
   return samples;
 }
 

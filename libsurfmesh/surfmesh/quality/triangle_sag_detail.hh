@@ -22,8 +22,8 @@ const std::vector<Weights>& sag_samples();
 
 /// The greatest distance of the surface from the plane of the triangle, over the samples.
 ///
-/// Unlike the distance from the triangle it does not grow where parameters run unevenly and a sample
-/// lies beyond a side, over the next triangle.
+/// Unlike the distance from the triangle it does not grow where parameters run unevenly and a
+/// sample lies beyond a side, over the next triangle.
 double plane_sag(const Surface& surface, const SurfaceTriangle& triangle);
 
 }  // namespace surfmesh::detail
