@@ -49,7 +49,7 @@ TEST(CurvatureLength, IsInfiniteWhereNothingBends) {
 }
 
 TEST(CurvatureLength, RefusesWhatIsNoSag) {
-  for (const double bad : {0.0, -1.0, INFINITY, NAN}) {
+  for (const double bad : {0.0, -1.0, double(INFINITY), kUnset}) {
     EXPECT_NE(error_of([&] { CurvatureLength(with_sag(bad), 1); }).find("sizing.sag"),
               std::string::npos);
   }

@@ -115,8 +115,8 @@ TEST(ReachSag, MakesRoundHolesRound) {
     const HalfedgeHandle heh = result.mesh.halfedge_handle(eh, 0);
     const Vec3 a = to_eigen(result.mesh.point(result.mesh.from_vertex_handle(heh)));
     const Vec3 b = to_eigen(result.mesh.point(result.mesh.to_vertex_handle(heh)));
-    const bool is_on_hole = result.mesh.property(contour_of, eh) >= 4;
-    if (is_on_hole) EXPECT_GE((0.5 * (a + b)).norm(), 0.5 - 0.001);
+    if (result.mesh.property(contour_of, eh) < 4) continue;  // inner edges and the square's
+    EXPECT_GE((0.5 * (a + b)).norm(), 0.5 - 0.001);
   }
 }
 

@@ -49,8 +49,8 @@ class StageClock {
 class Run {
  public:
   Run(const Model& model, const Sources& sources, const PipelineOptions& options,
-      bool is_corrected = false)
-      : model_(model), sources_(sources), options_(options), is_corrected_(is_corrected) {
+      std::optional<double> corrected_sag = {})
+      : model_(model), sources_(sources), options_(options), corrected_sag_(corrected_sag) {
     if (options.sizing.sag) sag_ = options.sizing.sag->in_units(model.diagonal);
     report_.options = options;
     report_.options.observer = nullptr;
@@ -133,7 +133,7 @@ class Run {
     for (PatchMesh& patch : patches_) {
       evaluate_vertices(patch);
       mend_turned_triangles(patch);
-      if (is_corrected_) detail::correct_sag(patch, *sag_);
+      if (corrected_sag_) detail::correct_sag(patch, *corrected_sag_);
     }
     split_improper_chords(patches_);
     std::size_t turned = 0;
@@ -205,8 +205,8 @@ class Run {
   const Model& model_;
   const Sources& sources_;
   const PipelineOptions& options_;
-  bool is_corrected_;          ///< triangles too far from the surface are swapped and split
-  std::optional<double> sag_;  ///< asked for, model units
+  std::optional<double> corrected_sag_;  ///< triangles above this are corrected one by one
+  std::optional<double> sag_;            ///< asked for, model units
   Report report_;
   std::vector<std::unique_ptr<ControlSpace>> spaces_;
   std::vector<std::unique_ptr<SurfaceMetricField>> surface_fields_;
@@ -222,8 +222,8 @@ MeshResult mesh_model(const Model& model, const Sources& sources, const Pipeline
   check(options);
   check(model);
   if (!options.sizing.sag) return Run(model, sources, options).mesh();
-  return detail::reach_sag(model, sources, options, [&](const Sources& corrected, bool is_last) {
-    return Run(model, corrected, options, is_last).mesh();
+  return detail::reach_sag(model, sources, options, [&](const Sources& corrected, std::optional<double> corrected_sag) {
+    return Run(model, corrected, options, corrected_sag).mesh();
   });
 }
 

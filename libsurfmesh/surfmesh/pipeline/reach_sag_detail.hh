@@ -2,14 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "surfmesh/pipeline/mesh_model.hh"
 
 namespace surfmesh::detail {
 
-/// Mesh a model with these sources; where told so, correct the triangles that are too far from the
-/// surface one by one.
-using MeshOnce = std::function<MeshResult(const Sources&, bool is_corrected)>;
+/// Mesh a model with these sources; with a sag correct the triangles above it one by one.
+using MeshOnce = std::function<MeshResult(const Sources&, std::optional<double> corrected_sag)>;
 
 /// Mesh a model so that mesh and surface are nowhere farther from each other than the sag asks.
 ///

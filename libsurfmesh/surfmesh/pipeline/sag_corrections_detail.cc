@@ -17,9 +17,6 @@ namespace {
 
 constexpr int kMostRounds = 8;
 
-/// A little below what is asked: other samples see a little more.
-constexpr double kAim = 0.97;
-
 /// Shape (1 for an equilateral triangle) below which a swap or a node must not lead, unless it was
 /// worse before.
 constexpr double kLeastShape = 0.3;
@@ -89,8 +86,8 @@ struct Diamond {
 /// Corrects the triangles of one patch.
 class SagCorrector {
  public:
-  SagCorrector(PatchMesh& patch, double asked)
-      : patch_(patch), delaunay_(*patch.delaunay), aim_(kAim * asked) {}
+  SagCorrector(PatchMesh& patch, double aim)
+      : patch_(patch), delaunay_(*patch.delaunay), aim_(aim) {}
 
   SagCorrections run() {
     boundary_count_ = boundary_vertices(patch_.boundary).size();
@@ -360,8 +357,8 @@ class SagCorrector {
 
 }  // namespace
 
-SagCorrections correct_sag(PatchMesh& patch, double asked) {
-  const SagCorrections result = SagCorrector(patch, asked).run();
+SagCorrections correct_sag(PatchMesh& patch, double aim) {
+  const SagCorrections result = SagCorrector(patch, aim).run();
   patch.delaunay->shrink();
   return result;
 }

@@ -13,7 +13,7 @@ struct SagCorrections {
   std::size_t nodes = 0;
 };
 
-/// Swap and split inner edges of the triangles that are farther from the surface than asked.
+/// Swap and split inner edges of the triangles that are farther from the surface than `aim`.
 ///
 /// Each such triangle gets the swap of an edge that is enough, else a node in the middle of its
 /// longest inner edge, with swaps around for quality. Everything else stays as it is: where sizes
@@ -24,6 +24,6 @@ struct SagCorrections {
 /// Error    distances from the planes of triangles, at 25 samples each
 /// Cost     25 surface evaluations a triangle, 100 a triangle that is too far
 /// Pre      evaluate_vertices has been called
-SagCorrections correct_sag(PatchMesh& patch, double asked);
+SagCorrections correct_sag(PatchMesh& patch, double aim);
 
 }  // namespace surfmesh::detail
