@@ -25,7 +25,7 @@ namespace {
 constexpr int kBalancedMeshes = 1;
 constexpr int kMostCorrectedMeshes = 7;
 
-/// Corrections see a little less than the measure: they aim below the sag, lower with each mesh.
+/// Corrections see a little less than the measure: they aim below the sag.
 constexpr double kCorrectedShare = 0.97;
 
 /// Share of the sag at which the scaling of sizes aims, and bounds of one scaling.
@@ -55,9 +55,8 @@ class SagLoop {
       mesh({});
       balance();
     }
-    double corrected_sag = kCorrectedShare * asked_;
-    for (int i = 0; i < kMostCorrectedMeshes; ++i, corrected_sag *= kCorrectedShare) {
-      mesh(corrected_sag);
+    for (int i = 0; i < kMostCorrectedMeshes; ++i) {
+      mesh(kCorrectedShare * asked_);
       if (sag_.max <= asked_ || !shrink_in_places()) break;
     }
     return std::move(best_);

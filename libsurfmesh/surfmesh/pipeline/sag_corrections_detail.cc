@@ -25,7 +25,7 @@ constexpr double kLeastShape = 0.3;
 constexpr double kLeastSplitShape = 0.2;
 
 /// Ratio of the sags after and before from which a node is worth it.
-constexpr double kLeastReduction = 0.95;
+constexpr double kLeastReduction = 0.99;
 
 /// Least gain of shape for which an edge is swapped or a node moved.
 constexpr double kLeastGain = 0.01;
