@@ -25,7 +25,8 @@ constexpr const char* kMeshing = "Meshing";
 constexpr const char* kCages = "Cages";
 
 constexpr NamedOption kNamedOptions[] = {
-    {kSizes, "curvature", "C", "size = C × radius of curvature; 0 is off"},
+    {kSizes, "curvature", "C", "size = C × radius of curvature; 0 is off, as it is beside --sag"},
+    {kSizes, "sag", "E", "greatest distance between mesh and surface"},
     {kSizes, "hmin", "H", "lower bound of all sizes: a length, or a share of the diagonal (0.1%)"},
     {kSizes, "hmax", "H", "upper bound of all sizes"},
     {kSizes, "stretch", "R", "greatest ratio of the two sizes from curvature"},

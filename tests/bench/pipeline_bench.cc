@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The whole path of a formula surface and of a cage, and refinement alone on the metric of case c1,
+// The whole path of a formula surface and of a cage, also within a sag, and refinement alone on the metric of case c1,
 // over growing numbers of triangles. The counter `triangles` is per second.
 #include <benchmark/benchmark.h>
 
@@ -46,6 +46,18 @@ void whole_torus_cage(benchmark::State& state) {
   mesh_whole(state, model_from_cage(testing::torus(12, 8)));
 }
 BENCHMARK(whole_torus_cage)->RangeMultiplier(2)->Range(4, 32)->Unit(benchmark::kMillisecond);
+
+/// Argument: the diagonal over the sag.
+void torus_cage_within_sag(benchmark::State& state) {
+  const Model model = model_from_cage(testing::torus(12, 8));
+  PipelineOptions options;
+  options.sizing.sag = Length{1 / static_cast<double>(state.range(0)), true};
+  options.sizing.hmin = {1e-5, true};
+  std::size_t triangles = 0;
+  for (auto _ : state) triangles = mesh_model(model, {}, options).mesh.n_faces();
+  count_triangles(state, triangles);
+}
+BENCHMARK(torus_cage_within_sag)->RangeMultiplier(4)->Range(256, 4096)->Unit(benchmark::kMillisecond);
 
 /// Argument: by how much sizes are smaller than those of c1.
 template <class Way>

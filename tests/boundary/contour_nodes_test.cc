@@ -255,5 +255,26 @@ TEST(BoundaryOptions, RefuseAMultipleOfLessThanOne) {
   }
 }
 
+TEST(ContourNodes, AreAsManyAsTheSagTakes) {
+  const Model model = testing::square_with_hole(0.5);
+  for (const double sag : {0.05, 0.005, 0.001}) {
+    const auto nodes = place_contour_nodes(model, UniformSizes(model, 0.2), {1, sag});
+    const ContourNodes& hole = nodes_of(model, nodes, "hole");
+    double greatest = 0;
+    for (std::size_t i = 0; i + 1 < hole.points.size(); ++i) {
+      greatest = std::max(greatest, 0.5 - (0.5 * (hole.points[i] + hole.points[i + 1])).norm());
+    }
+    EXPECT_LE(greatest, sag);
+    EXPECT_GE(hole.segment_count(), 11) << "at √½ of the metric length";
+  }
+}
+
+TEST(ContourNodes, RefuseASagThatIsNone) {
+  const Model model = testing::unit_square();
+  EXPECT_NE(error_of([&] { place_contour_nodes(model, UniformSizes(model, 1), {1, 0.0}); })
+                .find("sag = 0"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace surfmesh

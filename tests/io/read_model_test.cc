@@ -213,9 +213,15 @@ TEST(ReadModel, AcceptsWhatIsNotBuiltWhereItIsOff) {
       "no error");
 }
 
-TEST(ReadModelFaults, OfWhatIsNotBuiltYet) {
-  const std::string reason = ": this key is not built yet";
-  EXPECT_EQ(fault(sizing(R"("sag": "0.1%")")), " /sizing/sag" + reason);
+TEST(ReadModel, ReadsTheSag) {
+  const auto sag = [](const std::string& text) { return read(sizing(text)).sizing.sag; };
+  ASSERT_TRUE(sag(R"("sag": "0.1%")").has_value());
+  EXPECT_EQ(sag(R"("sag": "0.1%")")->value, 0.001);
+  EXPECT_FALSE(sag(R"("sag": 2)")->is_relative);
+  for (const char* off : {R"("sag": 0)", R"("sag": "off")", R"("sag": null)"}) {
+    EXPECT_FALSE(sag(off).has_value()) << off;
+  }
+  EXPECT_EQ(fault(sizing(R"("sag": -1)")), " /sizing/sag: must be above 0");
 }
 
 TEST(ReadModelFaults, OfSyntaxWithLineAndColumn) {

@@ -139,6 +139,20 @@ TEST_F(MeshProgram, ReportsWhatItDid) {
               json["mesh"]["triangles"].get<double>(), 1e-3);
 }
 
+TEST_F(MeshProgram, ReachesTheSag) {
+  EXPECT_EQ(mesh("knob.obj", "--sag 0.2% --report report.json"), 0) << err_;
+  const Json sag = report()["sag"];
+  EXPECT_LE(sag["reached"].get<double>(), sag["asked"].get<double>());
+  EXPECT_EQ(report()["options"]["curvature"], 0);
+  EXPECT_NE(out_.find("sag"), std::string::npos);
+}
+
+TEST_F(MeshProgram, EndsWithStatus3WhereTheSagIsNotReached) {
+  EXPECT_EQ(mesh("torus.obj", "--sag 0.01% --hmin 5% --quiet"), 3);
+  EXPECT_TRUE(err_.starts_with("surfmesh: not reached: ")) << err_;
+  EXPECT_NE(err_.find("sag"), std::string::npos) << err_;
+}
+
 TEST_F(MeshProgram, BeatsTheModelFileByTheCommandLine) {
   EXPECT_EQ(mesh("plate.json", "--hmax 0.3 --set grade=1.2 --report report.json"), 0) << err_;
   const Json options = report()["options"];

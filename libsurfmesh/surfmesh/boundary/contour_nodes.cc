@@ -11,6 +11,7 @@
 #include "surfmesh/boundary/metric_arc.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
+#include "surfmesh/quality/triangle_distance_detail.hh"
 
 namespace surfmesh {
 namespace {
@@ -20,6 +21,13 @@ constexpr double kLongestSegment = std::numbers::sqrt2;
 
 /// Shortest segment, in the metric of the patch that placed the nodes, that is halved for another.
 constexpr double kShortestHalved = 0.02;
+
+/// Numbers of segments that are tried for the sag, as shares of the metric length.
+constexpr double kFewest = 0.71, kMost = 4;
+
+/// Samples of a segment, and the share of the sag they may have: the greatest lies between them.
+constexpr int kSagSteps = 4;
+constexpr double kSagShare = 0.95;
 
 const Patch& patch_of(const Model& model, const ContourUse& use) {
   return model.patches[static_cast<std::size_t>(use.patch)];
@@ -65,11 +73,13 @@ class ContourDivision {
     parameters_.resize(contour.uses.size());
   }
 
-  void divide(int least, int multiple) {
+  void divide(int least, const BoundaryOptions& options) {
     const double length = arcs_[selected_].length();
+    const int multiple = options.multiple;
     const int wanted = static_cast<int>(std::lround(length / multiple)) * multiple;
     const int rounded_least = (least + multiple - 1) / multiple * multiple;
-    const int count = std::max(wanted, rounded_least);
+    const int count = options.sag ? count_for_sag(rounded_least, options)
+                                  : std::max(wanted, rounded_least);
     for (int i = 0; i <= count; ++i) {
       const double t = i == 0 ? 0.0 : i == count ? 1.0
                                                  : arcs_[selected_].parameter(i * length / count);
@@ -135,6 +145,45 @@ class ContourDivision {
   }
 
   Vec3 vertex(int index) const { return model_.vertices[static_cast<std::size_t>(index)].position; }
+
+  /// The least count, a multiple, with which all segments are near enough.
+  int count_for_sag(int least, const BoundaryOptions& options) const {
+    const double length = arcs_[selected_].length();
+    const int step = options.multiple;
+    int count = std::max(least, step * static_cast<int>(std::ceil(kFewest * length / step)));
+    while (count < kMost * length && !holds(count, *options.sag)) count += step;
+    return count;
+  }
+
+  /// True if none of so many segments is farther from the surface than the sag.
+  bool holds(int count, double sag) const {
+    const double length = arcs_[selected_].length();
+    double from = 0;
+    for (int i = 1; i <= count; ++i) {
+      const double to = i == count ? 1.0 : arcs_[selected_].parameter(i * length / count);
+      if (sag_between(from, to) > kSagShare * sag) return false;
+      from = to;
+    }
+    return true;
+  }
+
+  /// The greatest distance of the segment between two t of the selected use from the contour.
+  double sag_between(double from, double to) const {
+    const Vec3 a = point_at(from), b = point_at(to);
+    double sag = 0;
+    for (int i = 1; i < kSagSteps; ++i) {
+      const Vec3 point = point_at(from + (to - from) * i / kSagSteps);
+      sag = std::max(sag, detail::segment_distance(point, a, b));
+    }
+    return sag;
+  }
+
+  Vec3 point_at(double t) const {
+    const ContourUse& use = contour_.uses[selected_];
+    return patch_of(model_, use)
+        .surface->evaluate(use.curve->evaluate(t), Order::Position)
+        .point;
+  }
 
   /// The t on a use of the point at t of the selected use.
   double on_use(std::size_t use, double t) const {
@@ -205,6 +254,10 @@ void check(const BoundaryOptions& options) {
     throw Error(ErrorCode::InvalidOption,
                 fmt::format("multiple = {} is outside its range: 1 or above", options.multiple));
   }
+  if (options.sag && !(*options.sag > 0)) {
+    throw Error(ErrorCode::InvalidOption,
+                fmt::format("sag = {} is outside its range: above 0", *options.sag));
+  }
 }
 
 BoundaryNodes place_contour_nodes(const Model& model,
@@ -224,7 +277,7 @@ BoundaryNodes place_contour_nodes(const Model& model,
       continue;
     }
     ContourDivision division(model, contour, fields);
-    division.divide(least(contour), options.multiple);
+    division.divide(least(contour), options);
     division.halve_long_segments();
     division.round_up_to(options.multiple);
     result.contours.push_back(division.nodes());

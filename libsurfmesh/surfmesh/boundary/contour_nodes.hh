@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "surfmesh/control/metric_field.hh"
@@ -19,6 +20,8 @@ struct ContourNodes {
 struct BoundaryOptions {
   /// The number of segments of every contour is a multiple of this; quads need 2. 1 or above.
   int multiple = 1;
+  /// Greatest distance between a segment and its contour, model units; unset is off. Above 0.
+  std::optional<double> sag = {};
 };
 
 void check(const BoundaryOptions& options);
@@ -39,6 +42,9 @@ struct BoundaryNodes {
 /// nearest integer to that length, at least 1, and they lie at equal metric arcs, which is marching
 /// by eq. (3) with the remainder spread evenly. Then every segment is measured in the metric of
 /// every other patch and halved while it is longer than √2.
+///
+/// With a sag, that number becomes the least one from √½ of the length up with which all segments
+/// hold it, at most four times the length.
 ///
 /// Contours get more nodes where the result would not be a proper mesh otherwise: at least three
 /// segments if closed, two if another contour joins the same vertices, one to spare beside each

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surfmesh/control/curvature_length.hh"
+
 namespace surfmesh {
 namespace {
 
@@ -26,7 +28,7 @@ constexpr double kHalo = 0.5;
 class Sampler {
  public:
   Sampler(const SpaceCurve& curve, const Sizing& sizing, const SizeBounds& bounds)
-      : curve_(curve), sizing_(sizing), bounds_(bounds) {}
+      : curve_(curve), grade_(sizing.grade), length_(sizing, bounds.diagonal), bounds_(bounds) {}
 
   std::vector<PlacedSize> run() {
     Place last = at(0);
@@ -47,7 +49,7 @@ class Sampler {
   };
 
   Place at(double t) const {
-    const double size = sizing_.curvature / curve_curvature(curve_, t);
+    const double size = length_.of_curve(curve_curvature(curve_, t));
     return {t, curve_.evaluate(t), bounds_.clamp(size)};
   }
 
@@ -72,12 +74,13 @@ class Sampler {
     placed.at_from = {a.size, bounds_.clamp(kAcross * a.size)};
     placed.at_to = {b.size, bounds_.clamp(kAcross * b.size)};
     placed.follows_segment = true;
-    if (sizing_.grade == 0) placed.radius = kHalo * std::max(a.size, b.size);
+    if (grade_ == 0) placed.radius = kHalo * std::max(a.size, b.size);
     sizes_.push_back(placed);
   }
 
   const SpaceCurve& curve_;
-  const Sizing& sizing_;
+  double grade_;
+  CurvatureLength length_;
   const SizeBounds& bounds_;
   std::vector<PlacedSize> sizes_;
 };

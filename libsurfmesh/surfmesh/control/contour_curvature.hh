@@ -19,8 +19,8 @@ namespace surfmesh {
 ///          ContourCurvature.IsThatOfACurve)
 double curve_curvature(const SpaceCurve& curve, double t);
 
-/// Sizes along a contour that follow from its curvature: along the tangent factor × radius of
-/// curvature, across twice that, both clamped.
+/// Sizes along a contour that follow from its curvature (CurvatureLength): along the tangent the
+/// length it asks for, across twice that, both clamped.
 ///
 /// The contour becomes segments on which the sizes change linearly; they are halved until the size
 /// in the middle of each is within a tenth of the mean and the chord within a tenth of the size of

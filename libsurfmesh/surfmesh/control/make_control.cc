@@ -8,6 +8,7 @@
 #include "surfmesh/control/control_mesh.hh"
 #include "surfmesh/control/node_interpolation.hh"
 #include "surfmesh/control/point_nodes.hh"
+#include "surfmesh/control/table_sizes.hh"
 
 namespace surfmesh {
 namespace {
@@ -16,8 +17,8 @@ namespace {
 /// hold the sizes: on a grid, and where discs end and gradation begins.
 bool needs_interpolated_points(const PatchSources& sources, const Sizing& sizing,
                                const ControlOptions& options) {
-  const bool has_others = sizing.curvature > 0 || !sources.everywhere.empty() ||
-                          !sources.along.empty() || !sources.inside.empty() ||
+  const bool has_others = sizing.curvature_factor() > 0 || sizing.sag ||
+                          !sources.everywhere.empty() || !sources.along.empty() || !sources.inside.empty() ||
                           !sources.fields.empty() || !sources.tables.empty() ||
                           !sources.trees.empty();
   const bool has_disc = std::any_of(
@@ -50,6 +51,16 @@ void add_inner_nodes(const Surface& surface, std::vector<ControlNode>& nodes) {
   }
 }
 
+/// Nodes where the sizes that hold the sag are known. They come from a mesh with the sizes of all
+/// sources, so that they are as dense as elements can follow.
+std::vector<ControlNode> sag_nodes(const TableSource& sag, const SizeField& field) {
+  const auto known = table_nodes(sag, field.surface(), field.bounds());
+  std::vector<ControlNode> nodes = corners_like_nearest(field.surface(), known);
+  nodes.insert(nodes.end(), known.begin(), known.end());
+  for (ControlNode& node : nodes) node.size = field.at(node.uv).size;
+  return nodes;
+}
+
 }  // namespace
 
 void check(const ControlOptions& options) {
@@ -80,7 +91,12 @@ ControlInput collect_control_input(const Surface& surface, const Sizing& sizing,
     input.places = std::move(places);
     return input;
   }
-  input.nodes = is_chosen ? choose_accurate_nodes(field, own) : corners_like_nearest(surface, places);
+  if (!sources.sag.empty()) {
+    input.nodes = sag_nodes(sources.sag.front(), field);
+  } else {
+    input.nodes =
+        is_chosen ? choose_accurate_nodes(field, own) : corners_like_nearest(surface, places);
+  }
   input.nodes.insert(input.nodes.end(), places.begin(), places.end());
   if (options.inner_nodes) add_inner_nodes(surface, input.nodes);
   return input;

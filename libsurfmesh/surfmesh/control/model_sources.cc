@@ -27,7 +27,7 @@ std::vector<PlacedSize> sizes_of_contour(const Model& model, const Contour& cont
   const CurveOnSurface curve(model.patches[static_cast<std::size_t>(use.patch)].surface, use.curve,
                              contour.part_count);
   std::vector<PlacedSize> sizes;
-  if (sizing.contour_curvature && sizing.curvature > 0) {
+  if (sizing.contour_curvature && (sizing.curvature_factor() > 0 || sizing.sag)) {
     append(sizes, contour_curvature_sizes(curve, sizing, bounds));
   }
   if (sizing.features) append(sizes, feature_sizes(curve, sizing, bounds));

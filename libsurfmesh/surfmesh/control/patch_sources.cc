@@ -75,6 +75,7 @@ PatchSources sources_of_patch(const Sources& sources, int patch) {
           select(sources.inside, patch),
           select(sources.fields, patch),
           select(sources.tables, patch),
+          select(sources.sag, patch),
           {}};
 }
 

@@ -20,6 +20,7 @@ struct PatchSources {
   std::vector<InsideSource> inside = {};
   std::vector<FieldSource> fields = {};
   std::vector<TableSource> tables = {};
+  std::vector<TableSource> sag = {};  ///< in place of what the curvature asks for; one at most
   /// Sizes around places in space, perhaps shared with other patches: `near`, contours.
   std::vector<std::shared_ptr<const SourceTree>> trees = {};
   std::vector<Ring> rings = {};  ///< short ones, around which hmin does not hold

@@ -30,6 +30,15 @@ constexpr int kRingSamples = 5;
 
 /// Share of its width and height at which the field is looked at in each cell of the surface.
 constexpr double kCellShare = 0.45;
+/// What the curvature of the surface asks for: where sizes that hold the sag are known, its factor
+/// alone.
+CurvatureLength length_on(const Sizing& sizing, const PatchSources& sources, double diagonal) {
+  if (sources.sag.empty()) return CurvatureLength(sizing, diagonal);
+  Sizing by_factor = sizing;
+  by_factor.curvature = sizing.curvature_factor();
+  by_factor.sag.reset();
+  return CurvatureLength(by_factor, diagonal);
+}
 
 }  // namespace
 
@@ -41,14 +50,13 @@ SizeField::SizeField(const Surface& surface, const Sizing& sizing, const PatchSo
                        : nullptr),
       domain_(surface.domain()),
       bounds_(sizing, diagonal),
-      factor_(sizing.curvature),
+      length_(length_on(sizing, sources, diagonal)),
       stretch_(sizing.stretch) {
-  check_sizing(factor_ >= 0 && std::isfinite(factor_), "curvature", factor_, "0 (off) or above");
   check_sizing(stretch_ >= 1, "stretch", stretch_, "1 or above");
   check_sizing(sizing.grade == 0 || (sizing.grade >= 1 && std::isfinite(sizing.grade)), "grade",
                sizing.grade, "0 (off), or 1 and above");
   take_sources(sources, sizing, precision);
-  if (factor_ == 0) return;
+  if (length_.is_off()) return;
   for (const SingularPoint& singular : surface.singular_points()) {
     discs_.push_back(make_disc(singular));
   }
@@ -64,6 +72,10 @@ void SizeField::take_sources(const PatchSources& sources, const Sizing& sizing, 
   for (const TableSource& source : sources.tables) {
     tables_.push_back(std::make_shared<NodeInterpolation>(
         interpolate_table(source, surface_, bounds_, precision)));
+  }
+  for (const TableSource& source : sources.sag) {
+    tables_.push_back(std::make_shared<NodeInterpolation>(
+        surface_, table_nodes(source, surface_, bounds_)));
   }
   std::vector<PlacedSize> placed;
   for (const InsideSource& source : sources.inside) {
@@ -119,16 +131,16 @@ void SizeField::take_tree(std::shared_ptr<const SourceTree> tree) {
 }
 
 bool SizeField::has_area_source() const {
-  return factor_ > 0 || everywhere_ || !areas_.empty() || !fields_.empty() || !tables_.empty() ||
-         !rings_.empty();
+  return !length_.is_off() || everywhere_ || !areas_.empty() || !fields_.empty() ||
+         !tables_.empty() || !rings_.empty();
 }
 
 bool SizeField::has_source() const { return has_area_source() || !trees_.empty(); }
 
 SizeTensor SizeField::size_from_curvature(const Jet& jet) const {
   const PrincipalCurvatures k = principal_curvatures(jet);
-  double h1 = std::clamp(factor_ / std::abs(k.k1), bounds_.hmin, bounds_.hmax);
-  double h2 = std::clamp(factor_ / std::abs(k.k2), bounds_.hmin, bounds_.hmax);
+  double h1 = bounds_.clamp(length_.of_surface(k.k1));
+  double h2 = bounds_.clamp(length_.of_surface(k.k2));
   h1 = std::min(h1, stretch_ * h2);
   h2 = std::min(h2, stretch_ * h1);
   return size_tensor(h1, h2, k.angle);
@@ -146,7 +158,7 @@ SizeField::Disc SizeField::quarter_ring(const Disc& so_far, Uv at, Uv towards,
     const Jet jet = second_order(surface_.beside_roundings(domain_.fold(place)));
     const PrincipalCurvatures k = principal_curvatures(jet);
     const double greatest = std::max(std::abs(k.k1), std::abs(k.k2));
-    ring.size = std::min(ring.size, std::max(bounds_.hmin, factor_ / greatest));
+    ring.size = std::min(ring.size, std::max(bounds_.hmin, length_.around_vertex(greatest)));
     ring.radius = std::min(ring.radius, (jet.point - ring.centre).norm());
   }
   return ring;
@@ -250,12 +262,13 @@ void SizeField::add_rings(Uv uv, Sample& sample) const {
 
 SizeField::Sample SizeField::at(Uv uv) const {
   uv = domain_.fold(uv);
-  const Jet jet = factor_ > 0 ? second_order(uv) : surface_.evaluate(uv, Order::First);
+  const bool is_curved = !length_.is_off();
+  const Jet jet = is_curved ? second_order(uv) : surface_.evaluate(uv, Order::First);
   Sample sample;
   sample.point = jet.point;
   sample.form = first_form_factor(jet.du, jet.dv);
   sample.size = isotropic(bounds_.hmax);
-  if (factor_ > 0) add_curvature(uv, jet, sample);
+  if (is_curved) add_curvature(uv, jet, sample);
   if (has_wishes_) add_sources(uv, jet, sample);
   add_rings(uv, sample);
   return sample;

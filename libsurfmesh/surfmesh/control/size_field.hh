@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "surfmesh/control/curvature_length.hh"
 #include "surfmesh/control/patch_sources.hh"
 #include "surfmesh/control/size_bounds.hh"
 #include "surfmesh/control/sizing.hh"
@@ -37,13 +38,13 @@ class SizeField {
   /// Position, first form and wanted sizes at a point of the bounding rectangle of the domain;
   /// beyond the diagonal of a triangular domain those of its mirror point.
   ///
-  /// Curvature gives the size factor × radius along each principal direction, clamped, then the
+  /// Curvature gives a size along each principal direction (CurvatureLength), clamped, then the
   /// larger limited to stretch times the smaller; then the minimum with the other sources is
-  /// taken, in the order everywhere, inside, fields, tables, sizes around places; then all are
+  /// taken, in the order everywhere, inside, fields, tables, sizes around places; at last all are
   /// clamped. Around a short ring of faces sizes leave room for four elements, below hmin, too.
-  /// Around an extraordinary vertex, where curvature grows without bound, the size is isotropic: h
-  /// with h = factor / (greatest curvature on the ring at the distance h/2), so that it does not
-  /// depend on how near to the vertex one looks. Beside a narrowly rounded side the curvature is
+  /// Around an extraordinary vertex, where curvature grows without bound, the size is isotropic: that
+  /// length h which the greatest curvature on the ring at the distance h/2 asks for, so that it does
+  /// not depend on how near to the vertex one looks. Beside a narrowly rounded side the curvature is
   /// taken where the rounding ends.
   ///
   /// Cost     one surface evaluation with second derivatives, and what the sources cost
@@ -97,7 +98,7 @@ class SizeField {
   std::shared_ptr<const Surface> differences_;  ///< of the surface; none for exact curvature
   Domain domain_;
   SizeBounds bounds_;
-  double factor_;
+  CurvatureLength length_;
   double stretch_;
   std::optional<SizeTensor> everywhere_;
   std::vector<Area> areas_;

@@ -27,16 +27,23 @@ enum class CurvatureFrom {
 
 /// What sizes follow from the shape, and the bounds of all sizes.
 struct Sizing {
-  double curvature = 0.25;      ///< size = factor × radius of curvature; 0 is off
+  /// Size = factor × radius of curvature; 0 is off. Unset: 0.25, and off where `sag` is given.
+  std::optional<double> curvature = {};
   Length hmin = {0.001, true};  ///< lower clamp of all sizes, above 0
   Length hmax = {0.2, true};    ///< upper clamp of all sizes, at least hmin
   double stretch = 2;           ///< greatest ratio of the two sizes from curvature, at least 1
   double grade = 1.5;           ///< sizes grow by at most ln(grade) per unit of length; 0 is off
-  /// Sizes from the curvature of true boundaries, creases and trims; off without `curvature`.
+  /// Sizes from the curvature of true boundaries, creases and trims; off without `curvature` and
+  /// `sag`.
   bool contour_curvature = true;
   double proximity = 1;  ///< elements wanted across a gap between two parts of a boundary; 0 is off
   bool features = true;  ///< short contours bound the sizes near them
   CurvatureFrom curvature_from = CurvatureFrom::Exact;
+  /// Greatest distance wanted between mesh and surface, above 0; unset is off.
+  std::optional<Length> sag = {};
+
+  /// The factor that holds.
+  double curvature_factor() const { return curvature.value_or(sag ? 0 : 0.25); }
 };
 
 /// Wanted edge lengths: l_s along the first axis turned by `angle`, l_t across.
@@ -130,6 +137,9 @@ struct Sources {
   std::vector<NearSource> near = {};
   std::vector<FieldSource> fields = {};
   std::vector<TableSource> tables = {};
+  /// Sizes that hold the sag, known from an earlier mesh: in their patches they take the place of
+  /// those that its curvature asks for. At most one a patch.
+  std::vector<TableSource> sag = {};
 };
 
 }  // namespace surfmesh

@@ -194,10 +194,4 @@ bool JsonNode::boolean() const {
   return json_->get<bool>();
 }
 
-void JsonNode::expect_off(std::initializer_list<Json> off_values) const {
-  if (json_->is_null() || (json_->is_structured() && json_->empty())) return;
-  if (std::find(off_values.begin(), off_values.end(), *json_) != off_values.end()) return;
-  fail("this key is not built yet");
-}
-
 }  // namespace surfmesh

@@ -50,9 +50,6 @@ class JsonNode {
   double number() const;
   bool boolean() const;
 
-  /// Fail for a key that is not built yet, unless its value is null, empty or one of these.
-  void expect_off(std::initializer_list<Json> off_values) const;
-
  private:
   JsonNode child(const Json& json, const std::string& token) const;
   [[noreturn]] void fail_type(std::string_view wanted) const;

@@ -114,6 +114,13 @@ void read_patches(const JsonNode& root, const FileScope& file, ModelFile& model)
   if (model.patches.empty() && model.cages.empty()) patches.fail("the model has no patches");
 }
 
+/// None where it is off.
+std::optional<Length> read_sag(const JsonNode& node) {
+  const Json& json = node.json();
+  if (json.is_null() || json == 0 || json == "off") return std::nullopt;
+  return read_length(node);
+}
+
 Sizing read_sizing(const JsonNode& node) {
   node.expect_keys({"curvature", "sag", "hmin", "hmax", "stretch", "grade", "contour_curvature",
                     "proximity", "features", "curvature_from"});
@@ -131,7 +138,7 @@ Sizing read_sizing(const JsonNode& node) {
   if (sizing.hmin.is_relative == sizing.hmax.is_relative && sizing.hmin.value > sizing.hmax.value) {
     (node.has("hmax") ? node.at("hmax") : node.at("hmin")).fail("hmin must not be above hmax");
   }
-  if (const auto sag = node.find("sag")) sag->expect_off({0, "off"});
+  if (const auto sag = node.find("sag")) sizing.sag = read_sag(*sag);
   if (const auto proximity = node.find("proximity")) {
     sizing.proximity = read_at_least(*proximity, 0);
   }

@@ -174,7 +174,10 @@ class Lines {
   void add_fit(const ModelFit& fit) {
     add("model", fit.is_projected ? "the mesh has no (u,v), nearest points were taken"
                                   : "by the (u,v) of the mesh");
-    if (fit.has_other_sizes) add("", "sizes without grade and interpolation of `at`, which make it finer by right");
+    if (fit.has_other_sizes) {
+      add("", "sizes without grade, corrections of the sag and interpolation of `at`, which make it "
+              "finer by right");
+    }
     add("edges", fmt::format("mean {:.3f}, deviation {:.3f}, from {:.3f} to {:.3f}, {:.1f} % in "
                              "[1/√2, √2]",
                              fit.edges.mean, fit.edges.stddev, fit.edges.min, fit.edges.max,
@@ -228,7 +231,8 @@ ModelFit measure_fit(MeshFile& mesh, const ModelInput& input) {
   fit.is_projected = !has_parameters(mesh.mesh);
   if (fit.is_projected) project_mesh(mesh.mesh, mesh.patch_names, input.model, search);
   fit.distance = measure_distance(mesh.mesh, input.model, search, fit.is_projected);
-  fit.has_other_sizes = input.options.sizing.grade > 0 || !input.sources.at.empty();
+  const Sizing& sizing = input.options.sizing;
+  fit.has_other_sizes = sizing.grade > 0 || sizing.sag || !input.sources.at.empty();
   attach_exact_metric(mesh.mesh, input);
   fit.edges = measure_edges(mesh.mesh);
   fit.quality = measure_quality(mesh.mesh);

@@ -31,6 +31,7 @@ void check_patches(const Model& model, const Sources& sources) {
   check_all(sources.inside);
   check_all(sources.fields);
   check_all(sources.tables);
+  check_all(sources.sag);
 }
 
 void check_length(const char* name, const Length& length) {

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,8 @@
 #include "surfmesh/core/validate.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/for_each_patch_detail.hh"
+#include "surfmesh/pipeline/reach_sag_detail.hh"
+#include "surfmesh/pipeline/sag_corrections_detail.hh"
 #include "surfmesh/refine/boundary_triangulation.hh"
 
 namespace surfmesh {
@@ -45,8 +48,10 @@ class StageClock {
 
 class Run {
  public:
-  Run(const Model& model, const Sources& sources, const PipelineOptions& options)
-      : model_(model), sources_(sources), options_(options) {
+  Run(const Model& model, const Sources& sources, const PipelineOptions& options,
+      std::optional<double> corrected_sag = {})
+      : model_(model), sources_(sources), options_(options), corrected_sag_(corrected_sag) {
+    if (options.sizing.sag) sag_ = options.sizing.sag->in_units(model.diagonal);
     report_.options = options;
     report_.options.observer = nullptr;
     report_.warnings = model.warnings;
@@ -106,7 +111,9 @@ class Run {
   void place_nodes() {
     const StageClock clock(report_.seconds.boundary);
     tell("boundary", 0, model_.contours.size());
-    BoundaryNodes boundary = place_contour_nodes(model_, fields_, options_.boundary);
+    BoundaryOptions boundary_options = options_.boundary;
+    boundary_options.sag = sag_;
+    BoundaryNodes boundary = place_contour_nodes(model_, fields_, boundary_options);
     nodes_ = std::move(boundary.contours);
     report_.control.queries.boundary = boundary.report.queries;
     numbers_ = std::make_unique<NodeNumbers>(model_, nodes_);
@@ -132,8 +139,9 @@ class Run {
     for (PatchMesh& patch : patches_) {
       evaluate_vertices(patch);
       turned += mend_turned_triangles(patch);
+      if (corrected_sag_) detail::correct_sag(patch, *corrected_sag_);
     }
-    if (split_improper_chords(patches_) > 0) {
+    if (split_improper_chords(patches_) > 0 || corrected_sag_) {
       turned = 0;
       for (PatchMesh& patch : patches_) {
         evaluate_vertices(patch);
@@ -209,6 +217,8 @@ class Run {
   const Model& model_;
   const Sources& sources_;
   const PipelineOptions& options_;
+  std::optional<double> corrected_sag_;  ///< triangles above this are corrected one by one
+  std::optional<double> sag_;            ///< asked for, model units
   Report report_;
   std::vector<std::unique_ptr<ControlSpace>> spaces_;
   std::vector<std::unique_ptr<SurfaceMetricField>> surface_fields_;
@@ -223,7 +233,10 @@ class Run {
 MeshResult mesh_model(const Model& model, const Sources& sources, const PipelineOptions& options) {
   check(options);
   check(model);
-  return Run(model, sources, options).mesh();
+  if (!options.sizing.sag) return Run(model, sources, options).mesh();
+  return detail::reach_sag(model, sources, options, [&](const Sources& corrected, std::optional<double> corrected_sag) {
+    return Run(model, corrected, options, corrected_sag).mesh();
+  });
 }
 
 }  // namespace surfmesh

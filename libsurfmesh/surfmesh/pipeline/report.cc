@@ -74,6 +74,11 @@ Json control_json(const Report::Control& control) {
             {"reused", answers.reused}}}};
 }
 
+/// Null for what is not known.
+Json length_json(const std::optional<double>& length) {
+  return length ? Json(*length) : Json(nullptr);
+}
+
 Json seconds_json(const StageSeconds& s) {
   return {{"read", s.read},         {"control", s.control},
           {"boundary", s.boundary}, {"triangulate", s.triangulate},
@@ -101,7 +106,8 @@ std::string to_json(const Report& report) {
         {"mean", report.quality.mean},
         {"below_0.3", report.quality.below_0_3}}},
       {"quads", {{"fraction", 0}, {"min_scaled_jacobian", 0}, {"mean_scaled_jacobian", 0}}},
-      {"sag", {{"asked", nullptr}, {"reached", 0}}},
+      {"sag",
+       {{"asked", length_json(report.sag.asked)}, {"reached", length_json(report.sag.reached)}}},
       {"control", control_json(report.control)},
       {"seconds", seconds_json(report.seconds)},
       {"triangles_per_second", report.triangles_per_second}};
@@ -127,6 +133,10 @@ std::string to_text(const Report& report) {
   line("", histogram_share(report.edges));
   line("quality", fmt::format("mean {:.3f}, least {:.3f}, {:.2f} % below 0.3", report.quality.mean,
                               report.quality.min, 100 * report.quality.below_0_3));
+  if (report.sag.asked && report.sag.reached) {
+    line("sag", fmt::format("{:.4g} reached, {:.4g} asked for", *report.sag.reached,
+                            *report.sag.asked));
+  }
   line("control",
        fmt::format("{} nodes, {} triangles", report.control.nodes, report.control.triangles));
   line("time", fmt::format("{:.2f} s of processor, {:.2f} s by the clock", s.total, s.wall));

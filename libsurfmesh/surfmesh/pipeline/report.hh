@@ -60,6 +60,12 @@ struct Report {
     Queries queries;
   };
 
+  /// Greatest distance between mesh and surface, model units.
+  struct Sag {
+    std::optional<double> asked;
+    std::optional<double> reached;  ///< measured if asked for
+  };
+
   std::string input;
   PipelineOptions options;  ///< the effective values
   std::vector<std::string> warnings;
@@ -68,6 +74,7 @@ struct Report {
   Mesh mesh;
   EdgeStatistics edges;       ///< in the metric of the control space
   QualityStatistics quality;  ///< likewise
+  Sag sag;
   Control control;
   StageSeconds seconds;
   /// Triangles over processor time without reading, control space, report and writing: the NT/s of

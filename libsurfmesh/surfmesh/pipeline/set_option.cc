@@ -51,7 +51,10 @@ class OptionText {
   }
 
   Length length() const {
-    constexpr const char* range = "a length above 0, or a share of the diagonal such as 0.1%";
+    return length("a length above 0, or a share of the diagonal such as 0.1%");
+  }
+
+  Length length(std::string_view range) const {
     try {
       const Length length = parse_length(text_);
       if (length.value > 0) return length;
@@ -119,10 +122,17 @@ struct OptionEntry {
 using Options = PipelineOptions;
 using Text = OptionText;
 
-void set_sag(Options&, const Text& text) {
-  if (text.is("off") || text.is("0")) return;
-  text.length();
-  text.fail_not_built(std::initializer_list<std::string_view>{"off"});
+void set_sag(Options& options, const Text& text) {
+  if (text.is("off") || text.is("0")) {
+    options.sizing.sag.reset();
+  } else {
+    options.sizing.sag =
+        text.length("off, a length above 0, or a share of the diagonal such as 0.1%");
+  }
+}
+
+OptionValue get_sag(const Options& options) {
+  return options.sizing.sag ? to_text(*options.sizing.sag) : "off";
 }
 
 void set_grade(Options& options, const Text& text) {
@@ -172,8 +182,8 @@ void set_threads(Options&, const Text& text) {
 constexpr auto kOptions = std::to_array<OptionEntry>({
     {"curvature", true,
      [](Options& o, const Text& t) { o.sizing.curvature = t.number_from(0, kFromZero); },
-     [](const Options& o) -> OptionValue { return o.sizing.curvature; }},
-    {"sag", true, set_sag, [](const Options&) -> OptionValue { return std::string("off"); }},
+     [](const Options& o) -> OptionValue { return o.sizing.curvature_factor(); }},
+    {"sag", true, set_sag, get_sag},
     {"hmin", true, [](Options& o, const Text& t) { o.sizing.hmin = t.length(); },
      [](const Options& o) -> OptionValue { return to_text(o.sizing.hmin); }},
     {"hmax", true, [](Options& o, const Text& t) { o.sizing.hmax = t.length(); },

@@ -10,9 +10,13 @@
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/quality/face_corners_detail.hh"
 
 namespace surfmesh {
 namespace {
+
+using detail::corners_of;
+using detail::point_of;
 
 /// Corners farther from the surface than this share of the diagonal are no matter of rounding.
 constexpr double kOffSurface = 1e-6;
@@ -37,21 +41,6 @@ std::vector<int> patches_named(const Model& model, const std::string& name) {
     patches = group.patches;
   }
   return patches;
-}
-
-Vec3 point_of(const PolyMesh& mesh, HalfedgeHandle heh) {
-  return to_eigen(mesh.point(mesh.to_vertex_handle(heh)));
-}
-
-std::vector<HalfedgeHandle> corners_of(const PolyMesh& mesh, FaceHandle fh) {
-  std::vector<HalfedgeHandle> corners;
-  const HalfedgeHandle start = mesh.halfedge_handle(fh);
-  HalfedgeHandle heh = start;
-  do {
-    corners.push_back(heh);
-    heh = mesh.next_halfedge_handle(heh);
-  } while (heh != start);
-  return corners;
 }
 
 Vec3 middle_of(const PolyMesh& mesh, const std::vector<HalfedgeHandle>& corners) {

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "surfmesh/core/mesh.hh"
+
+namespace surfmesh::detail {
+
+/// The vertex of a corner.
+inline Vec3 point_of(const PolyMesh& mesh, HalfedgeHandle corner) {
+  return to_eigen(mesh.point(mesh.to_vertex_handle(corner)));
+}
+
+/// The corners of a face, as the halfedges that lead to them.
+inline std::vector<HalfedgeHandle> corners_of(const PolyMesh& mesh, FaceHandle fh) {
+  std::vector<HalfedgeHandle> corners;
+  const HalfedgeHandle start = mesh.halfedge_handle(fh);
+  HalfedgeHandle heh = start;
+  do {
+    corners.push_back(heh);
+    heh = mesh.next_halfedge_handle(heh);
+  } while (heh != start);
+  return corners;
+}
+
+}  // namespace surfmesh::detail

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "surfmesh/core/mesh.hh"
+#include "surfmesh/geometry/model.hh"
+#include "surfmesh/quality/surface_search.hh"
+
+namespace surfmesh {
+
+/// How far a mesh and its surface are from each other. Lengths in model units.
+struct Sag {
+  double max = 0;
+  Vec3 max_at = Vec3::Zero();    ///< a point of the mesh
+  std::vector<double> of_faces;  ///< by the index of the face
+};
+
+/// Measure the distance between a mesh and its surface, both ways.
+///
+/// Each face is sampled at 25 points a triangle, inside and on its sides. A sample is a point of
+/// the triangle and the point of the surface with the same parameters. The distance of the one from
+/// the nearest point of the surface and that of the other from the nearest triangle both count:
+/// the first alone would not see what the mesh cuts off, the second not what it has too much.
+/// Neither is the distance of the two points from each other, which also grows where parameters run
+/// unevenly.
+///
+/// The nearest triangle is looked for among those that share a vertex with the face.
+/// Reads    surf:patch (face), surf:uv (halfedge)
+/// Error    a lower bound, by 3 % of the sag of a triangle over a sphere (test Sag.*); what lies
+///          between a trimming curve and its chord is not sampled
+/// Cost     about 40 surface evaluations a triangle
+/// Throws   MissingProperty
+Sag measure_sag(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search);
+
+}  // namespace surfmesh

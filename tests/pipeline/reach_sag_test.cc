@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/errors.hh"
+#include "support/expect_valid.hh"
+#include "support/models.hh"
+#include "surfmesh/core/properties.hh"
+#include "surfmesh/geometry/callable_surface.hh"
+#include "surfmesh/pipeline/mesh_model.hh"
+#include "surfmesh/pipeline/set_option.hh"
+#include "surfmesh/quality/sag.hh"
+
+namespace surfmesh {
+namespace {
+
+using std::numbers::pi;
+
+PipelineOptions with_sag(double sag) {
+  PipelineOptions options;
+  options.sizing.sag = Length{sag, false};
+  return options;
+}
+
+MeshResult mesh_with_sag(const Model& model, double sag) {
+  return mesh_model(model, {}, with_sag(sag));
+}
+
+/// A sine wave across, straight along.
+Model corrugated() {
+  return testing::model_of({make_callable_surface({0, 6, 0, 3}, [](auto u, auto v) {
+    return std::array{u, v, 0.5 * sin(2 * u)};
+  })});
+}
+
+/// Expect all triangles within the sag, of a fair shape, and not turned.
+void expect_reached(const Model& model, double sag) {
+  const MeshResult result = mesh_with_sag(model, sag);
+  testing::expect_valid(result.mesh);
+  EXPECT_LE(measure_sag(result.mesh, model, SurfaceSearch(model)).max, sag);
+  EXPECT_TRUE(result.report.shortfalls.empty()) << result.report.shortfalls.front();
+  EXPECT_GT(result.report.quality.min, 0.2);
+}
+
+TEST(ReachSag, KeepsAllTrianglesNear) {
+  expect_reached(testing::model_of({testing::sphere()}), 0.01);
+  expect_reached(testing::torus_of(3), 0.01);
+  expect_reached(corrugated(), 0.005);
+  expect_reached(testing::cylinder_of(2), 0.003);
+}
+
+TEST(ReachSag, TakesFewMoreTrianglesThanThatTakes) {
+  // A triangle of sides h over the unit sphere has the sag h²/6.
+  const double sag = 0.002, least = 4 * pi / (std::sqrt(3) / 4 * 6 * sag);
+  const MeshResult result = mesh_with_sag(testing::model_of({testing::sphere()}), sag);
+  EXPECT_LT(static_cast<double>(result.report.mesh.triangles), 1.5 * least);
+}
+
+TEST(ReachSag, TakesTrianglesInInverseProportion) {
+  const Model model = testing::model_of({testing::whole_torus()});
+  const auto coarse = static_cast<double>(mesh_with_sag(model, 0.016).report.mesh.triangles);
+  const auto fine = static_cast<double>(mesh_with_sag(model, 0.002).report.mesh.triangles);
+  EXPECT_NEAR(fine / coarse, 8, 1.6);
+}
+
+TEST(ReachSag, IsReportedAndSoAreTheSizesThatHold) {
+  const MeshResult result = mesh_with_sag(testing::torus_of(3), 0.02);
+  EXPECT_EQ(result.report.sag.asked, 0.02);
+  ASSERT_TRUE(result.report.sag.reached.has_value());
+  EXPECT_GT(*result.report.sag.reached, 0.01);
+  EXPECT_LE(*result.report.sag.reached, 0.02);
+  EXPECT_EQ(to_text(get_option(result.report.options, "sag")), "0.02");
+  EXPECT_EQ(to_text(get_option(result.report.options, "curvature")), "0");
+}
+
+TEST(ReachSag, IsNotMeasuredWhereItIsNotAskedFor) {
+  const MeshResult result = mesh_model(testing::torus_of(3), {}, {});
+  EXPECT_FALSE(result.report.sag.asked.has_value());
+  EXPECT_FALSE(result.report.sag.reached.has_value());
+}
+
+TEST(ReachSag, IsAShortfallWhereTheLeastSizeIsInTheWay) {
+  PipelineOptions options = with_sag(1e-4);
+  options.sizing.hmin = {0.2, false};
+  const MeshResult result = mesh_model(testing::torus_of(3), {}, options);
+  ASSERT_EQ(result.report.shortfalls.size(), 1u);
+  EXPECT_NE(result.report.shortfalls[0].find("sag = 0.0001"), std::string::npos);
+  EXPECT_GT(*result.report.sag.reached, 1e-4);
+}
+
+TEST(ReachSag, HoldsTogetherWithCurvature) {
+  PipelineOptions options = with_sag(0.05);
+  options.sizing.curvature = 0.15;
+  const Model model = testing::torus_of(3);
+  const std::size_t both = mesh_model(model, {}, options).report.mesh.triangles;
+  EXPECT_GT(both, 2 * mesh_with_sag(model, 0.05).report.mesh.triangles);
+}
+
+TEST(ReachSag, LeavesSizesOfTheUserAsTheyAre) {
+  const Model model = testing::torus_of(3);
+  Sources sources;
+  sources.everywhere.push_back({0, {{0.1, false}, {0.1, false}, 0}});
+  const MeshResult result = mesh_model(model, sources, with_sag(0.05));
+  const auto coarse = mesh_with_sag(model, 0.05).report.mesh.triangles;
+  EXPECT_GT(result.report.mesh.triangles, 3 * coarse);
+  EXPECT_TRUE(result.report.warnings.empty());
+}
+
+TEST(ReachSag, MakesRoundHolesRound) {
+  const MeshResult result = mesh_with_sag(testing::square_with_hole(0.5), 0.001);
+  const auto contour_of = require(result.mesh, keys::edge_contour);
+  for (const EdgeHandle eh : result.mesh.edges()) {
+    const HalfedgeHandle heh = result.mesh.halfedge_handle(eh, 0);
+    const Vec3 a = to_eigen(result.mesh.point(result.mesh.from_vertex_handle(heh)));
+    const Vec3 b = to_eigen(result.mesh.point(result.mesh.to_vertex_handle(heh)));
+    if (result.mesh.property(contour_of, eh) < 4) continue;  // inner edges and the square's
+    EXPECT_GE((0.5 * (a + b)).norm(), 0.5 - 0.001);
+  }
+}
+
+TEST(ReachSag, WorksOnAGrid) {
+  PipelineOptions options = with_sag(0.01);
+  options.control.kind = ControlKind::Grid;
+  const MeshResult result = mesh_model(testing::torus_of(3), {}, options);
+  EXPECT_TRUE(result.report.shortfalls.empty());
+}
+
+TEST(ReachSag, GivesTheSameMeshTwice) {
+  const Model model = corrugated();
+  const MeshResult a = mesh_with_sag(model, 0.01), b = mesh_with_sag(model, 0.01);
+  ASSERT_EQ(a.mesh.n_vertices(), b.mesh.n_vertices());
+  EXPECT_EQ(a.report.sag.reached, b.report.sag.reached);
+  EXPECT_EQ(a.report.edges, b.report.edges);
+}
+
+}  // namespace
+}  // namespace surfmesh

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/quality/sag.hh"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/meshes.hh"
+#include "support/models.hh"
+#include "surfmesh/core/properties.hh"
+#include "surfmesh/geometry/callable_surface.hh"
+#include "surfmesh/quality/surface_distance.hh"
+
+namespace surfmesh {
+namespace {
+
+Sag sag_of(PolyMesh mesh, const Model& model) {
+  const SurfaceSearch search(model);
+  project_mesh(mesh, {}, model, search);
+  return measure_sag(mesh, model, search);
+}
+
+/// An equilateral triangle on the unit sphere, its corners at an angle from its middle, far from
+/// poles and seam.
+PolyMesh triangle_on_sphere(double angle) {
+  const Vec3 middle(std::cos(1), std::sin(1), 0), east(-std::sin(1), std::cos(1), 0);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 3; ++i) {
+    const double turn = 2 * std::numbers::pi * i / 3;
+    const Vec3 way = std::cos(turn) * east + std::sin(turn) * Vec3::UnitZ();
+    points.push_back(std::cos(angle) * middle + std::sin(angle) * way);
+  }
+  return testing::mesh_of(points, {{0, 1, 2}});
+}
+
+/// The unit square, whose parameter u runs by u².
+Model uneven_square() {
+  return testing::model_of({make_callable_surface({0, 1, 0, 1}, [](auto u, auto v) {
+    return std::array{u * u, v, 0 * u};
+  })});
+}
+
+/// The half of a unit cylinder along y with x ≥ 0.
+Model half_pipe() {
+  return testing::model_of(
+      {make_callable_surface({-1.5707963, 1.5707963, 0, 1}, [](auto u, auto v) {
+        return std::array{cos(u), v, sin(u)};
+      })});
+}
+
+TEST(Sag, OfATriangleOnASphereIsThatOfItsCircle) {
+  const Model model = testing::model_of({testing::sphere()});
+  for (const double angle : {0.01, 0.1, 0.4}) {
+    const double exact = 1 - std::cos(angle);
+    EXPECT_NEAR(sag_of(triangle_on_sphere(angle), model).max, exact, 0.03 * exact) << angle;
+  }
+}
+
+TEST(Sag, IsNoneWhereOnlyParametersAreUneven) {
+  const PolyMesh mesh =
+      testing::mesh_of({{0.01, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.01, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  EXPECT_LT(sag_of(mesh, uneven_square()).max, 1e-9);
+}
+
+TEST(Sag, SeesWhatTheMeshCutsOff) {
+  // A flat strip across the pipe: all of it is within 0.5 of the pipe's sides, the top is 1 away.
+  const PolyMesh mesh =
+      testing::mesh_of({{0, 0, -1}, {0, 0, 1}, {0, 1, 1}, {0, 1, -1}}, {{0, 1, 2}, {0, 2, 3}});
+  EXPECT_NEAR(sag_of(mesh, half_pipe()).max, 1, 0.01);
+}
+
+TEST(Sag, IsToldOfEachFace) {
+  const PolyMesh mesh =
+      testing::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  const Model model = testing::model_of({make_callable_surface({0, 1, 0, 1}, [](auto u, auto v) {
+    return std::array{u, v, u * u * (1 - u) * v * (1 - v)};
+  })});
+  const Sag sag = sag_of(mesh, model);
+  ASSERT_EQ(sag.of_faces.size(), 2u);
+  EXPECT_GT(sag.of_faces[0], sag.of_faces[1]);
+  EXPECT_EQ(sag.max, sag.of_faces[0]);
+}
+
+}  // namespace
+}  // namespace surfmesh
