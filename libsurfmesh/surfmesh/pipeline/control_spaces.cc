@@ -69,6 +69,12 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
     inputs.push_back(collect_control_input(*model.patches[p].surface, options.sizing,
                                            patch_sources[p], model.diagonal, options.control));
     result.spaces.push_back(make_control(inputs.back()));
+    if (inputs.back().is_coarse) {
+      result.shortfalls.push_back(
+          fmt::format("patch {}: the control space does not hold its precision, for sizes change "
+                      "faster than elements can follow; a larger hmin helps",
+                      model.patches[p].name));
+    }
   });
   if (!grade_across_contours(model, inputs, result.spaces, options.observer).has_converged) {
     result.shortfalls.push_back("gradation across contours has not come to an end");

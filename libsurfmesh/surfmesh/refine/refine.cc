@@ -52,7 +52,7 @@ class Refinement {
       activate(FaceHandle(static_cast<int>(f)));
     }
     empty_queue();
-    if (insert_missed_places()) empty_queue();
+    if (!report_.is_stopped && insert_missed_places()) empty_queue();
     report_.queries = hint_.answers;
     return report_;
   }
@@ -148,6 +148,7 @@ class Refinement {
     bool is_any = false;
     FaceHandle near(0);
     for (const MetricCorner& place : field_.places()) {
+      if (is_astray()) break;
       const Location location = delaunay_.locate(place.uv, near);
       near = location.face;
       if (!is_insertable(location) || !is_missed(place, location.face)) continue;
