@@ -41,7 +41,7 @@ constexpr NamedOption kNamedOptions[] = {
     {kControl, "epsilon", "E", "accuracy of the interpolation auto"},
     {kControl, "reuse", "F", "use a size again within this metric distance; 0 is off"},
     {kMeshing, "placement", "frontal|circumcentre", "where new nodes go"},
-    {kMeshing, "threads", "N", "any number is accepted; for now the work is done by one"},
+    {kMeshing, "threads", "all|N", "that work; all is one for each core. The mesh is the same"},
     {kMeshing, "max_elements", "N", "refuse to make more triangles"},
     {kCages, "patches", "auto|faces|blocks",
      "what is a patch of a cage: a face, or a block of faces (auto, where they are quads)"},

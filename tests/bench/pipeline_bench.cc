@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The whole path of a formula surface and of a cage, also within a sag, and refinement alone on the metric of case c1,
+// The whole path of a formula surface and of a cage, also within a sag and by several threads, and refinement alone on the metric of case c1,
 // over growing numbers of triangles. The counter `triangles` is per second.
 #include <benchmark/benchmark.h>
 
@@ -83,6 +83,21 @@ BENCHMARK_CAPTURE(strong_metric, ring, testing::ring_formulas)
     ->RangeMultiplier(2)->Range(1, 4)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(strong_metric, jump, testing::jump_formulas)
     ->RangeMultiplier(2)->Range(1, 4)->Unit(benchmark::kMillisecond);
+/// Argument: the number of threads. `UseRealTime`, for what counts is the clock.
+void torus_cage_by_threads(benchmark::State& state) {
+  const Model model = model_from_cage(testing::torus(24, 16), {.patches = PatchKind::Faces});
+  PipelineOptions options;
+  options.sizing.hmax = {0.005, true};
+  options.threads = static_cast<int>(state.range(0));
+  std::size_t triangles = 0;
+  for (auto _ : state) triangles = mesh_model(model, {}, options).mesh.n_faces();
+  count_triangles(state, triangles);
+}
+BENCHMARK(torus_cage_by_threads)
+    ->RangeMultiplier(2)
+    ->Range(1, 8)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 /// Argument: by how much sizes are smaller than those of c1.
 template <class Way>

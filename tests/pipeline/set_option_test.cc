@@ -99,8 +99,20 @@ TEST(SetOption, LeavesTheCurvatureThatIsGivenBesideTheSag) {
 
 TEST(SetOption, AcceptsTheOffValuesOfWhatIsNotBuilt) {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"quads", "false"}, {"threads", "8"}, {"threads", "all"}, {"smoothing", "best"}};
+      {"quads", "false"}, {"smoothing", "best"}};
   for (const auto& [name, value] : cases) EXPECT_EQ(fault(name, value), "no error") << name;
+}
+
+TEST(SetOption, SetsTheNumberOfThreads) {
+  PipelineOptions options;
+  EXPECT_EQ(to_text(get_option(options, "threads")), "all");
+  set_option(options, "threads", "8");
+  EXPECT_EQ(options.threads, 8);
+  EXPECT_EQ(to_text(get_option(options, "threads")), "8");
+  set_option(options, "threads", "all");
+  EXPECT_EQ(options.threads, 0);
+  EXPECT_EQ(fault("threads", "257"),
+            "invalid option: threads = 257 is outside its range: all, or 1 to 256");
 }
 
 TEST(SetOption, SaysWhatIsNotBuiltYet) {

@@ -48,6 +48,25 @@ TEST_F(MeshProgram, HelpsWithDefaultsAndAnExample) {
   EXPECT_NE(out_.find("mesh"), std::string::npos);
 }
 
+TEST_F(MeshProgram, WritesTheSameFileWithAnyNumberOfThreads) {
+  const auto file_with = [this](const std::string& threads) {
+    EXPECT_EQ(mesh("knob.obj", "--quiet --hmax 5% --report report.json --threads " + threads), 0);
+    return read_text(folder_ / "out.obj");
+  };
+  const std::string alone = file_with("1");
+  EXPECT_EQ(report()["options"]["threads"], 1);
+  EXPECT_TRUE(file_with("3") == alone);
+  EXPECT_EQ(report()["options"]["threads"], 3);
+  EXPECT_TRUE(file_with("all") == alone);
+  EXPECT_EQ(report()["options"]["threads"], "all");
+}
+
+TEST_F(MeshProgram, RefusesNoThreadsAndVeryMany) {
+  for (const char* threads : {"0", "257", "many"}) {
+    expect_wrong_usage(mesh("knob.obj", std::string("--threads ") + threads), "threads");
+  }
+}
+
 TEST_F(MeshProgram, TakesBlocksOfFacesForPatches) {
   const auto patches = [this](const std::string& flags) {
     EXPECT_EQ(mesh("torus.obj", flags + " --quiet --report report.json"), 0) << err_;

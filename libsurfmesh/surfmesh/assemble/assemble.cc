@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "surfmesh/assemble/orientation.hh"
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/topology.hh"
 #include "surfmesh/metric/tensor.hh"
@@ -202,28 +203,53 @@ void set_points(const std::vector<Vec3>& points, const std::vector<int>& copied,
   }
 }
 
-/// Faces are in the order of the triangles, their halfedges at the sides from corner 0.
-void write_properties(const std::vector<PatchTriangles>& patches, PolyMesh& mesh) {
-  const auto patch_of = attach(mesh, keys::face_patch, -1);
-  const auto contour = attach(mesh, keys::edge_contour, -1);
-  const auto uv = attach(mesh, keys::corner_uv);
-  const auto metric = attach(mesh, keys::corner_metric);
-  int face = 0;
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    patches[p].for_each([&](const PatchTriangle& triangle) {
-      const FaceHandle fh(face++);
-      mesh.property(patch_of, fh) = static_cast<int>(p);
-      HalfedgeHandle heh = mesh.halfedge_handle(fh);
-      for (std::size_t k = 0; k < 3; ++k, heh = mesh.next_halfedge_handle(heh)) {
-        const CornerValue& tip = triangle.corners[(k + 1) % 3];
-        mesh.property(uv, heh) = tip.uv;
-        mesh.property(metric, heh) = tip.metric;
-        if (triangle.contours[k] >= 0) {
-          mesh.property(contour, mesh.edge_handle(heh)) = triangle.contours[k];
-        }
+/// Writes the properties of faces, which are in the order of the triangles, their halfedges at the
+/// sides from corner 0.
+class PropertyWriter {
+ public:
+  explicit PropertyWriter(PolyMesh& mesh)
+      : mesh_(mesh),
+        patch_of_(attach(mesh, keys::face_patch, -1)),
+        contour_(attach(mesh, keys::edge_contour, -1)),
+        uv_(attach(mesh, keys::corner_uv)),
+        metric_(attach(mesh, keys::corner_metric)) {}
+
+  void write(FaceHandle fh, std::size_t patch, const PatchTriangle& triangle) {
+    mesh_.property(patch_of_, fh) = static_cast<int>(patch);
+    HalfedgeHandle heh = mesh_.halfedge_handle(fh);
+    for (std::size_t k = 0; k < 3; ++k, heh = mesh_.next_halfedge_handle(heh)) {
+      const CornerValue& tip = triangle.corners[(k + 1) % 3];
+      mesh_.property(uv_, heh) = tip.uv;
+      mesh_.property(metric_, heh) = tip.metric;
+      if (triangle.contours[k] >= 0 && is_writer_of_edge(heh)) {
+        mesh_.property(contour_, mesh_.edge_handle(heh)) = triangle.contours[k];
       }
-    });
+    }
   }
+
+ private:
+  /// Of two patches, which may be worked on at once, one writes to their common edge.
+  bool is_writer_of_edge(HalfedgeHandle heh) const {
+    const HalfedgeHandle opposite = mesh_.opposite_halfedge_handle(heh);
+    return mesh_.is_boundary(opposite) || heh < opposite;
+  }
+
+  PolyMesh& mesh_;
+  decltype(keys::face_patch)::Handle patch_of_;
+  decltype(keys::edge_contour)::Handle contour_;
+  decltype(keys::corner_uv)::Handle uv_;
+  decltype(keys::corner_metric)::Handle metric_;
+};
+
+/// `first_faces` are those of the patches.
+void write_properties(const std::vector<PatchTriangles>& patches,
+                      const std::vector<std::size_t>& first_faces, PolyMesh& mesh) {
+  PropertyWriter writer(mesh);
+  share_indices(patches.size(), [&](std::size_t p) {
+    auto face = static_cast<int>(first_faces[p]);
+    patches[p].for_each(
+        [&](const PatchTriangle& triangle) { writer.write(FaceHandle(face++), p, triangle); });
+  });
 }
 
 }  // namespace
@@ -239,8 +265,10 @@ AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<Co
   soup.reserve(triangle_count);
   std::vector<PatchTriangles> triangles;
   triangles.reserve(patches.size());
+  std::vector<std::size_t> first_faces;
   for (std::size_t p = 0; p < patches.size(); ++p) {
     triangles.emplace_back(patches[p], orientation.is_turned[p] != 0, points);
+    first_faces.push_back(soup.triangles.size());
     soup.add(triangles.back());
   }
   drop_unused(points, soup.triangles);
@@ -255,7 +283,7 @@ AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<Co
                     separation.cut_edges));
   }
   set_points(points, separation.copied, mesh);
-  write_properties(triangles, mesh);
+  write_properties(triangles, first_faces, mesh);
   return report;
 }
 

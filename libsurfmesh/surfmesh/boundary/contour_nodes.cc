@@ -10,6 +10,7 @@
 
 #include "surfmesh/boundary/metric_arc.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
 #include "surfmesh/quality/triangle_distance_detail.hh"
 
@@ -266,23 +267,23 @@ BoundaryNodes place_contour_nodes(const Model& model,
   check(options);
   const LeastSegments least(model);
   BoundaryNodes result;
-  result.contours.reserve(model.contours.size());
-  for (const Contour& contour : model.contours) {
-    if (contour.uses.empty()) {
-      result.contours.emplace_back();
-      continue;
-    }
+  result.contours.resize(model.contours.size());
+  std::vector<QueryCounts> queries(model.contours.size());
+  share_indices(model.contours.size(), [&](std::size_t c) {
+    const Contour& contour = model.contours[c];
+    if (contour.uses.empty()) return;
     if (contour.is_degenerate) {
-      result.contours.push_back(degenerate_nodes(model, contour));
-      continue;
+      result.contours[c] = degenerate_nodes(model, contour);
+      return;
     }
     ContourDivision division(model, contour, fields);
     division.divide(least(contour), options);
     division.halve_long_segments();
     division.round_up_to(options.multiple);
-    result.contours.push_back(division.nodes());
-    result.report.queries += division.queries();
-  }
+    result.contours[c] = division.nodes();
+    queries[c] = division.queries();
+  });
+  for (const QueryCounts& count : queries) result.report.queries += count;
   return result;
 }
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "surfmesh/control/placed_size.hh"
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
 #include "surfmesh/metric/conformity.hh"
@@ -123,15 +123,18 @@ class ContourGradation {
       : model_(model),
         inputs_(inputs),
         spaces_(spaces),
-        is_changed_(spaces.size(), true),
-        is_lowered_(spaces.size(), false) {}
+        given_(model.contours.size()),
+        added_(model.contours.size()),
+        is_changed_(spaces.size(), true) {}
 
   ContourGradationReport run(Observer* observer) {
     for (int round = 0; round < kMaxRounds; ++round) {
       throw_if_cancelled(observer);
-      for (const Contour& contour : model_.contours) {
-        if (is_compared(contour)) compare(contour);
-      }
+      // Spaces stay as they are until all contours are compared.
+      share_indices(model_.contours.size(), [this](std::size_t c) {
+        if (is_compared(model_.contours[c])) compare(model_.contours[c]);
+      });
+      take_added();
       if (!remake_spaces()) return report_;
     }
     report_.has_converged = false;
@@ -206,7 +209,7 @@ class ContourGradation {
         least = minimum(least, carried(sizes[from], sides[from], sides[to], is_mirrored));
       }
       if (log_conformity(sizes[to], least) > kAgreement && is_news(compared, to, station.t, least)) {
-        add(uses[to].patch, sides[to], least);
+        add(compared.contour(), uses[to].patch, sides[to], least);
       }
     }
   }
@@ -215,8 +218,8 @@ class ContourGradation {
   /// another one is then interpolation, which further nodes at one place do not change.
   bool is_news(const ComparedContour& compared, std::size_t use, double t,
                const SizeTensor& size) {
-    const auto index = static_cast<std::size_t>(&compared.contour() - model_.contours.data());
-    const auto [entry, is_first] = given_.try_emplace({index, use, t}, size);
+    auto& given = given_[index(compared.contour())];
+    const auto [entry, is_first] = given.try_emplace({use, t}, size);
     if (is_first) return true;
     const SizeTensor lowered = minimum(entry->second, size);
     if (log_conformity(entry->second, lowered) <= kAgreement) return false;
@@ -224,35 +227,54 @@ class ContourGradation {
     return true;
   }
 
-  void add(int patch, const Side& side, const SizeTensor& size) {
-    const auto p = static_cast<std::size_t>(patch);
-    ControlInput& input = inputs_[p];
-    (input.kind == ControlKind::Grid ? input.places : input.nodes)
-        .push_back({side.at.uv, side.at.point, side.at.form, size});
-    is_lowered_[p] = true;
-    ++report_.nodes;
+  std::size_t index(const Contour& contour) const {
+    return static_cast<std::size_t>(&contour - model_.contours.data());
+  }
+
+  void add(const Contour& contour, int patch, const Side& side, const SizeTensor& size) {
+    added_[index(contour)].push_back({static_cast<std::size_t>(patch),
+                                      {side.at.uv, side.at.point, side.at.form, size}});
+  }
+
+  /// Give the nodes of all contours to their patches, in the order of the contours.
+  void take_added() {
+    std::fill(is_changed_.begin(), is_changed_.end(), false);
+    for (std::vector<AddedNode>& nodes : added_) {
+      for (const AddedNode& added : nodes) {
+        ControlInput& input = inputs_[added.patch];
+        (input.kind == ControlKind::Grid ? input.places : input.nodes).push_back(added.node);
+        is_changed_[added.patch] = true;
+      }
+      report_.nodes += nodes.size();
+      nodes.clear();
+    }
   }
 
   /// Make the control spaces anew that have got nodes. Returns whether there are any.
   bool remake_spaces() {
-    is_changed_.swap(is_lowered_);
-    std::fill(is_lowered_.begin(), is_lowered_.end(), false);
-    bool is_any = false;
+    std::vector<std::size_t> changed;
     for (std::size_t p = 0; p < spaces_.size(); ++p) {
-      if (!is_changed_[p]) continue;
-      spaces_[p] = make_control(inputs_[p]);
-      ++report_.spaces;
-      is_any = true;
+      if (is_changed_[p]) changed.push_back(p);
     }
-    return is_any;
+    share_indices(changed.size(), [&](std::size_t i) {
+      spaces_[changed[i]] = make_control(inputs_[changed[i]]);
+    });
+    report_.spaces += changed.size();
+    return !changed.empty();
   }
+
+  /// A node that a patch gets on a contour.
+  struct AddedNode {
+    std::size_t patch;
+    ControlNode node;
+  };
 
   const Model& model_;
   std::vector<ControlInput>& inputs_;
   std::vector<std::unique_ptr<ControlSpace>>& spaces_;
-  std::map<std::tuple<std::size_t, std::size_t, double>, SizeTensor> given_;  ///< contour, use, t
-  std::vector<char> is_changed_;
-  std::vector<char> is_lowered_;
+  std::vector<std::map<std::pair<std::size_t, double>, SizeTensor>> given_;  ///< contour; use, t
+  std::vector<std::vector<AddedNode>> added_;  ///< by contour, in this round
+  std::vector<char> is_changed_;               ///< by patch, after the round before
   ContourGradationReport report_;
 };
 

@@ -12,6 +12,7 @@
 #include "surfmesh/control/proximity.hh"
 #include "surfmesh/control/table_sizes.hh"
 #include "surfmesh/core/at_place.hh"
+#include "surfmesh/core/parallel.hh"
 
 namespace surfmesh {
 namespace {
@@ -34,26 +35,36 @@ std::vector<PlacedSize> sizes_of_contour(const Model& model, const Contour& cont
   return sizes;
 }
 
+/// By contour.
+std::vector<std::vector<PlacedSize>> contour_sizes(const Model& model, const Sizing& sizing,
+                                                   const SizeBounds& bounds) {
+  std::vector<std::vector<PlacedSize>> sizes(model.contours.size());
+  share_indices(model.contours.size(), [&](std::size_t c) {
+    const Contour& contour = model.contours[c];
+    if (contour.is_smooth || contour.is_degenerate || contour.uses.empty()) return;
+    const int first = contour.uses.front().patch;
+    sizes[c] = at_place(fmt::format("contour {} on patch {}", contour.name,
+                                    model.patches[static_cast<std::size_t>(first)].name),
+                        [&] { return sizes_of_contour(model, contour, sizing, bounds); });
+  });
+  return sizes;
+}
+
 /// By patch.
 std::vector<std::vector<PlacedSize>> boundary_sizes(const Model& model, const Sizing& sizing) {
   const SizeBounds bounds(sizing, model.diagonal);
   std::vector<std::vector<PlacedSize>> sizes(model.patches.size());
-  for (const Contour& contour : model.contours) {
-    if (contour.is_smooth || contour.is_degenerate || contour.uses.empty()) continue;
-    const int first = contour.uses.front().patch;
-    const auto own = at_place(
-        fmt::format("contour {} on patch {}", contour.name,
-                    model.patches[static_cast<std::size_t>(first)].name),
-        [&] { return sizes_of_contour(model, contour, sizing, bounds); });
+  const auto of_contours = contour_sizes(model, sizing, bounds);
+  for (std::size_t c = 0; c < of_contours.size(); ++c) {
     std::set<int> patches;
-    for (const ContourUse& use : contour.uses) patches.insert(use.patch);
-    for (const int patch : patches) append(sizes[static_cast<std::size_t>(patch)], own);
+    for (const ContourUse& use : model.contours[c].uses) patches.insert(use.patch);
+    for (const int patch : patches) append(sizes[static_cast<std::size_t>(patch)], of_contours[c]);
   }
-  for (std::size_t p = 0; p < model.patches.size(); ++p) {
+  share_indices(model.patches.size(), [&](std::size_t p) {
     append(sizes[p], at_place(fmt::format("patch {}", model.patches[p].name), [&] {
              return proximity_sizes(model, static_cast<int>(p), sizing, bounds);
            }));
-  }
+  });
   return sizes;
 }
 

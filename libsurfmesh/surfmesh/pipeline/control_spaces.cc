@@ -54,6 +54,16 @@ void check_bounds(const Model& model, const Sizing& sizing) {
                           to_text(sizing.hmin), to_text(sizing.hmax), hmin, hmax));
 }
 
+/// What the work for the control space of a patch goes by, roughly.
+std::vector<std::size_t> cells_of_patches(const Model& model) {
+  std::vector<std::size_t> cells;
+  for (const Patch& patch : model.patches) {
+    const CellCount count = patch.surface->cells();
+    cells.push_back(static_cast<std::size_t>(count.u) * static_cast<std::size_t>(count.v));
+  }
+  return cells;
+}
+
 }  // namespace
 
 ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
@@ -64,18 +74,20 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
   const SizeBounds bounds(options.sizing, model.diagonal);
   if (auto warning = clamp_warning(model, sources, bounds)) result.warnings.push_back(*warning);
   const auto patch_sources = model_sources(model, sources, options.sizing);
-  std::vector<ControlInput> inputs;
-  for_each_patch(model, "control", options.observer, [&](std::size_t p) {
-    inputs.push_back(collect_control_input(*model.patches[p].surface, options.sizing,
-                                           patch_sources[p], model.diagonal, options.control));
-    result.spaces.push_back(make_control(inputs.back()));
-    if (inputs.back().is_coarse) {
-      result.shortfalls.push_back(
-          fmt::format("patch {}: the control space does not hold its precision, for sizes change "
-                      "faster than elements can follow; a larger hmin helps",
-                      model.patches[p].name));
-    }
+  std::vector<ControlInput> inputs(model.patches.size());
+  result.spaces.resize(model.patches.size());
+  for_each_patch(model, "control", options.observer, cells_of_patches(model), [&](std::size_t p) {
+    inputs[p] = collect_control_input(*model.patches[p].surface, options.sizing,
+                                      patch_sources[p], model.diagonal, options.control);
+    result.spaces[p] = make_control(inputs[p]);
   });
+  for (std::size_t p = 0; p < inputs.size(); ++p) {
+    if (!inputs[p].is_coarse) continue;
+    result.shortfalls.push_back(
+        fmt::format("patch {}: the control space does not hold its precision, for sizes change "
+                    "faster than elements can follow; a larger hmin helps",
+                    model.patches[p].name));
+  }
   if (!grade_across_contours(model, inputs, result.spaces, options.observer).has_converged) {
     result.shortfalls.push_back("gradation across contours has not come to an end");
   }

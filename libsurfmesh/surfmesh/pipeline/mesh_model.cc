@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <chrono>
-#include <ctime>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -15,35 +15,24 @@
 #include "surfmesh/assemble/turned_triangles.hh"
 #include "surfmesh/boundary/patch_boundary.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/validate.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/for_each_patch_detail.hh"
 #include "surfmesh/pipeline/reach_sag_detail.hh"
 #include "surfmesh/pipeline/sag_corrections_detail.hh"
+#include "surfmesh/pipeline/serial_observer_detail.hh"
 #include "surfmesh/refine/boundary_triangulation.hh"
 
 namespace surfmesh {
 namespace {
 
-constexpr double kNanosecond = 1e-9;
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + kNanosecond * static_cast<double>(now.tv_nsec);
-}
-
-/// Adds the processor time of a scope to a member of the report.
-class StageClock {
- public:
-  explicit StageClock(double& seconds) : seconds_(seconds), start_(processor_seconds()) {}
-  ~StageClock() { seconds_ += processor_seconds() - start_; }
-  StageClock(const StageClock&) = delete;
-  StageClock& operator=(const StageClock&) = delete;
-
- private:
-  double& seconds_;
-  double start_;
+/// What the meshing of one patch tells beside its mesh.
+struct PatchReport {
+  StageSeconds seconds;
+  Report::Queries queries;
+  std::vector<std::string> shortfalls;
+  std::size_t turned = 0;  ///< triangles against the normal of the surface
 };
 
 class Run {
@@ -57,8 +46,7 @@ class Run {
     report_.warnings = model.warnings;
   }
 
-  MeshResult mesh() {
-    MeshResult result;  // OpenMesh's meshes cannot be moved, only copied
+  void mesh(MeshResult& result) {
     const auto start = std::chrono::steady_clock::now();
     make_spaces();
     place_nodes();
@@ -68,7 +56,6 @@ class Run {
     report_.seconds.wall =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.report = std::move(report_);
-    return result;
   }
 
  private:
@@ -122,74 +109,121 @@ class Run {
 
   void mesh_patches() {
     patches_.resize(model_.patches.size());
-    std::size_t elements = 0;
-    for_each_patch(model_, "mesh", options_.observer, [&](std::size_t p) {
-      RefineOptions refine_options = options_.refine;
-      refine_options.observer = options_.observer;
-      refine_options.max_elements -= elements;
-      mesh_patch(p, refine_options);
-      elements += patches_[p].delaunay->n_faces();
-      if (elements >= options_.refine.max_elements) {
-        throw Error(ErrorCode::Limit, fmt::format("more than max_elements = {} triangles",
-                                                  options_.refine.max_elements));
-      }
-    });
+    patch_reports_.resize(model_.patches.size());
+    for_each_patch(model_, "mesh", options_.observer, boundary_counts(),
+                   [this](std::size_t p) { mesh_patch(p); });
+    for (PatchReport& report : patch_reports_) take(report);
     const StageClock clock(report_.seconds.assemble);
-    std::size_t turned = 0;
-    for (PatchMesh& patch : patches_) {
-      evaluate_vertices(patch);
-      turned += mend_turned_triangles(patch);
-      if (corrected_sag_) detail::correct_sag(patch, *corrected_sag_);
-    }
     if (split_improper_chords(patches_) > 0 || corrected_sag_) {
-      turned = 0;
-      for (PatchMesh& patch : patches_) {
-        evaluate_vertices(patch);
-        turned += count_turned_triangles(patch);
-      }
+      share_indices(patches_.size(), [this](std::size_t p) {
+        evaluate_vertices(patches_[p]);
+        patch_reports_[p].turned = count_turned_triangles(patches_[p]);
+      });
     }
-    if (turned > 0) {
-      report_.shortfalls.push_back(
-          fmt::format("{} triangles are turned against the normal of the surface; smaller sizes "
-                      "help (curvature, hmax)",
-                      turned));
-    }
+    tell_turned();
   }
 
-  void mesh_patch(std::size_t p, const RefineOptions& refine_options) {
+  /// Nodes on the contours of each patch: how much work the patch is goes by them, roughly.
+  std::vector<std::size_t> boundary_counts() const {
+    std::vector<std::size_t> counts(model_.patches.size(), 0);
+    for (std::size_t c = 0; c < nodes_.size(); ++c) {
+      for (const ContourUse& use : model_.contours[c].uses) {
+        counts[static_cast<std::size_t>(use.patch)] += nodes_[c].points.size();
+      }
+    }
+    return counts;
+  }
+
+  void take(PatchReport& report) {
+    report_.seconds += report.seconds;
+    Report::Queries& queries = report_.control.queries;
+    queries.triangulate += report.queries.triangulate;
+    queries.refine += report.queries.refine;
+    queries.improve += report.queries.improve;
+    std::move(report.shortfalls.begin(), report.shortfalls.end(),
+              std::back_inserter(report_.shortfalls));
+  }
+
+  void tell_turned() {
+    std::size_t turned = 0;
+    for (const PatchReport& report : patch_reports_) turned += report.turned;
+    if (turned == 0) return;
+    report_.shortfalls.push_back(
+        fmt::format("{} triangles are turned against the normal of the surface; smaller sizes "
+                    "help (curvature, hmax)",
+                    turned));
+  }
+
+  void mesh_patch(std::size_t p) {
+    triangulate_patch(p);
+    refine_patch(p);
+    improve_patch(p);
+    count_elements(patches_[p].delaunay->n_faces());
+    finish_patch(p);
+  }
+
+  void triangulate_patch(std::size_t p) {
+    const StageClock clock(patch_reports_[p].seconds.triangulate);
     PatchMesh& patch = patches_[p];
     patch.surface = model_.patches[p].surface.get();
     patch.field = fields_[p];
-    {
-      const StageClock clock(report_.seconds.triangulate);
-      patch.boundary =
-          collect_boundary(model_, static_cast<int>(p), nodes_, *numbers_, *patch.field);
-      std::vector<std::vector<Uv>> loops;
-      for (const BoundaryLoop& loop : patch.boundary.loops) {
-        std::vector<Uv>& uvs = loops.emplace_back();
-        for (const BoundaryNode& node : loop) uvs.push_back(node.uv);
-      }
-      BoundaryTriangulation triangulation = triangulate_boundary(loops, *patch.field);
-      patch.delaunay = std::move(triangulation.delaunay);
-      report_.control.queries.triangulate += triangulation.queries;
+    patch.boundary = collect_boundary(model_, static_cast<int>(p), nodes_, *numbers_, *patch.field);
+    std::vector<std::vector<Uv>> loops;
+    for (const BoundaryLoop& loop : patch.boundary.loops) {
+      std::vector<Uv>& uvs = loops.emplace_back();
+      for (const BoundaryNode& node : loop) uvs.push_back(node.uv);
     }
-    {
-      const StageClock clock(report_.seconds.refine);
-      const RefineReport refined = refine(*patch.delaunay, *patch.field, refine_options);
-      report_.control.queries.refine += refined.queries;
-      if (refined.is_stopped) {
-        report_.shortfalls.push_back(
-            fmt::format("patch {}: given up at three times the triangles that the sizes ask for: "
-                        "they change direction faster than elements can follow; smaller stretch or "
-                        "a lower grade helps",
-                        model_.patches[p].name));
-      }
+    BoundaryTriangulation triangulation = triangulate_boundary(loops, *patch.field);
+    patch.delaunay = std::move(triangulation.delaunay);
+    patch_reports_[p].queries.triangulate = triangulation.queries;
+  }
+
+  void refine_patch(std::size_t p) {
+    PatchReport& report = patch_reports_[p];
+    const StageClock clock(report.seconds.refine);
+    RefineOptions refine_options = options_.refine;
+    refine_options.observer = options_.observer;
+    refine_options.max_elements = elements_left();
+    const RefineReport refined = refine(*patches_[p].delaunay, *patches_[p].field, refine_options);
+    report.queries.refine = refined.queries;
+    if (refined.is_stopped) {
+      report.shortfalls.push_back(
+          fmt::format("patch {}: given up at three times the triangles that the sizes ask for: "
+                      "they change direction faster than elements can follow; smaller stretch or "
+                      "a lower grade helps",
+                      model_.patches[p].name));
     }
-    const StageClock clock(report_.seconds.improve);
+  }
+
+  void improve_patch(std::size_t p) {
+    const StageClock clock(patch_reports_[p].seconds.improve);
     ImproveOptions improve_options = options_.improve;
     improve_options.observer = options_.observer;
-    report_.control.queries.improve +=
-        improve(*patch.delaunay, *patch.field, improve_options).queries;
+    patch_reports_[p].queries.improve =
+        improve(*patches_[p].delaunay, *patches_[p].field, improve_options).queries;
+  }
+
+  /// Elements that the patches which are not finished may have. Whichever these are, there is an
+  /// error if, and only if, all patches together have too many.
+  std::size_t elements_left() const {
+    const std::size_t most = options_.refine.max_elements;
+    const std::size_t count = elements_;
+    if (count >= most) {
+      throw Error(ErrorCode::Limit, fmt::format("more than max_elements = {} triangles", most));
+    }
+    return most - count;
+  }
+
+  void count_elements(std::size_t count) {
+    elements_ += count;
+    elements_left();
+  }
+
+  void finish_patch(std::size_t p) {
+    const StageClock clock(patch_reports_[p].seconds.assemble);
+    evaluate_vertices(patches_[p]);
+    patch_reports_[p].turned = mend_turned_triangles(patches_[p]);
+    if (corrected_sag_) detail::correct_sag(patches_[p], *corrected_sag_);
   }
 
   void assemble_patches(PolyMesh& mesh) {
@@ -226,17 +260,48 @@ class Run {
   std::vector<ContourNodes> nodes_;
   std::unique_ptr<NodeNumbers> numbers_;
   std::vector<PatchMesh> patches_;
+  std::vector<PatchReport> patch_reports_;
+  std::atomic<std::size_t> elements_ = 0;  ///< of the patches that are finished
 };
+
+/// Mesh the model once or until the sag is reached.
+void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOptions& options,
+                   MeshResult& result) {
+  if (!options.sizing.sag) {
+    Run(model, sources, options).mesh(result);
+    return;
+  }
+  result = detail::reach_sag(
+      model, sources, options, [&](const Sources& corrected, std::optional<double> corrected_sag) {
+        MeshResult once;
+        Run(model, corrected, options, corrected_sag).mesh(once);
+        return once;
+      });
+}
+
+/// The same, with an observer that all threads may tell and ask.
+void mesh_observed(const Model& model, const Sources& sources, PipelineOptions options,
+                   MeshResult& result) {
+  if (!options.observer) return mesh_as_asked(model, sources, options, result);
+  detail::SerialObserver observer(*options.observer);
+  options.observer = &observer;
+  try {
+    mesh_as_asked(model, sources, options, result);
+  } catch (const Error&) {
+    // Which patch was at work then is a matter of chance.
+    if (observer.has_cancelled()) throw_if_cancelled(&observer);
+    throw;
+  }
+}
 
 }  // namespace
 
 MeshResult mesh_model(const Model& model, const Sources& sources, const PipelineOptions& options) {
   check(options);
   check(model);
-  if (!options.sizing.sag) return Run(model, sources, options).mesh();
-  return detail::reach_sag(model, sources, options, [&](const Sources& corrected, std::optional<double> corrected_sag) {
-    return Run(model, corrected, options, corrected_sag).mesh();
-  });
+  MeshResult result;  // OpenMesh's meshes cannot be moved, only copied
+  with_threads(options.threads, [&] { mesh_observed(model, sources, options, result); });
+  return result;
 }
 
 }  // namespace surfmesh

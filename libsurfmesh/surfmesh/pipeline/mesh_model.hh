@@ -18,7 +18,9 @@ struct MeshResult {
 /// assembly.
 ///
 /// The result is a proper half-edge mesh whose corners know their patch, parameters and metric. The
-/// same input gives the same bytes.
+/// same input gives the same bytes, whatever the number of threads. Contours and patches are shared
+/// among threads; the error is that of the first patch which has one. The observer is called by any
+/// of them, one at a time.
 ///
 /// Writes   of the result: surf:patch (face), surf:contour (edge), surf:uv, surf:metric (halfedge)
 /// Cost     about 2 µs a triangle

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <utility>
 
 #include "surfmesh/control/parse_length.hh"
 #include "surfmesh/control/size_bounds.hh"
 #include "surfmesh/control/tables_from_mesh.hh"
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/metric/size_tensor.hh"
@@ -68,21 +68,11 @@ class SagLoop {
   /// Mesh the model, measure the mesh, and keep it if it is the best.
   void mesh(std::optional<double> corrected_sag) {
     now_ = mesh_once_(sources_, corrected_sag);
-    add(now_.report.seconds);
-    const std::clock_t start = std::clock();
+    seconds_ += now_.report.seconds;
+    const StageClock clock(seconds_.control);
     sag_ = measure_sag(now_.mesh, model_, search_);
-    seconds_.control += double(std::clock() - start) / CLOCKS_PER_SEC;
     now_.report.sag = {asked_, sag_.max};
     if (is_better()) best_ = now_;
-  }
-
-  void add(const StageSeconds& seconds) {
-    seconds_.control += seconds.control;
-    seconds_.boundary += seconds.boundary;
-    seconds_.triangulate += seconds.triangulate;
-    seconds_.refine += seconds.refine;
-    seconds_.improve += seconds.improve;
-    seconds_.assemble += seconds.assemble;
   }
 
   bool is_better() const {

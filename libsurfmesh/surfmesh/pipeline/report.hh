@@ -23,6 +23,17 @@ struct StageSeconds {
   double write = 0;
   double total = 0;  ///< of all stages above
   double wall = 0;
+
+  /// Add the stages of meshing and the control space.
+  StageSeconds& operator+=(const StageSeconds& other) {
+    control += other.control;
+    boundary += other.boundary;
+    triangulate += other.triangulate;
+    refine += other.refine;
+    improve += other.improve;
+    assemble += other.assemble;
+    return *this;
+  }
 };
 
 /// What a run made, how good it is and what it cost.

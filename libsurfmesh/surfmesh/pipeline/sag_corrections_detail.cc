@@ -17,6 +17,9 @@ namespace {
 
 constexpr int kMostRounds = 8;
 
+/// Beside half of the triangles of a patch, so many may be corrected.
+constexpr std::size_t kFreeFaces = 20;
+
 /// Shape (1 for an equilateral triangle) below which a swap or a node must not lead, unless it was
 /// worse before.
 constexpr double kLeastShape = 0.3;
@@ -94,7 +97,9 @@ class SagCorrector {
     for (int round = 0; round < kMostRounds; ++round) {
       measure_new_faces();
       const std::vector<FaceHandle> far = far_faces();
-      if (far.empty()) break;
+      if (round == 0) limit_ = kFreeFaces + sags_.size() / 2;
+      // Where most triangles are too far the sizes are to blame, or hmin is in the way.
+      if (far.empty() || far.size() > limit_ || result_.nodes > limit_) break;
       const SagCorrections before = result_;
       for (const FaceHandle fh : far) correct(fh);
       if (result_.swaps == before.swaps && result_.nodes == before.nodes) break;
@@ -350,6 +355,7 @@ class SagCorrector {
   PatchMesh& patch_;
   DelaunayMesh& delaunay_;
   double aim_;
+  std::size_t limit_ = 0;  ///< of triangles that are corrected, and of nodes
   std::size_t boundary_count_ = 0;
   std::vector<double> sags_;  ///< by face
   SagCorrections result_;

@@ -13,6 +13,7 @@
 
 #include "surfmesh/control/parse_length.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/io/nearest_word.hh"
 
 namespace surfmesh {
@@ -173,9 +174,18 @@ OptionValue get_patches(const Options& options) {
   return std::string(kPatchKinds[static_cast<std::size_t>(options.patches)]);
 }
 
-void set_threads(Options&, const Text& text) {
-  // Any number gives the same mesh; for now one thread does the work.
-  if (!text.is("all")) text.integer(1, kMostInt, "all, or 1 and above");
+void set_threads(Options& options, const Text& text) {
+  if (text.is("all")) {
+    options.threads = 0;
+  } else {
+    options.threads = static_cast<int>(
+        text.integer(1, kMostThreads, fmt::format("all, or 1 to {}", kMostThreads)));
+  }
+}
+
+OptionValue get_threads(const Options& options) {
+  if (options.threads == 0) return std::string("all");
+  return std::int64_t{options.threads};
 }
 
 /// All options, those of the sizing first.
@@ -280,7 +290,7 @@ constexpr auto kOptions = std::to_array<OptionEntry>({
     {"patches", false, set_patches, get_patches},
     {"quads", false, [](Options&, const Text& t) { t.expect({"false"}, {"true"}); },
      [](const Options&) -> OptionValue { return false; }},
-    {"threads", false, set_threads, [](const Options&) -> OptionValue { return std::int64_t{1}; }},
+    {"threads", false, set_threads, get_threads},
     {"max_elements", false,
      [](Options& o, const Text& t) {
        o.refine.max_elements =

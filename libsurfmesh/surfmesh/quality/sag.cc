@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/quality/face_corners_detail.hh"
 #include "surfmesh/quality/triangle_distance_detail.hh"
@@ -12,7 +13,18 @@
 namespace surfmesh {
 namespace {
 
-/// Measures the faces of a mesh one after the other.
+/// The greatest distance so far, and where it is.
+struct Greatest {
+  double sag = 0;
+  Vec3 at = Vec3::Zero();
+
+  /// The first of equal ones stays.
+  void take(double distance, const Vec3& point) {
+    if (distance > sag) *this = {distance, point};
+  }
+};
+
+/// Measures the faces of a mesh.
 class SagMeter {
  public:
   SagMeter(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search)
@@ -23,9 +35,20 @@ class SagMeter {
         uv_of_(require(mesh, keys::corner_uv)) {}
 
   Sag run() {
-    result_.of_faces.assign(mesh_.n_faces(), 0);
-    for (const FaceHandle fh : mesh_.faces()) measure(fh);
-    return std::move(result_);
+    Sag result;
+    result.of_faces.assign(mesh_.n_faces(), 0);
+    std::vector<Greatest> of_faces(mesh_.n_faces());
+    share_ranges(mesh_.n_faces(), [&](std::size_t first, std::size_t end) {
+      for (std::size_t f = first; f < end; ++f) {
+        of_faces[f] = measure(FaceHandle(static_cast<int>(f)));
+        result.of_faces[f] = of_faces[f].sag;
+      }
+    });
+    Greatest greatest;
+    for (const Greatest& of_face : of_faces) greatest.take(of_face.sag, of_face.at);
+    result.max = greatest.sag;
+    result.max_at = greatest.at;
+    return result;
   }
 
  private:
@@ -36,11 +59,12 @@ class SagMeter {
     std::array<Uv, 3> uvs;
   };
 
-  void measure(FaceHandle fh) {
+  /// The sag of a face, and the sample at which it is.
+  Greatest measure(FaceHandle fh) const {
     const int patch = mesh_.property(patch_of_, fh);
     const Surface& surface = *model_.patches[static_cast<std::size_t>(patch)].surface;
     const std::vector<HalfedgeHandle> corners = detail::corners_of(mesh_, fh);
-    double sag = 0;
+    Greatest greatest;
     for (std::size_t k = 2; k < corners.size(); ++k) {
       const std::array<HalfedgeHandle, 3> own = {corners[0], corners[k - 1], corners[k]};
       Triangle triangle{fh, surface, {}, {}};
@@ -48,15 +72,18 @@ class SagMeter {
         triangle.points[i] = detail::point_of(mesh_, own[i]);
         triangle.uvs[i] = mesh_.property(uv_of_, own[i]);
       }
-      for (const detail::Weights& w : detail::sag_samples())
-        sag = std::max(sag, distance_at(triangle, w, sag));
+      for (const detail::Weights& w : detail::sag_samples()) {
+        const Vec3 point =
+            w[0] * triangle.points[0] + w[1] * triangle.points[1] + w[2] * triangle.points[2];
+        greatest.take(distance_at(triangle, w, point, greatest.sag), point);
+      }
     }
-    result_.of_faces[static_cast<std::size_t>(fh.idx())] = sag;
+    return greatest;
   }
 
-  /// The distance at a sample, if it is above `known`; else any value up to that.
-  double distance_at(const Triangle& t, const detail::Weights& w, double known) {
-    const Vec3 point = w[0] * t.points[0] + w[1] * t.points[1] + w[2] * t.points[2];
+  /// The distance at a sample with this point, if it is above `known`; else any value up to that.
+  double distance_at(const Triangle& t, const detail::Weights& w, const Vec3& point,
+                     double known) const {
     const Uv uv = w[0] * t.uvs[0] + w[1] * t.uvs[1] + w[2] * t.uvs[2];
     const Vec3 on_surface = t.surface.evaluate(uv, Order::Position).point;
     // Both nearest points are at most as far as these two from each other.
@@ -64,10 +91,6 @@ class SagMeter {
     if (bound <= known) return known;
     double distance = std::max(known, from_mesh(t, on_surface, known));
     if (bound > distance) distance = std::max(distance, from_surface(t, point, uv, distance));
-    if (distance > result_.max) {
-      result_.max = distance;
-      result_.max_at = point;
-    }
     return distance;
   }
 
@@ -109,7 +132,6 @@ class SagMeter {
   const SurfaceSearch& search_;
   decltype(keys::face_patch)::Handle patch_of_;
   decltype(keys::corner_uv)::Handle uv_of_;
-  Sag result_;
 };
 
 }  // namespace

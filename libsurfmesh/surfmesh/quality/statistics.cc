@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/metric/triangle.hh"
 
@@ -118,20 +119,37 @@ Triangle measure_triangle(const Corners& corners, FaceHandle fh, int patch) {
 std::vector<Triangle> measure_triangles(const PolyMesh& mesh) {
   const Corners corners(mesh);
   const auto patch = find(mesh, keys::face_patch);
-  std::vector<Triangle> triangles;
-  triangles.reserve(mesh.n_faces());
+  std::vector<FaceHandle> faces;
+  faces.reserve(mesh.n_faces());
   for (const FaceHandle fh : mesh.faces()) {
-    if (mesh.valence(fh) != 3) continue;
-    triangles.push_back(
-        measure_triangle(corners, fh, patch.is_valid() ? mesh.property(patch, fh) : 0));
+    if (mesh.valence(fh) == 3) faces.push_back(fh);
   }
+  std::vector<Triangle> triangles(faces.size());
+  share_ranges(faces.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+      const int own = patch.is_valid() ? mesh.property(patch, faces[i]) : 0;
+      triangles[i] = measure_triangle(corners, faces[i], own);
+    }
+  });
   return triangles;
+}
+
+/// By the index of the edge.
+std::vector<double> metric_lengths(const PolyMesh& mesh) {
+  const Corners corners(mesh);
+  std::vector<double> lengths(mesh.n_edges());
+  share_ranges(lengths.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t e = first; e < end; ++e) {
+      lengths[e] = metric_length(corners, EdgeHandle(static_cast<int>(e)));
+    }
+  });
+  return lengths;
 }
 
 }  // namespace
 
 EdgeStatistics measure_edges(const PolyMesh& mesh) {
-  const Corners corners(mesh);
+  const std::vector<double> lengths = metric_lengths(mesh);
   EdgeStatistics result;
   result.histogram = empty_histogram();
   result.count = mesh.n_edges();
@@ -139,8 +157,7 @@ EdgeStatistics measure_edges(const PolyMesh& mesh) {
   Moments moments;
   std::size_t unit = 0;
   result.min = std::numeric_limits<double>::infinity();
-  for (const EdgeHandle eh : mesh.edges()) {
-    const double length = metric_length(corners, eh);
+  for (const double length : lengths) {
     moments.add(length);
     result.min = std::min(result.min, length);
     result.max = std::max(result.max, length);

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/core/parallel.hh"
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <ctime>
+#include <exception>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <thread>
+
+namespace surfmesh {
+namespace {
+
+constexpr double kNanosecond = 1e-9;
+
+/// Indices of a part of share_ranges: much longer to work on than to hand out.
+constexpr std::size_t kRange = 4096;
+
+/// Of calls that this thread has shared with others, what they spent on them.
+thread_local double seconds_of_others = 0;
+
+/// True in a call that is shared.
+thread_local bool is_in_shared_call = false;
+
+double seconds_of_this_thread() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + kNanosecond * static_cast<double>(now.tv_nsec);
+}
+
+/// Indices that threads take one after the other.
+class SharedIndices {
+ public:
+  SharedIndices(const std::vector<std::size_t>& indices,
+                const std::function<void(std::size_t)>& body)
+      : indices_(indices), body_(body), first_failed_(indices.size()) {}
+
+  void run(int threads) {
+    if (threads == 1) {
+      take_all();
+    } else {
+      // A thread that waits for the last calls must not begin other work: its clock is running.
+      tbb::this_task_arena::isolate([&] {
+        tbb::parallel_for(0, threads, [this](int) { work(); }, tbb::simple_partitioner());
+      });
+    }
+    seconds_of_others += seconds_;
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  void work() {
+    const double start = seconds_of_this_thread();
+    is_in_shared_call = true;
+    take_all();
+    is_in_shared_call = false;
+    if (std::this_thread::get_id() == caller_) return;
+    const std::lock_guard lock(mutex_);
+    seconds_ += seconds_of_this_thread() - start;
+  }
+
+  void take_all() {
+    for (std::size_t i = next_++; i < indices_.size(); i = next_++) take(indices_[i]);
+  }
+
+  void take(std::size_t index) {
+    if (index > first_failed_) return;
+    try {
+      body_(index);
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (index > first_failed_) return;
+      first_failed_ = index;
+      error_ = std::current_exception();
+    }
+  }
+
+  const std::vector<std::size_t>& indices_;
+  const std::function<void(std::size_t)>& body_;
+  std::thread::id caller_ = std::this_thread::get_id();
+  std::atomic<std::size_t> next_ = 0;
+  std::atomic<std::size_t> first_failed_;  ///< the number of indices while none has
+  std::mutex mutex_;
+  std::exception_ptr error_;
+  double seconds_ = 0;  ///< of other threads than the caller
+};
+
+}  // namespace
+
+void with_threads(int threads, const std::function<void()>& body) {
+  const int cores = tbb::info::default_concurrency();
+  if (threads == 0) threads = cores;
+  std::optional<tbb::global_control> more_than_cores;
+  if (threads > cores) {
+    more_than_cores.emplace(tbb::global_control::max_allowed_parallelism,
+                            static_cast<std::size_t>(threads));
+  }
+  tbb::task_arena(threads).execute(body);
+}
+
+void share_indices(const std::vector<std::size_t>& indices,
+                   const std::function<void(std::size_t)>& body) {
+  if (indices.empty()) return;
+  const int threads = is_in_shared_call ? 1 : tbb::this_task_arena::max_concurrency();
+  SharedIndices(indices, body).run(
+      static_cast<int>(std::min(static_cast<std::size_t>(threads), indices.size())));
+}
+
+void share_indices(std::size_t count, const std::function<void(std::size_t)>& body) {
+  std::vector<std::size_t> indices(count);
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  share_indices(indices, body);
+}
+
+void share_ranges(std::size_t count, const std::function<void(std::size_t, std::size_t)>& body) {
+  share_indices((count + kRange - 1) / kRange, [&](std::size_t part) {
+    body(part * kRange, std::min(count, (part + 1) * kRange));
+  });
+}
+
+std::vector<std::size_t> heaviest_first(const std::vector<std::size_t>& weights) {
+  std::vector<std::size_t> indices(weights.size());
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  std::stable_sort(indices.begin(), indices.end(),
+                   [&](std::size_t a, std::size_t b) { return weights[a] > weights[b]; });
+  return indices;
+}
+
+double processor_seconds() { return seconds_of_this_thread() + seconds_of_others; }
+
+}  // namespace surfmesh
