@@ -99,7 +99,9 @@ ChosenNodes choose_accurate_nodes(const SizeField& field, const ControlNodeOptio
     const double error = std::abs(area.control - area.exact);
     if (error <= std::max(kNegligibleArea, kAreaError * area.exact)) break;
     options.precision *= kFinerPrecision;
-    chosen = choose_control_nodes(field, options);
+    ChosenNodes finer = choose_control_nodes(field, options);
+    if (finer.is_coarse) break;  // what was asked for is held already
+    chosen = std::move(finer);
   }
   return chosen;
 }

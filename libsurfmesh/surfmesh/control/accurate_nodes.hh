@@ -22,9 +22,8 @@ struct MetricArea {
 MetricArea metric_area(const SizeField& field, const ControlSpace& control, int samples);
 
 /// Choose control nodes by precision (choose_control_nodes), finer until a triangulation of them
-/// holds ∫√det M of the field to 1.5 % on an independent sample; after six rounds what is reached is
-/// taken. To ask for conformity at all points, too, was tried: inverse distances converge at first
-/// order only, so that small precisions take far too many nodes.
+/// holds ∫√det M of the field to 1.5 % on an independent sample; after six rounds, and
+/// where elements cannot follow, what is reached is taken.
 ///
 /// Error    on a smooth field 1 % of all points miss the precision at most, on one with kinks 2 %,
 ///          by less than three times (test AccurateNodes.*)

@@ -34,8 +34,11 @@ constexpr std::array<double, 3> kSampleShares = {0.1273, 0.4817, 0.8359};
 constexpr double kMostNodesPerUnit = 8;
 constexpr double kFreeNodes = 20'000;
 
+/// The precision for which these are: inverse distances need nodes as its inverse square.
+constexpr double kUsualPrecision = 0.1;
+
 /// Nodes in all: far more than sizes that elements can follow ever need in one patch.
-constexpr std::size_t kMaxNodes = 4'000'000;
+constexpr double kMostNodes = 4e6;
 
 struct Cell {
   std::uint32_t i0, j0, i1, j1;
@@ -49,7 +52,12 @@ using CellSamples = std::array<std::array<SizeField::Sample, 3>, 3>;
 class NodeChooser {
  public:
   NodeChooser(const SizeField& field, const ControlNodeOptions& options)
-      : field_(field), domain_(field.surface().domain()), options_(options) {}
+      : field_(field),
+        domain_(field.surface().domain()),
+        options_(options),
+        finer_(options.by_distance
+                   ? std::max(1.0, std::pow(kUsualPrecision / options.precision, 2))
+                   : 1.0) {}
 
   ChosenNodes run() {
     constexpr std::uint32_t step = kGridSize / kFirstCells;
@@ -62,7 +70,6 @@ class NodeChooser {
     for (Cell& cell : cells) take_places(cell, all);
     while (!cells.empty()) {
       const Cell cell = std::move(cells.front());
-      check_limit(cell);
       cells.pop_front();
       split_or_keep(cell, cells);
     }
@@ -83,15 +90,6 @@ class NodeChooser {
     return nodes_[entry->second];
   }
 
-  void check_limit(const Cell& cell) const {
-    if (nodes_.size() <= kMaxNodes) return;
-    const Uv uv = at(cell.i0, cell.j0);
-    throw Error(ErrorCode::Limit,
-                fmt::format("sizes near (u,v) = ({}, {}) change so fast that more than {} control "
-                            "nodes are needed; a larger hmin helps",
-                            uv.u, uv.v, kMaxNodes));
-  }
-
   /// Metric area of a cell by the mean of its samples, which take the place of what its parent showed.
   void measure(Cell& cell, const CellSamples& samples) {
     double density = 0;
@@ -107,8 +105,8 @@ class NodeChooser {
   }
 
   bool is_cut_off() {
-    const bool is_over =
-        static_cast<double>(nodes_.size()) > kFreeNodes + kMostNodesPerUnit * metric_area_;
+    const double most = std::min(kMostNodes, finer_ * (kFreeNodes + kMostNodesPerUnit * metric_area_));
+    const bool is_over = static_cast<double>(nodes_.size()) > most;
     is_coarse_ = is_coarse_ || is_over;
     return is_over;
   }
@@ -283,6 +281,7 @@ class NodeChooser {
   const SizeField& field_;
   Domain domain_;
   const ControlNodeOptions& options_;
+  double finer_;  ///< nodes for each that the usual precision takes
   std::vector<ControlNode> nodes_;
   std::unordered_map<std::uint64_t, std::size_t> index_;
   double metric_area_ = 0;  ///< of all cells
@@ -291,9 +290,9 @@ class NodeChooser {
 
 std::vector<ControlNode> regular_nodes(const SizeField& field, int count) {
   const Domain domain = field.surface().domain();
-  if (static_cast<std::size_t>(count) > kMaxNodes) {
+  if (count > kMostNodes) {
     throw Error(ErrorCode::Limit, fmt::format("{} control nodes in one patch are more than {}",
-                                              count, kMaxNodes));
+                                              count, kMostNodes));
   }
   const int side = std::max(2, static_cast<int>(std::lround(std::sqrt(count))));
   const double width = (domain.u1 - domain.u0) / (side - 1);

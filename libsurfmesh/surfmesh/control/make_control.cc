@@ -45,9 +45,11 @@ void take(ChosenNodes chosen, ControlInput& input) {
 }
 
 /// Refine the triangulation of the nodes for shape; the new nodes have the sizes it gives there.
-void add_inner_nodes(const Surface& surface, std::vector<ControlNode>& nodes) {
+void add_inner_nodes(const Surface& surface, const ControlSpaceOptions& options,
+                     std::vector<ControlNode>& nodes) {
   NodeTriangulation triangulation(surface.domain(), nodes);
-  const ControlMesh control(surface.domain(), nodes, {});
+  const ControlMesh control(surface.domain(), nodes,
+                            {.interpolation = options.interpolation, .blend = options.blend});
   ControlSpace::Hint hint;
   for (const Uv uv : triangulation.add_inner_nodes()) {
     const Jet jet = surface.evaluate(surface.domain().fold(uv), Order::First);
@@ -104,7 +106,7 @@ ControlInput collect_control_input(const Surface& surface, const Sizing& sizing,
     input.nodes = corners_like_nearest(surface, places);
   }
   input.nodes.insert(input.nodes.end(), places.begin(), places.end());
-  if (options.inner_nodes) add_inner_nodes(surface, input.nodes);
+  if (options.inner_nodes) add_inner_nodes(surface, options.space, input.nodes);
   return input;
 }
 

@@ -43,7 +43,7 @@ inline constexpr PropertyKey<VertexHandle, double> vertex_radius{"surf:radius", 
 inline constexpr PropertyKey<VertexHandle, double> vertex_outer_radius{"surf:outer_radius",
                                                                        "control"};
 /// How a triangle of a control mesh interpolates: 0 from one vertex (V_s), 1 from its three (V_t),
-/// 2 from all whose circumcircles contain the point (V_o).
+/// 2 from all whose circumcircles contain the point (V_o), 4 linearly.
 inline constexpr PropertyKey<FaceHandle, int> face_class{"surf:class", "control"};
 /// 1 on edges that are segments of a contour: never swapped, never crossed by a cavity. A char,
 /// for OpenMesh packs bool into bits, which are slower to read in the kernel.

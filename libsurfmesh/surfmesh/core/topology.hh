@@ -13,7 +13,8 @@
 
 namespace surfmesh {
 
-// The only operations that change the connectivity of a TriMesh, in place and inlined. OpenMesh's
+// The only operations that change the connectivity of a TriMesh, with those of core/renumber.hh; in
+// place, the frequent ones inlined. OpenMesh's
 // own are compiled with their assertions on in Debian's library (a flip takes 218 ns against 26)
 // and lose edge properties in a split. Properties after an operation:
 //   flip            vertex, face: kept; edge, halfedge: those of the flipped edge are kept
@@ -91,10 +92,12 @@ struct Separation {
 /// Two triangles are glued where one has the edge (a,b) and the other (b,a), and only if no third
 /// triangle has that edge; else the edge stays open on both. Where the triangles at a vertex do not
 /// form one fan (surfaces touch there, or edges were left open), each fan but the first gets a copy
-/// of the vertex. Edges are in the order of the triangles.
+/// of the vertex. Edges are numbered by their twins, in the order of the triangles, the others after
+/// them by their vertices.
 ///
 /// `twins` tells what is known already: of each side, 3 × triangle + corner at its origin, the side
-/// it is glued to, or -1 where vertices are to tell; empty for nothing.
+/// it is glued to, which has the same two vertices and names it in turn, or -1 where vertices are to
+/// tell; empty for nothing.
 ///
 /// Cost     O(n) for sides with twins, about 50 ns a triangle; O(n log n) for others
 /// Pre      mesh without elements; indices in [0, vertex_count), three different ones a triangle

@@ -19,8 +19,8 @@ class Walk {
                     mesh_.property(uv_, mesh_.to_vertex_handle(heh)), p_);
   }
 
-  /// Classify p within a triangle that contains it, on its rim or not.
-  Location on_rim(FaceHandle fh) const {
+  /// Tell where in a triangle that contains it p lies.
+  Location classify(FaceHandle fh) const {
     const HalfedgeHandle a = mesh_.halfedge_handle(fh);
     const HalfedgeHandle b = mesh_.next_halfedge_handle(a);
     const HalfedgeHandle c = mesh_.next_halfedge_handle(b);
@@ -51,7 +51,7 @@ class Walk {
 Location search_all(const Walk& walk, FaceHandle last, std::size_t face_count) {
   for (std::size_t i = 0; i < face_count; ++i) {
     const FaceHandle fh(static_cast<int>(i));
-    if (walk.contains(fh)) return walk.on_rim(fh);
+    if (walk.contains(fh)) return walk.classify(fh);
   }
   return {Location::Kind::Outside, last, HalfedgeHandle(), VertexHandle()};
 }
@@ -87,7 +87,7 @@ Location locate(const TriMesh& mesh, decltype(keys::vertex_uv)::Handle uv, Uv p,
     } else if (side_a > 0 && side_b > 0 && side_entry > 0) {
       return {Location::Kind::Inside, mesh.face_handle(entry), HalfedgeHandle(), VertexHandle()};
     } else {
-      return walk.on_rim(mesh.face_handle(entry));
+      return walk.classify(mesh.face_handle(entry));
     }
     is_first = false;
     const HalfedgeHandle opposite = mesh.opposite_halfedge_handle(exit);

@@ -21,6 +21,9 @@ constexpr double kBadQuality = 0.85;
 /// one changed more than one edge in so many.
 constexpr std::size_t kEdgesPerChange = 2000;
 
+/// Rounds of them: smoothing after a change may undo another one.
+constexpr int kMaxFits = 3;
+
 class Improvement {
  public:
   Improvement(DelaunayMesh& delaunay, const MetricField& field, Observer* observer)
@@ -37,14 +40,13 @@ class Improvement {
 
   /// Collapse and split edges, again while that changes more than hardly any.
   void fit() {
-    std::size_t changed = 0;
-    do {
+    for (int round = 0; round < kMaxFits; ++round) {
       throw_if_cancelled(observer_);
       const FitReport fitted = fit_lengths(delaunay_, moves_);
-      changed = fitted.collapsed + fitted.split;
       report_.collapsed += fitted.collapsed;
       report_.split += fitted.split;
-    } while (changed > delaunay_.n_edges() / kEdgesPerChange);
+      if (fitted.collapsed + fitted.split <= delaunay_.n_edges() / kEdgesPerChange) break;
+    }
   }
 
   /// Search better places for the vertices of bad triangles, then swap around them; then again for

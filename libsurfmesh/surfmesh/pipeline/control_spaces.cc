@@ -85,7 +85,7 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
     if (!inputs[p].is_coarse) continue;
     result.shortfalls.push_back(
         fmt::format("patch {}: the control space does not hold its precision, for sizes change "
-                    "faster than elements can follow; a larger hmin helps",
+                    "faster than elements can follow; a larger hmin or precision helps",
                     model.patches[p].name));
   }
   if (!grade_across_contours(model, inputs, result.spaces, options.observer).has_converged) {

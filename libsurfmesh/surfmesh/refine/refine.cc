@@ -101,7 +101,10 @@ class Refinement {
     bool is_any = false;
     FaceHandle near(0);
     for (const MetricCorner& place : field_.places()) {
-      if (is_astray()) break;
+      if (is_astray()) {
+        report_.is_stopped = true;
+        return false;
+      }
       const Location location = delaunay_.locate(place.uv, near);
       near = location.face;
       if (!is_insertable(location) || !is_missed(place, location.face)) continue;
@@ -150,7 +153,8 @@ class Refinement {
   void set_size(FaceHandle fh, double product_of_sides, double metric_area) {
     State& state = states_[index(fh)];
     metric_area_ -= static_cast<double>(state.metric_area);
-    state.metric_area = std::isfinite(metric_area) ? static_cast<float>(metric_area) : 0.0f;
+    state.metric_area = static_cast<float>(metric_area);
+    if (!std::isfinite(state.metric_area)) state.metric_area = 0;
     metric_area_ += static_cast<double>(state.metric_area);
     const double size = squared_circumradius(product_of_sides, metric_area);
     state.squared_radius = static_cast<float>(size);
