@@ -48,10 +48,21 @@ class SagMeter {
         triangle.points[i] = detail::point_of(mesh_, own[i]);
         triangle.uvs[i] = mesh_.property(uv_of_, own[i]);
       }
-      for (const detail::Weights& w : detail::sag_samples())
-        sag = std::max(sag, distance_at(triangle, w, sag));
+      sag = std::max(sag, greatest_distance(triangle));
     }
     result_.of_faces[static_cast<std::size_t>(fh.idx())] = sag;
+  }
+
+  double greatest_distance(const Triangle& triangle) {
+    detail::SagPlace greatest;
+    const auto distance = [&](const detail::Weights& w) {
+      return distance_at(triangle, w, greatest.distance);
+    };
+    for (const detail::Weights& w : detail::sag_samples()) {
+      const double there = distance(w);
+      if (there > greatest.distance) greatest = {w, there};
+    }
+    return detail::search_sag(greatest, distance).distance;
   }
 
   /// The distance at a sample, if it is above `known`; else any value up to that.
