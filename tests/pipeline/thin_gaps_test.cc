@@ -41,10 +41,10 @@ Json model_with(const Gap& gap) {
   Json loops = Json::array(), contours = Json::array();
   if (!gap.has_round_rim) loops.push_back({"p:v0", "p:u1", "-p:v1", "-p:u0"});
   for (const Circle& circle : gap.circles) {
-    const std::string name = "c" + std::to_string(contours.size());
+    const std::string name = std::string("c").append(std::to_string(contours.size()));
     const bool is_rim = gap.has_round_rim && contours.empty();
     contours.push_back(contour(name, circle));
-    loops.push_back({is_rim ? name : "-" + name});
+    loops.push_back({std::string(is_rim ? "" : "-").append(name)});
   }
   return {{"patches",
            {{{"name", "p"},

@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "surfmesh/boundary/crossing_segments_detail.hh"
 #include "surfmesh/boundary/metric_arc.hh"
@@ -76,6 +77,8 @@ class LeastSegments {
 /// One contour while its nodes are placed: the t of each node on each use.
 class ContourDivision {
  public:
+  using Parameters = std::vector<std::vector<double>>;  ///< by use, then by node
+
   ContourDivision(const Model& model, const Contour& contour,
                   const std::vector<const MetricField*>& fields)
       : model_(model), contour_(contour) {
@@ -138,6 +141,9 @@ class ContourDivision {
     halve(i);
     return true;
   }
+
+  const Parameters& parameters() const { return parameters_; }
+  void set_parameters(Parameters parameters) { parameters_ = std::move(parameters); }
 
   std::size_t segment_count() const { return parameters_[selected_].size() - 1; }
 
@@ -314,7 +320,7 @@ class ContourDivision {
   const Contour& contour_;
   std::vector<MetricArc> arcs_;
   std::size_t selected_ = 0;
-  std::vector<std::vector<double>> parameters_;
+  Parameters parameters_;
 };
 
 using ContourDivisions = std::vector<std::optional<ContourDivision>>;
@@ -337,8 +343,17 @@ class Uncrossing {
     }
   }
 
+  /// Leaves the nodes as they are where that does not succeed: curves that touch are found later.
   void run() {
+    std::vector<ContourDivision::Parameters> before;
+    for (const auto& division : divisions_) {
+      before.push_back(division ? division->parameters() : ContourDivision::Parameters{});
+    }
     for (int round = 0; round < kMostUncrossings && uncross_once(); ++round) {
+    }
+    if (crossing().empty()) return;
+    for (std::size_t c = 0; c < divisions_.size(); ++c) {
+      if (divisions_[c]) divisions_[c]->set_parameters(std::move(before[c]));
     }
   }
 
@@ -350,19 +365,24 @@ class Uncrossing {
 
   /// Returns false if nothing crosses, or nothing can be done about it.
   bool uncross_once() {
-    std::set<ContourSegment> crossing;
-    for (const Patch& patch : model_.patches) collect(loops_of(patch), crossing);
+    const std::set<ContourSegment> segments = crossing();
     std::size_t halved = 0;
     // Backwards, for halving moves the segments behind.
-    for (auto it = crossing.rbegin(); it != crossing.rend(); ++it) {
+    for (auto it = segments.rbegin(); it != segments.rend(); ++it) {
       ContourDivision& division = *divisions_[static_cast<std::size_t>(it->contour)];
       if (halved_ < most_ && division.halve_crossing(it->segment)) ++halved;
     }
-    for (const ContourSegment& segment : crossing) {
+    for (const ContourSegment& segment : segments) {
       divisions_[static_cast<std::size_t>(segment.contour)]->round_up_to(multiple_);
     }
     halved_ += halved;
     return halved > 0;
+  }
+
+  std::set<ContourSegment> crossing() const {
+    std::set<ContourSegment> segments;
+    for (const Patch& patch : model_.patches) collect(loops_of(patch), segments);
+    return segments;
   }
 
   Loops loops_of(const Patch& patch) const {
