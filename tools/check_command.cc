@@ -20,9 +20,11 @@ constexpr const char* kFooter =
     "  same direction), degenerate_face, duplicate_face, duplicate_vertex, unused_vertex;\n"
     "  with --model: turned_face (against the normal of the surface), corner_off_surface "
     "(vertices\n"
-    "  that are not where their (u,v) are)\n"
-    "Keys of the JSON text: mesh, model, clean, faults, warnings, counts, closed, manifold,\n"
-    "  oriented, angles (degrees), edge_lengths, shape, fit (null without --model)\n"
+    "  that are not where their (u,v) are), open_edge and closed_edge (not as in the model),\n"
+    "  components, euler (other numbers than the model's); duplicate_vertex then leaves out where\n"
+    "  the model has to be cut\n"
+    "Keys of the JSON text: mesh, model, clean, faults, warnings, counts, open_edges, closed,\n"
+    "  manifold, oriented, angles (degrees), edge_lengths, shape, fit (null without --model)\n"
     "Example:\n  surfmesh check knob.om --model knob.obj --json\n";
 
 ModelInput read_model_with(const std::string& path, Scheme scheme, const Settings& settings) {
@@ -57,7 +59,7 @@ int CheckCommand::check() const {
   MeshFile mesh;
   if (lower_case_ending(mesh_) == ".om") {
     mesh = read_mesh(mesh_);
-    check = check_mesh({face_set_of(mesh.mesh), {}, {}, {}});
+    check = check_mesh({face_set_of(mesh.mesh), mesh.patch_names, {}, {}});
   } else {
     FaceSetFile file = read_face_set(mesh_);
     check = check_mesh(file);

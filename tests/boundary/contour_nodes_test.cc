@@ -9,6 +9,7 @@
 
 #include "support/errors.hh"
 #include "support/models.hh"
+#include "surfmesh/boundary/crossing_segments_detail.hh"
 #include "surfmesh/boundary/metric_arc.hh"
 
 namespace surfmesh {
@@ -115,6 +116,57 @@ TEST(ContourNodes, HaveNoSegmentLongerThanTheRootOfTwoInAnyPatch) {
     }
     for (const double l : lengths(nodes_of(model, nodes, "p0:u1"), 1, above)) {
       EXPECT_LE(l, std::numbers::sqrt2 * (1 + kArcError));
+    }
+  }
+}
+
+TEST(ContourNodes, AreNotManyMoreThanTheFinestPatchWantsAtEachPlace) {
+  // The segments of the first patch are a little too long for the second one on most of the side.
+  const Model model = model_of({testing::rectangle(0, 0, 1, 1), testing::rectangle(1, 0, 2, 1)});
+  const auto first = isotropic_field([](Uv uv) { return uv.v < 0.8 ? 0.01 : 0.01 / 1.8; });
+  const auto second = isotropic_field([](Uv uv) { return uv.v < 0.8 ? 0.01 / 1.43 : 1.0; });
+  const double wanted = 100 * (0.8 * 1.43 + 0.2 * 1.8);
+  for (const int multiple : {1, 2}) {
+    const BoundaryNodes nodes = place_contour_nodes(model, {&first, &second}, {multiple});
+    EXPECT_LE(count(model, nodes, "p0:u1"), 1.25 * wanted + 1);
+    for (const double l : lengths(nodes_of(model, nodes, "p0:u1"), 1, second)) {
+      EXPECT_LE(l, std::numbers::sqrt2 * (1 + kArcError));
+    }
+  }
+}
+
+/// The ring between circles of radius 1 and less, whose nodes are not at the same angles.
+Model narrow_ring(double radius) {
+  Model model = testing::square_with_hole(radius);
+  Contour outer = model.contours.back();
+  outer.name = "outer";
+  outer.start = outer.end = static_cast<int>(model.vertices.size());
+  const double phase = 0.37;
+  model.vertices.push_back({Vec3(std::cos(phase), std::sin(phase), 0)});
+  outer.uses[0] = {0, std::make_shared<CallableCurve>([=](double t) {
+                     const double angle = phase + 2 * pi * (t == 1 ? 0 : t);
+                     return Uv{std::cos(angle), std::sin(angle)};
+                   }),
+                   true, true};
+  model.patches[0].loops = {{{static_cast<int>(model.contours.size()), 0}},
+                            model.patches[0].loops.back()};
+  model.contours.push_back(outer);
+  return model;
+}
+
+TEST(ContourNodes, MakeLoopsThatDoNotCrossWhereTheirCurvesDoNot) {
+  for (const double gap : {0.1, 0.01, 1e-3, 1e-5}) {
+    const Model model = narrow_ring(1 - gap);
+    for (const int multiple : {1, 2}) {
+      const BoundaryNodes nodes = place(model, 1.2, multiple);
+      const auto& outer = nodes_of(model, nodes, "outer").uv[0];
+      const auto& inner = nodes_of(model, nodes, "hole").uv[0];
+      EXPECT_EQ((outer.size() - 1) % static_cast<std::size_t>(multiple), 0u);
+      EXPECT_TRUE(detail::crossing_segments({{outer.begin(), outer.end() - 1},
+                                             {inner.begin(), inner.end() - 1}})
+                      .empty())
+          << gap;
+      EXPECT_LT(static_cast<double>(outer.size()), 6 + 20 / std::sqrt(gap));
     }
   }
 }

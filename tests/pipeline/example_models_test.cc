@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <set>
 #include <string>
 
@@ -9,9 +11,11 @@
 #include "support/expect_valid.hh"
 #include "support/folders.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/io/read_mesh.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 #include "surfmesh/pipeline/set_option.hh"
+#include "surfmesh/quality/face_set_check.hh"
 
 namespace surfmesh {
 namespace {
@@ -27,6 +31,10 @@ MeshResult mesh_cleanly(const std::filesystem::path& path) {
   EXPECT_EQ(result.report.shortfalls, std::vector<std::string>{}) << path;
   EXPECT_GT(result.report.quality.min, 0.1) << path;
   return result;
+}
+
+std::string vertex_line(double x, double y, double z) {
+  return "v " + std::to_string(x) + ' ' + std::to_string(y) + ' ' + std::to_string(z) + '\n';
 }
 
 /// Greatest distance of a corner from its surface at its parameters, in units of the diagonal.
@@ -63,10 +71,94 @@ TEST_P(ExampleModels, MeshCleanly) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, ExampleModels,
-    ::testing::Values(Example{"perforated.json", -1, 1}, Example{"window.json", -1, 1},
+    ::testing::Values(Example{"bracket.json", -6, 1}, Example{"sphere.json", 2, 1},
+                      Example{"torus.json", 0, 1}, Example{"wave.json", 1, 1},
+                      Example{"perforated.json", -1, 1}, Example{"window.json", -1, 1},
                       Example{"pipes.json", -1, 1}, Example{"pipe_on_plate.json", 0, 1},
                       Example{"knob_on_plate.json", 3, 2}, Example{"sizes.json", 5, 5}),
     [](const auto& test) { return test.param.name.substr(0, test.param.name.find('.')); });
+
+/// Least 3D quality of the triangles of a mesh.
+constexpr double kLeastShape = 0.2;
+
+TEST(EveryModel, IsMeshedAsItPromisesAndWithoutSlivers) {
+  for (const auto& entry : std::filesystem::directory_iterator(kModels)) {
+    const std::string name = entry.path().filename().string();
+    const std::string ending = entry.path().extension().string();
+    if (name == "surfmesh.schema.json" || (ending != ".json" && ending != ".obj" && ending != ".off"))
+      continue;
+    SCOPED_TRACE(name);
+    const ModelInput input = load_model(entry.path());
+    const MeshResult result = mesh_model(input.model, input.sources, input.options);
+    testing::expect_valid(result.mesh);
+    EXPECT_EQ(result.report.shortfalls, std::vector<std::string>{});
+    EXPECT_GT(measure_shape(face_set_of(result.mesh)).quality.min, kLeastShape);
+  }
+}
+
+/// Expect a mesh that is cut along a seam, with a warning: every vertex of the cut has another one in
+/// its place.
+void expect_cut(const MeshResult& result, long euler, std::size_t pairs) {
+  EXPECT_EQ(result.report.shortfalls, std::vector<std::string>{});
+  ASSERT_EQ(result.report.warnings.size(), 1u);
+  EXPECT_NE(result.report.warnings[0].find("cannot be oriented"), std::string::npos);
+  EXPECT_EQ(result.report.mesh.euler, euler);
+  const FaceSetCheck check = check_face_set(face_set_of(result.mesh));
+  EXPECT_TRUE(check.is_manifold && check.is_oriented && !check.is_closed);
+  ASSERT_EQ(check.faults.size(), 1u);
+  EXPECT_EQ(check.faults[0].kind, "duplicate_vertex");
+  EXPECT_EQ(check.faults[0].count, pairs);
+}
+
+/// The number of edges along which the warning says that the mesh is cut.
+std::size_t cut_edges(const MeshResult& result) {
+  return std::stoul(result.report.warnings.at(0)) / 2;
+}
+
+TEST(OneSidedModels, AreCutAtASeam) {
+  const ModelInput band = load_model(kModels / "moebius.json");
+  const MeshResult cut_band = mesh_model(band.model, band.sources, band.options);
+  expect_cut(cut_band, 1, cut_edges(cut_band) + 1);
+  // The seam of a bottle is closed, and crosses itself once, in the middle of the figure eight.
+  const ModelInput bottle = load_model(kModels / "klein.json");
+  const MeshResult cut_bottle = mesh_model(bottle.model, bottle.sources, bottle.options);
+  expect_cut(cut_bottle, 0, cut_edges(cut_bottle) + 1);
+}
+
+/// A strip of faces around a circle, turned over `turns` times on its way; of two half turns the
+/// cage is no Möbius band.
+std::string strip_cage(int turns) {
+  std::string text;
+  constexpr int kFaces = 24;
+  for (int i = 0; i < kFaces; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kFaces;
+    for (const double v : {-0.4, 0.4}) {
+      const double radius = 1.5 + v * std::cos(turns * angle / 2);
+      text += vertex_line(radius * std::cos(angle), radius * std::sin(angle),
+                         v * std::sin(turns * angle / 2));
+    }
+  }
+  for (int i = 0; i < kFaces; ++i) {
+    const bool is_last = i + 1 == kFaces, is_crossed = is_last && turns % 2 == 1;
+    const int a = 2 * i + 1, b = is_last ? 1 : a + 2;
+    text += "f " + std::to_string(a) + ' ' + std::to_string(is_crossed ? b + 1 : b) + ' ' +
+            std::to_string(is_crossed ? b : b + 1) + ' ' + std::to_string(a + 1) + '\n';
+  }
+  return text;
+}
+
+TEST(OneSidedModels, MayBeCages) {
+  const TestFolder folder;
+  write_text(folder / "one.obj", strip_cage(1));
+  const ModelInput one = load_model(folder / "one.obj");
+  const MeshResult cut = mesh_model(one.model, one.sources, one.options);
+  expect_cut(cut, 1, cut_edges(cut) + 1);
+  write_text(folder / "two.obj", strip_cage(2));
+  const ModelInput two = load_model(folder / "two.obj");
+  const MeshResult whole = mesh_model(two.model, two.sources, two.options);
+  EXPECT_EQ(whole.report.warnings, std::vector<std::string>{});
+  EXPECT_EQ(whole.report.mesh.euler, 0);
+}
 
 /// The half plane of this angle (radians) about the z axis, which ends at the contour `rim`.
 nlohmann::json wing(const std::string& angle) {

@@ -10,6 +10,7 @@
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/geometry/callable_surface.hh"
 #include "surfmesh/quality/surface_distance.hh"
+#include "surfmesh/quality/triangle_sag_detail.hh"
 
 namespace surfmesh {
 namespace {
@@ -67,6 +68,25 @@ TEST(Sag, SeesWhatTheMeshCutsOff) {
   const PolyMesh mesh =
       testing::mesh_of({{0, 0, -1}, {0, 0, 1}, {0, 1, 1}, {0, 1, -1}}, {{0, 1, 2}, {0, 2, 3}});
   EXPECT_NEAR(sag_of(mesh, half_pipe()).max, 1, 0.01);
+}
+
+/// Rises within a fortieth of the domain and runs on flat.
+template <class T>
+T narrow_bend(T v) {
+  using std::exp;
+  return 0.1 * (1 - exp(-40 * v));
+}
+
+TEST(PlaneSag, SeesABendBetweenTheSamples) {
+  const auto surface = make_callable_surface(
+      {0, 1, 0, 1}, [](auto u, auto v) { return std::array{u, v, 0.0 * u + narrow_bend(v)}; });
+  const double end = narrow_bend(1.0), at = std::log(40.0) / 40;
+  const double greatest = (narrow_bend(at) - at * end) / std::hypot(1, end);
+  const detail::SurfaceTriangle triangle = {{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, end)},
+                                            {Uv{0, 0}, Uv{1, 0}, Uv{0, 1}}};
+  EXPECT_NEAR(detail::plane_sag(*surface, triangle), greatest, 5e-4);
+  // By the samples alone it is 6 % less.
+  EXPECT_LT(detail::plane_sag(*surface, triangle, 1), 0.95 * greatest);
 }
 
 TEST(Sag, IsToldOfEachFace) {

@@ -107,6 +107,16 @@ std::size_t mend_turned_triangles(PatchMesh& patch) {
   return faces.size() + count_turned_in_fans(patch);
 }
 
+std::optional<Vec3> find_turned_place(const PatchMesh& patch) {
+  const std::vector<FaceHandle> faces = turned_faces(patch);
+  if (faces.empty()) return {};
+  Vec3 sum = Vec3::Zero();
+  for (const VertexHandle vh : vertices(patch.delaunay->mesh(), faces.front())) {
+    sum += patch.points[static_cast<std::size_t>(vh.idx())];
+  }
+  return sum / 3;
+}
+
 std::size_t count_turned_triangles(const PatchMesh& patch) {
   return turned_faces(patch).size() + count_turned_in_fans(patch);
 }

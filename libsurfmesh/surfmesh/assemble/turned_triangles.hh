@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "surfmesh/assemble/patch_mesh.hh"
 
@@ -14,6 +15,10 @@ bool is_turned(const PatchMesh& patch, FaceHandle fh);
 /// Count the turned triangles of a patch, also those of its fans around poles.
 /// Pre      evaluate_vertices has been called
 std::size_t count_turned_triangles(const PatchMesh& patch);
+
+/// The middle of a turned triangle of a patch; none if no triangle outside fans is turned.
+/// Pre      evaluate_vertices has been called
+std::optional<Vec3> find_turned_place(const PatchMesh& patch);
 
 /// Mend triangles that are valid in (u,v) but turned against the surface in space, where elements
 /// are large against its curvature: swap an edge if that mends both triangles, else give its longest

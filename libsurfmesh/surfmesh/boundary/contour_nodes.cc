@@ -5,9 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
+#include <set>
+#include <utility>
 
+#include "surfmesh/boundary/crossing_segments_detail.hh"
 #include "surfmesh/boundary/metric_arc.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
@@ -20,8 +24,18 @@ namespace {
 /// Longest segment in the metric of a patch that did not place the nodes.
 constexpr double kLongestSegment = std::numbers::sqrt2;
 
-/// Shortest segment, in the metric of the patch that placed the nodes, that is halved for another.
+/// Shortest segment, in the metric of the patch that placed the nodes, that is halved for another
+/// patch, and for a loop that crosses itself.
 constexpr double kShortestHalved = 0.02;
+constexpr double kShortestUncrossed = 1e-6;
+
+/// Rounds of halving segments of loops that cross, and the most segments that these may become, as
+/// a multiple and beyond: curves that do not cross, but overlap, would have no end.
+constexpr int kMostUncrossings = 40;
+constexpr std::size_t kMostGrowth = 4, kMostSurplus = 10'000;
+
+/// Of two segments that cross the shorter is halved, too, if it is longer than this share.
+constexpr double kShareHalvedToo = 0.6;
 
 /// Numbers of segments that are tried for the sag, as shares of the metric length.
 constexpr double kFewest = 0.71, kMost = 4;
@@ -64,6 +78,8 @@ class LeastSegments {
 /// One contour while its nodes are placed: the t of each node on each use.
 class ContourDivision {
  public:
+  using Parameters = std::vector<std::vector<double>>;  ///< by use, then by node
+
   ContourDivision(const Model& model, const Contour& contour,
                   const std::vector<const MetricField*>& fields)
       : model_(model), contour_(contour) {
@@ -78,7 +94,7 @@ class ContourDivision {
     const double length = arcs_[selected_].length();
     const int multiple = options.multiple;
     const int wanted = static_cast<int>(std::lround(length / multiple)) * multiple;
-    const int rounded_least = (least + multiple - 1) / multiple * multiple;
+    const int rounded_least = rounded_up(least, multiple);
     const int count = options.sag ? count_for_sag(rounded_least, options)
                                   : std::max(wanted, rounded_least);
     for (int i = 0; i <= count; ++i) {
@@ -90,14 +106,55 @@ class ContourDivision {
     }
   }
 
-  void halve_long_segments() {
-    for (std::size_t i = 0; i + 1 < parameters_[selected_].size();) {
-      if (longest(i) > kLongestSegment && can_halve(i)) {
+  /// Returns  true if there were any
+  bool halve_long_segments() {
+    const std::size_t before = segment_count();
+    for (std::size_t i = 0; i < segment_count();) {
+      if (longest(i) > kLongestSegment && can_halve(i, kShortestHalved)) {
         halve(i);
       } else {
         ++i;
       }
     }
+    return segment_count() > before;
+  }
+
+  /// Spread the nodes evenly over what the finest patch wants at each place, if halving has made
+  /// more segments than that takes.
+  void even_out(int least, int multiple) {
+    const std::size_t count = parameters_[selected_].size() - 1;
+    std::vector<double> sums = {0};
+    for (std::size_t i = 0; i < count; ++i) sums.push_back(sums.back() + longest(i));
+    const long wanted = std::max<long>(rounded_up(least, multiple),
+                                       multiple * std::lround(sums.back() / multiple));
+    if (wanted >= static_cast<long>(count)) return;
+    const auto before = parameters_;
+    spread(sums, wanted);
+    if (!is_increasing()) parameters_ = before;
+    halve_long_segments();
+    if (parameters_[selected_].size() > before[selected_].size()) parameters_ = before;
+  }
+
+  /// Halve a segment where that is possible.
+  /// Returns  true if it was
+  bool halve_crossing(std::size_t i) {
+    if (!can_halve(i, kShortestUncrossed)) return false;
+    halve(i);
+    return true;
+  }
+
+  const Parameters& parameters() const { return parameters_; }
+  void set_parameters(Parameters parameters) { parameters_ = std::move(parameters); }
+
+  std::size_t segment_count() const { return parameters_[selected_].size() - 1; }
+
+  /// The nodes as a use sees them.
+  std::vector<Uv> uvs(std::size_t use) const {
+    std::vector<Uv> result;
+    for (const double t : parameters_[use]) {
+      result.push_back(contour_.uses[use].curve->evaluate(t));
+    }
+    return result;
   }
 
   void round_up_to(int multiple) {
@@ -122,10 +179,8 @@ class ContourDivision {
     result.uv.resize(contour_.uses.size());
     const ContourUse& owner = contour_.uses[selected_];
     const std::size_t last = parameters_[selected_].size() - 1;
+    for (std::size_t use = 0; use < contour_.uses.size(); ++use) result.uv[use] = uvs(use);
     for (std::size_t i = 0; i <= last; ++i) {
-      for (std::size_t use = 0; use < contour_.uses.size(); ++use) {
-        result.uv[use].push_back(contour_.uses[use].curve->evaluate(parameters_[use][i]));
-      }
       const Surface& surface = *patch_of(model_, owner).surface;
       result.points.push_back(i == 0      ? vertex(contour_.start)
                               : i == last ? vertex(contour_.end)
@@ -143,6 +198,36 @@ class ContourDivision {
       throw Error(error.code(), fmt::format("contour {} on patch {}: {}", contour_.name,
                                             patch_of(model_, use).name, error.what()));
     }
+  }
+
+  static int rounded_up(int count, int multiple) {
+    return (count + multiple - 1) / multiple * multiple;
+  }
+
+  /// Put `count` segments of equal parts of the last of `sums`, which are those of the segments so
+  /// far.
+  void spread(const std::vector<double>& sums, long count) {
+    const MetricArc& arc = arcs_[selected_];
+    const std::vector<double> old = parameters_[selected_];
+    for (auto& list : parameters_) list.assign(1, 0.0);
+    std::size_t i = 0;
+    for (long k = 1; k <= count; ++k) {
+      const double place = static_cast<double>(k) / static_cast<double>(count) * sums.back();
+      while (i + 2 < sums.size() && sums[i + 1] <= place) ++i;
+      const double share = (place - sums[i]) / (sums[i + 1] - sums[i]);
+      const double from = arc.arc(old[i]), to = arc.arc(old[i + 1]);
+      const double t = k == count ? 1.0 : arc.parameter(from + share * (to - from));
+      for (std::size_t use = 0; use < parameters_.size(); ++use) {
+        parameters_[use].push_back(on_use(use, t));
+      }
+    }
+  }
+
+  /// True if the nodes follow each other on all uses.
+  bool is_increasing() const {
+    return std::all_of(parameters_.begin(), parameters_.end(), [](const auto& list) {
+      return std::adjacent_find(list.begin(), list.end(), std::greater_equal<>()) == list.end();
+    });
   }
 
   Vec3 vertex(int index) const { return model_.vertices[static_cast<std::size_t>(index)].position; }
@@ -209,11 +294,11 @@ class ContourDivision {
 
   /// False where the selected patch sees nearly nothing of the segment, or another patch finds its
   /// middle at one of its ends: halving would not end there.
-  bool can_halve(std::size_t i) const {
+  bool can_halve(std::size_t i, double shortest) const {
     const auto& selected = parameters_[selected_];
     const MetricArc& arc = arcs_[selected_];
     const double from = arc.arc(selected[i]), to = arc.arc(selected[i + 1]);
-    if (to - from < kShortestHalved) return false;
+    if (to - from < shortest) return false;
     const double middle = arc.parameter(0.5 * (from + to));
     for (std::size_t use = 0; use < parameters_.size(); ++use) {
       const double t = on_use(use, middle);
@@ -236,7 +321,121 @@ class ContourDivision {
   const Contour& contour_;
   std::vector<MetricArc> arcs_;
   std::size_t selected_ = 0;
-  std::vector<std::vector<double>> parameters_;
+  Parameters parameters_;
+};
+
+using ContourDivisions = std::vector<std::optional<ContourDivision>>;
+
+/// A segment of a contour.
+struct ContourSegment {
+  int contour = -1;
+  std::size_t segment = 0;
+
+  friend auto operator<=>(const ContourSegment&, const ContourSegment&) = default;
+};
+
+/// Halves segments until the loops of a patch, whose curves do not cross, do not either.
+class Uncrossing {
+ public:
+  Uncrossing(const Model& model, ContourDivisions& divisions, int multiple)
+      : model_(model), divisions_(divisions), multiple_(multiple), most_(kMostSurplus) {
+    for (const auto& division : divisions_) {
+      if (division) most_ += kMostGrowth * division->segment_count();
+    }
+  }
+
+  /// Leaves the nodes as they are where that does not succeed: curves that touch are found later.
+  void run() {
+    std::vector<ContourDivision::Parameters> before;
+    for (const auto& division : divisions_) {
+      before.push_back(division ? division->parameters() : ContourDivision::Parameters{});
+    }
+    for (int round = 0; round < kMostUncrossings && uncross_once(); ++round) {
+    }
+    if (crossing().empty()) return;
+    for (std::size_t c = 0; c < divisions_.size(); ++c) {
+      if (divisions_[c]) divisions_[c]->set_parameters(std::move(before[c]));
+    }
+  }
+
+ private:
+  struct Loops {
+    std::vector<detail::NodeLoop> nodes;
+    std::vector<std::vector<ContourSegment>> segments;  ///< after each node
+  };
+
+  /// Returns false if nothing crosses, or nothing can be done about it.
+  bool uncross_once() {
+    const std::set<ContourSegment> segments = crossing();
+    std::size_t halved = 0;
+    // Backwards, for halving moves the segments behind.
+    for (auto it = segments.rbegin(); it != segments.rend(); ++it) {
+      ContourDivision& division = *divisions_[static_cast<std::size_t>(it->contour)];
+      if (halved_ < most_ && division.halve_crossing(it->segment)) ++halved;
+    }
+    for (const ContourSegment& segment : segments) {
+      divisions_[static_cast<std::size_t>(segment.contour)]->round_up_to(multiple_);
+    }
+    halved_ += halved;
+    return halved > 0;
+  }
+
+  std::set<ContourSegment> crossing() const {
+    std::set<ContourSegment> segments;
+    for (const Patch& patch : model_.patches) collect(loops_of(patch), segments);
+    return segments;
+  }
+
+  Loops loops_of(const Patch& patch) const {
+    Loops loops;
+    for (const PatchLoop& loop : patch.loops) {
+      loops.nodes.emplace_back();
+      loops.segments.emplace_back();
+      for (const LoopEntry& entry : loop) append(entry, loops);
+    }
+    return loops;
+  }
+
+  /// Add the nodes of a use but its last one, which the next use has, too.
+  void append(const LoopEntry& entry, Loops& loops) const {
+    const Contour& contour = model_.contours[static_cast<std::size_t>(entry.contour)];
+    const auto& division = divisions_[static_cast<std::size_t>(entry.contour)];
+    const auto use = static_cast<std::size_t>(entry.use);
+    const Curve& curve = *contour.uses[use].curve;
+    std::vector<Uv> uvs = division ? division->uvs(use)
+                                   : std::vector<Uv>{curve.evaluate(0), curve.evaluate(1)};
+    const bool is_forward = contour.uses[use].is_forward;
+    if (!is_forward) std::reverse(uvs.begin(), uvs.end());
+    const std::size_t count = uvs.size() - 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      loops.nodes.back().push_back(uvs[i]);
+      loops.segments.back().push_back({entry.contour, is_forward ? i : count - 1 - i});
+    }
+  }
+
+  void collect(const Loops& loops, std::set<ContourSegment>& crossing) const {
+    for (const auto& [p, q] : detail::crossing_segments(loops.nodes)) {
+      const double length_p = length(loops, p), length_q = length(loops, q);
+      if (length_p >= kShareHalvedToo * length_q) add(loops.segments[p.loop][p.node], crossing);
+      if (length_q >= kShareHalvedToo * length_p) add(loops.segments[q.loop][q.node], crossing);
+    }
+  }
+
+  void add(const ContourSegment& segment, std::set<ContourSegment>& crossing) const {
+    if (divisions_[static_cast<std::size_t>(segment.contour)]) crossing.insert(segment);
+  }
+
+  static double length(const Loops& loops, const detail::LoopSegment& segment) {
+    const detail::NodeLoop& nodes = loops.nodes[segment.loop];
+    const Uv step = nodes[(segment.node + 1) % nodes.size()] - nodes[segment.node];
+    return std::hypot(step.u, step.v);
+  }
+
+  const Model& model_;
+  ContourDivisions& divisions_;
+  int multiple_;
+  std::size_t most_;
+  std::size_t halved_ = 0;
 };
 
 ContourNodes degenerate_nodes(const Model& model, const Contour& contour) {
@@ -266,24 +465,29 @@ BoundaryNodes place_contour_nodes(const Model& model,
                                   const BoundaryOptions& options) {
   check(options);
   const LeastSegments least(model);
-  BoundaryNodes result;
-  result.contours.resize(model.contours.size());
-  std::vector<QueryCounts> queries(model.contours.size());
+  ContourDivisions divisions(model.contours.size());
   share_indices(model.contours.size(), [&](std::size_t c) {
     const Contour& contour = model.contours[c];
-    if (contour.uses.empty()) return;
-    if (contour.is_degenerate) {
-      result.contours[c] = degenerate_nodes(model, contour);
-      return;
-    }
-    ContourDivision division(model, contour, fields);
+    if (contour.uses.empty() || contour.is_degenerate) return;
+    ContourDivision& division = divisions[c].emplace(model, contour, fields);
     division.divide(least(contour), options);
-    division.halve_long_segments();
+    if (division.halve_long_segments() && !options.sag) {
+      division.even_out(least(contour), options.multiple);
+    }
     division.round_up_to(options.multiple);
-    result.contours[c] = division.nodes();
-    queries[c] = division.queries();
   });
-  for (const QueryCounts& count : queries) result.report.queries += count;
+  Uncrossing(model, divisions, options.multiple).run();
+  BoundaryNodes result;
+  for (std::size_t c = 0; c < model.contours.size(); ++c) {
+    if (divisions[c]) {
+      result.contours.push_back(divisions[c]->nodes());
+      result.report.queries += divisions[c]->queries();
+    } else if (model.contours[c].is_degenerate && !model.contours[c].uses.empty()) {
+      result.contours.push_back(degenerate_nodes(model, model.contours[c]));
+    } else {
+      result.contours.emplace_back();
+    }
+  }
   return result;
 }
 

@@ -41,7 +41,9 @@ struct BoundaryNodes {
 /// The nodes of a contour come from the patch in whose metric it is longest: their number is the
 /// nearest integer to that length, at least 1, and they lie at equal metric arcs, which is marching
 /// by eq. (3) with the remainder spread evenly. Then every segment is measured in the metric of
-/// every other patch and halved while it is longer than √2.
+/// every other patch and halved while it is longer than √2; where that gives more segments than the
+/// finest patch at each place wants, the nodes are spread evenly over its lengths. Loops whose
+/// segments cross though their curves do not get further nodes there.
 ///
 /// With a sag, that number becomes the least one from √½ of the length up with which all segments
 /// hold it, at most four times the length.

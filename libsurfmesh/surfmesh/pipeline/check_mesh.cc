@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/control/model_sources.hh"
 #include "surfmesh/control/size_field.hh"
 #include "surfmesh/core/properties.hh"
@@ -100,6 +101,10 @@ Json faults_json(const std::vector<MeshFault>& faults) {
   return json;
 }
 
+Json open_edges_json(const MeshFault& open) {
+  return {{"count", open.count}, {"places", open.places}};
+}
+
 Json counts_json(const FaceSetCheck& faces) {
   return {{"vertices", faces.vertices},
           {"edges", faces.edges},
@@ -160,6 +165,7 @@ class Lines {
     add("", fmt::format("{}, {}, {}", border, faces.is_manifold ? "manifold" : "not manifold",
                         faces.is_oriented ? "oriented" : "not oriented"));
     add("", fmt::format("{} components, Euler characteristic {}", faces.components, faces.euler));
+    if (!faces.is_closed) add("", "the first open edge: " + faces.open_edges.places.front());
   }
 
   void add_shape(const ShapeStatistics& shape) {
@@ -214,13 +220,13 @@ class Lines {
 
 MeshCheck check_mesh(const FaceSetFile& file) {
   MeshCheck check;
-  check.faces = check_face_set(file.set);
+  check.faces = check_face_set(file.set, file.patch_names);
   check.shape = measure_shape(file.set);
   check.warnings = file.warnings;
   check.faults = check.faces.faults;
   for (const std::size_t face : file.degenerate_faces) {
     fault_of_kind(check.faults, "degenerate_face")
-        .add(fmt::format("triangle {} of the file has two equal corners", face));
+        .add([&] { return fmt::format("triangle {} of the file has two equal corners", face); });
   }
   return check;
 }
@@ -231,6 +237,7 @@ ModelFit measure_fit(MeshFile& mesh, const ModelInput& input) {
   fit.is_projected = !has_parameters(mesh.mesh);
   if (fit.is_projected) project_mesh(mesh.mesh, mesh.patch_names, input.model, search);
   fit.distance = measure_distance(mesh.mesh, input.model, search, fit.is_projected);
+  fit.differences = compare_with_promise(mesh.mesh, input.model);
   const Sizing& sizing = input.options.sizing;
   fit.has_other_sizes = sizing.grade > 0 || sizing.sag || !input.sources.at.empty();
   attach_exact_metric(mesh.mesh, input);
@@ -240,8 +247,11 @@ ModelFit measure_fit(MeshFile& mesh, const ModelInput& input) {
 }
 
 void add_fit(MeshCheck& check, ModelFit fit) {
-  const auto& faults = fit.distance.faults;
-  check.faults.insert(check.faults.end(), faults.begin(), faults.end());
+  // The comparison knows which duplicates are cuts.
+  std::erase_if(check.faults, [](const MeshFault& fault) { return fault.kind == "duplicate_vertex"; });
+  for (const auto& faults : {fit.distance.faults, fit.differences}) {
+    check.faults.insert(check.faults.end(), faults.begin(), faults.end());
+  }
   check.fit = std::move(fit);
 }
 
@@ -254,6 +264,7 @@ std::string to_json(const MeshCheck& check) {
       {"faults", faults_json(check.faults)},
       {"warnings", check.warnings},
       {"counts", counts_json(check.faces)},
+      {"open_edges", open_edges_json(check.faces.open_edges)},
       {"closed", check.faces.is_closed},
       {"manifold", check.faces.is_manifold},
       {"oriented", check.faces.is_oriented},

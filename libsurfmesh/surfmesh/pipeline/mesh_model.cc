@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "surfmesh/assemble/assemble.hh"
+#include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/assemble/turned_triangles.hh"
 #include "surfmesh/boundary/patch_boundary.hh"
 #include "surfmesh/core/error.hh"
@@ -149,9 +150,19 @@ class Run {
     for (const PatchReport& report : patch_reports_) turned += report.turned;
     if (turned == 0) return;
     report_.shortfalls.push_back(
-        fmt::format("{} triangles are turned against the normal of the surface; smaller sizes "
+        fmt::format("{} triangles are turned against the normal of the surface{}; smaller sizes "
                     "help (curvature, hmax)",
-                    turned));
+                    turned, turned_place()));
+  }
+
+  /// ", one in patch wing at (0, 0, 1)"; nothing where all are in fans around poles.
+  std::string turned_place() const {
+    for (std::size_t p = 0; p < patches_.size(); ++p) {
+      if (const auto place = find_turned_place(patches_[p])) {
+        return fmt::format(", one in patch {} at {}", model_.patches[p].name, place_text(*place));
+      }
+    }
+    return {};
   }
 
   void mesh_patch(std::size_t p) {
@@ -232,6 +243,15 @@ class Run {
     AssembleReport report = assemble(mesh, model_, nodes_, *numbers_, patches_);
     for (std::string& warning : report.warnings) report_.warnings.push_back(std::move(warning));
     tell("assemble", 1, 1);
+    compare(mesh);
+  }
+
+  void compare(const PolyMesh& mesh) {
+    for (const MeshFault& fault : compare_with_promise(mesh, model_)) {
+      report_.shortfalls.push_back(
+          fmt::format("the mesh is not as the model promises: {}: {}, the first: {}", fault.kind,
+                      fault.count, fault.places.front()));
+    }
   }
 
   void measure(const PolyMesh& mesh) {

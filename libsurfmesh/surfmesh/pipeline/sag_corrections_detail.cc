@@ -30,6 +30,9 @@ constexpr double kLeastSplitShape = 0.2;
 /// Ratio of the sags after and before from which a node is worth it.
 constexpr double kLeastReduction = 0.99;
 
+/// Share of the sag from which its greatest value in a triangle is searched for beyond samples.
+constexpr double kSearchedShare = 0.5;
+
 /// Least gain of shape for which an edge is swapped or a node moved.
 constexpr double kLeastGain = 0.01;
 
@@ -126,7 +129,8 @@ class SagCorrector {
 
   double sag_of(const Triangle& t) const {
     return plane_sag(*patch_.surface,
-                     {{t[0].point, t[1].point, t[2].point}, {t[0].uv, t[1].uv, t[2].uv}});
+                     {{t[0].point, t[1].point, t[2].point}, {t[0].uv, t[1].uv, t[2].uv}},
+                     kSearchedShare * aim_);
   }
 
   double sag_of(const std::vector<Triangle>& triangles) const {

@@ -14,8 +14,6 @@
 namespace surfmesh {
 namespace {
 
-constexpr std::size_t kMostPlaces = 10;
-
 /// Area below this share of the squared longest side is rounding: coordinates have errors near
 /// 1e-16 of their size.
 constexpr double kFlat = 1e-14;
@@ -91,11 +89,12 @@ Vec3 double_area(const FaceSet& set, std::size_t f) {
 
 class Checker {
  public:
-  explicit Checker(const FaceSet& set) : set_(set) {}
+  Checker(const FaceSet& set, std::span<const std::string> patch_names)
+      : set_(set), patch_names_(patch_names) {}
 
   FaceSetCheck run() {
     check_ = {};
-    is_used_.assign(set_.points.size(), false);
+    face_of_.assign(set_.points.size(), kNoFace);
     count_faces();
     look_at_edges();
     look_at_vertices();
@@ -107,24 +106,34 @@ class Checker {
  private:
   const Vec3& point(int vertex) const { return set_.points[static_cast<std::size_t>(vertex)]; }
 
+  /// " of patch wing" for a face, nothing where it has no patch.
+  std::string patch_text(std::size_t f) const {
+    if (f >= set_.patches.size() || set_.patches[f] < 0) return {};
+    const auto patch = static_cast<std::size_t>(set_.patches[f]);
+    if (patch >= patch_names_.size()) return fmt::format(" of patch {}", patch);
+    return fmt::format(" of patch {}", patch_names_[patch]);
+  }
+
   std::string edge_text(const Side& side) const {
-    return fmt::format("edge {}-{} at {}", side.low, side.high,
+    return fmt::format("edge {}-{}{} at {}", side.low, side.high, patch_text(side.face),
                        place_text(0.5 * (point(side.low) + point(side.high))));
   }
 
   std::string face_text(std::size_t f) const {
-    return fmt::format("face {} at {}", f, place_text(point(set_.faces[f][0])));
+    return fmt::format("face {}{} at {}", f, patch_text(f), place_text(point(set_.faces[f][0])));
   }
 
   std::string vertex_text(std::size_t v) const {
-    return fmt::format("vertex {} at {}", v, place_text(set_.points[v]));
+    return fmt::format("vertex {}{} at {}", v, patch_text(face_of_[v]), place_text(set_.points[v]));
   }
+
+  bool is_used(std::size_t v) const { return face_of_[v] != kNoFace; }
 
   void count_faces() {
     for (std::size_t f = 0; f < set_.faces.size(); ++f) {
       const auto face = set_.faces[f];
       ++(face.size() == 3 ? check_.triangles : face.size() == 4 ? check_.quads : check_.polygons);
-      for (const int vertex : face) is_used_[static_cast<std::size_t>(vertex)] = true;
+      for (const int vertex : face) face_of_[static_cast<std::size_t>(vertex)] = f;
     }
   }
 
@@ -133,8 +142,8 @@ class Checker {
     Sets corners(set_.faces.corner_count());
     Sets vertices(set_.points.size()), open(set_.points.size());
     std::vector<bool> is_open(set_.points.size(), false);
-    check_.components =
-        static_cast<std::size_t>(std::count(is_used_.begin(), is_used_.end(), true));
+    check_.components = static_cast<std::size_t>(std::count_if(
+        face_of_.begin(), face_of_.end(), [](std::size_t face) { return face != kNoFace; }));
     for (std::size_t i = 0; i < sides.size();) {
       std::size_t end = i + 1;
       while (end < sides.size() && sides[end].low == sides[i].low &&
@@ -164,12 +173,16 @@ class Checker {
       corners.join(a.corner, is_same ? b.corner : b.tip);
       corners.join(a.tip, is_same ? b.tip : b.corner);
     }
-    if (end - first == 1) ++check_.boundary_edges;
+    if (end - first == 1) check_.open_edges.add([&] { return edge_text(sides[first]); });
     if (end - first > 2) {
-      edges_.add(fmt::format("{}, of {} faces", edge_text(sides[first]), end - first));
+      edges_.add([&] {
+        return fmt::format("{}, of {} faces", edge_text(sides[first]), end - first);
+      });
     } else if (end - first == 2 && sides[first].is_rising == sides[first + 1].is_rising) {
-      turned_.add(fmt::format("faces {} and {}, {}", sides[first].face, sides[first + 1].face,
-                              edge_text(sides[first])));
+      turned_.add([&] {
+        return fmt::format("faces {} and {}, {}", sides[first].face, sides[first + 1].face,
+                           edge_text(sides[first]));
+      });
     }
   }
 
@@ -181,13 +194,13 @@ class Checker {
       if (count < 2) ++count;
     }
     for (std::size_t v = 0; v < fans.size(); ++v) {
-      if (fans[v] > 1) vertices_.add(vertex_text(v));
+      if (fans[v] > 1) vertices_.add([&] { return vertex_text(v); });
     }
   }
 
   void look_at_vertices() {
     for (std::size_t v = 0; v < set_.points.size(); ++v) {
-      if (!is_used_[v]) unused_.add(vertex_text(v));
+      if (!is_used(v)) unused_.add([&] { return vertex_text(v); });
     }
     std::vector<std::size_t> order(set_.points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -199,8 +212,10 @@ class Checker {
                      [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
     for (std::size_t i = 1; i < order.size(); ++i) {
       if (key(order[i - 1]) != key(order[i])) continue;
-      same_points_.add(fmt::format("vertices {} and {} at {}", order[i - 1], order[i],
-                                   place_text(set_.points[order[i]])));
+      same_points_.add([&] {
+        return fmt::format("vertices {} and {}{} at {}", order[i - 1], order[i],
+                           patch_text(face_of_[order[i]]), place_text(set_.points[order[i]]));
+      });
     }
   }
 
@@ -214,7 +229,9 @@ class Checker {
         longest =
             std::max(longest, (point(face[k]) - point(face[(k + 1) % face.size()])).squaredNorm());
       }
-      if (!(double_area(set_, f).norm() > kFlat * longest)) flat_.add(face_text(f));
+      if (!(double_area(set_, f).norm() > kFlat * longest)) {
+        flat_.add([&] { return face_text(f); });
+      }
       keys.emplace_back(face.begin(), face.end());
       std::sort(keys.back().begin(), keys.back().end());
     }
@@ -224,8 +241,10 @@ class Checker {
                      [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
     for (std::size_t i = 1; i < order.size(); ++i) {
       if (keys[order[i - 1]] != keys[order[i]]) continue;
-      same_faces_.add(fmt::format("faces {} and {} at {}", order[i - 1], order[i],
-                                  place_text(point(set_.faces[order[i]][0]))));
+      same_faces_.add([&] {
+        return fmt::format("faces {} and {}{} at {}", order[i - 1], order[i], patch_text(order[i]),
+                           place_text(point(set_.faces[order[i]][0])));
+      });
     }
   }
 
@@ -233,6 +252,7 @@ class Checker {
     check_.vertices = set_.points.size();
     check_.euler = static_cast<long>(set_.points.size() - unused_.count) -
                    static_cast<long>(check_.edges) + static_cast<long>(set_.faces.size());
+    check_.boundary_edges = check_.open_edges.count;
     check_.is_closed = !set_.faces.empty() && check_.boundary_edges == 0;
     check_.is_manifold = edges_.count == 0 && vertices_.count == 0;
     check_.is_oriented = turned_.count == 0 && edges_.count == 0;
@@ -242,9 +262,12 @@ class Checker {
     }
   }
 
+  static constexpr std::size_t kNoFace = std::numeric_limits<std::size_t>::max();
+
   const FaceSet& set_;
+  std::span<const std::string> patch_names_;
   FaceSetCheck check_;
-  std::vector<bool> is_used_;
+  std::vector<std::size_t> face_of_;  ///< a face of each vertex
   MeshFault edges_{"non_manifold_edge", 0, {}};
   MeshFault turned_{"turned_neighbour", 0, {}};
   MeshFault vertices_{"non_manifold_vertex", 0, {}};
@@ -337,15 +360,13 @@ class ShapeMeter {
 
 }  // namespace
 
-void MeshFault::add(std::string place) {
-  if (count++ < kMostPlaces) places.push_back(std::move(place));
-}
-
 std::string place_text(const Vec3& point) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", point.x(), point.y(), point.z());
 }
 
-FaceSetCheck check_face_set(const FaceSet& set) { return Checker(set).run(); }
+FaceSetCheck check_face_set(const FaceSet& set, std::span<const std::string> patch_names) {
+  return Checker(set, patch_names).run();
+}
 
 ShapeStatistics measure_shape(const FaceSet& set) { return ShapeMeter(set).run(); }
 

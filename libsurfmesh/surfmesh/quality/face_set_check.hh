@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,14 @@ struct MeshFault {
   std::size_t count = 0;
   std::vector<std::string> places;  ///< the first ten, in plain English
 
-  /// Count one more; its place is kept if it is one of the first.
-  void add(std::string place);
+  static constexpr std::size_t kMostPlaces = 10;
+
+  /// Count one more; `place()`, which makes the text of its place, is called if it is one of the
+  /// first.
+  template <class Place>
+  void add(Place place) {
+    if (count++ < kMostPlaces) places.push_back(place());
+  }
 
   friend bool operator==(const MeshFault&, const MeshFault&) = default;
 };
@@ -36,7 +43,9 @@ struct FaceSetCheck {
   bool is_closed = false;          ///< no boundary edge
   bool is_manifold = false;        ///< no edge of three faces, one fan of faces around each vertex
   bool is_oriented = false;        ///< neighbours agree about their outside
-  std::vector<MeshFault> faults;   ///< those that occur
+  /// The open edges with their places: no fault in itself.
+  MeshFault open_edges{"open_edge", 0, {}};
+  std::vector<MeshFault> faults;  ///< those that occur
 
   friend bool operator==(const FaceSetCheck&, const FaceSetCheck&) = default;
 };
@@ -46,9 +55,10 @@ struct FaceSetCheck {
 /// Kinds of faults: non_manifold_edge (of three faces or more), turned_neighbour (two faces pass
 /// their edge in the same direction), non_manifold_vertex (faces that meet in this vertex only),
 /// degenerate_face (no area, to rounding), duplicate_face (the same vertices), duplicate_vertex
-/// (the same coordinates), unused_vertex.
+/// (the same coordinates), unused_vertex. Places tell the patch by its name, by its number where
+/// it has none, where the faces have patches.
 /// Cost     O(n log n), about 1 µs a triangle
-FaceSetCheck check_face_set(const FaceSet& set);
+FaceSetCheck check_face_set(const FaceSet& set, std::span<const std::string> patch_names = {});
 
 /// Angles and shapes in space.
 struct ShapeStatistics {

@@ -72,18 +72,33 @@ class SagMeter {
         triangle.points[i] = detail::point_of(mesh_, own[i]);
         triangle.uvs[i] = mesh_.property(uv_of_, own[i]);
       }
-      for (const detail::Weights& w : detail::sag_samples()) {
-        const Vec3 point =
-            w[0] * triangle.points[0] + w[1] * triangle.points[1] + w[2] * triangle.points[2];
-        greatest.take(distance_at(triangle, w, point, greatest.sag), point);
-      }
+      greatest.take(greatest_place(triangle));
     }
     return greatest;
   }
 
-  /// The distance at a sample with this point, if it is above `known`; else any value up to that.
-  double distance_at(const Triangle& t, const detail::Weights& w, const Vec3& point,
-                     double known) const {
+  Greatest greatest_place(const Triangle& triangle) const {
+    detail::SagPlace greatest;
+    const auto distance = [&](const detail::Weights& w) {
+      return distance_at(triangle, w, greatest.distance);
+    };
+    for (const detail::Weights& w : detail::sag_samples()) {
+      const double there = distance(w);
+      if (there > greatest.distance) greatest = {w, there};
+    }
+    const detail::SagPlace found = detail::search_sag(greatest, distance);
+    Greatest place;
+    place.take(found.distance, point_at(triangle, found.weights));
+    return place;
+  }
+
+  static Vec3 point_at(const Triangle& t, const detail::Weights& w) {
+    return w[0] * t.points[0] + w[1] * t.points[1] + w[2] * t.points[2];
+  }
+
+  /// The distance at a sample, if it is above `known`; else any value up to that.
+  double distance_at(const Triangle& t, const detail::Weights& w, double known) const {
+    const Vec3 point = point_at(t, w);
     const Uv uv = w[0] * t.uvs[0] + w[1] * t.uvs[1] + w[2] * t.uvs[2];
     const Vec3 on_surface = t.surface.evaluate(uv, Order::Position).point;
     // Both nearest points are at most as far as these two from each other.

@@ -101,6 +101,11 @@ class DistanceMeter {
     return *model_.patches[static_cast<std::size_t>(patch)].surface;
   }
 
+  std::string face_text(FaceHandle fh) const {
+    const auto patch = static_cast<std::size_t>(mesh_.property(patch_of_, fh));
+    return fmt::format("face {} of patch {}", fh.idx(), model_.patches[patch].name);
+  }
+
   void measure(FaceHandle fh) {
     const Surface& surface = surface_of(fh);
     std::vector<Corner> corners;
@@ -130,8 +135,10 @@ class DistanceMeter {
       result_.max_corner_face = static_cast<std::size_t>(fh.idx());
     }
     if (!is_projected_ && distance > kOffSurface * model_.diagonal) {
-      off_.add(
-          fmt::format("face {} at {}, by {:.3g}", fh.idx(), place_text(corner.point), distance));
+      off_.add([&] {
+        return fmt::format("{} at {}, by {:.3g}", face_text(fh), place_text(corner.point),
+                           distance);
+      });
     }
     return jet.du.cross(jet.dv).stableNormalized();
   }
@@ -161,8 +168,10 @@ class DistanceMeter {
       const double side = side_of_[static_cast<std::size_t>(mesh_.property(patch_of_, fh))];
       const double facing = facing_[static_cast<std::size_t>(fh.idx())];
       if (facing * (side < 0 ? -1 : 1) > 0) continue;
-      turned_.add(fmt::format("face {} at {}", fh.idx(),
-                              place_text(middle_of(mesh_, corners_of(mesh_, fh)))));
+      turned_.add([&] {
+        return fmt::format("{} at {}", face_text(fh),
+                           place_text(middle_of(mesh_, corners_of(mesh_, fh))));
+      });
     }
   }
 

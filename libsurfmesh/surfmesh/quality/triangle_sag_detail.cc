@@ -10,16 +10,13 @@
 namespace surfmesh::detail {
 namespace {
 
-/// Steps along a side between samples.
-constexpr int kSteps = 6;
-
 std::vector<Weights> make_samples() {
   std::vector<Weights> samples;
-  for (int i = 0; i < kSteps; ++i) {
-    for (int j = 0; j < kSteps && i + j <= kSteps; ++j) {
-      const int k = kSteps - i - j;
-      if (k == kSteps) continue;
-      samples.push_back({double(i) / kSteps, double(j) / kSteps, double(k) / kSteps});
+  for (int i = 0; i < kSampleSteps; ++i) {
+    for (int j = 0; j < kSampleSteps && i + j <= kSampleSteps; ++j) {
+      const int k = kSampleSteps - i - j;
+      if (k == kSampleSteps) continue;
+      samples.push_back({double(i) / kSampleSteps, double(j) / kSampleSteps, double(k) / kSampleSteps});
     }
   }
   const auto spread = [](const Weights& w) { return w[0] * w[0] + w[1] * w[1] + w[2] * w[2]; };
@@ -35,16 +32,20 @@ const std::vector<Weights>& sag_samples() {
   return samples;
 }
 
-double plane_sag(const Surface& surface, const SurfaceTriangle& triangle) {
+double plane_sag(const Surface& surface, const SurfaceTriangle& triangle, double searched_from) {
   const auto& [a, b, c] = triangle.points;
   const Vec3 normal = (b - a).cross(c - a).stableNormalized();
-  double sag = 0;
-  for (const Weights& w : sag_samples()) {
+  const auto distance = [&](const Weights& w) {
     const Uv uv = w[0] * triangle.uvs[0] + w[1] * triangle.uvs[1] + w[2] * triangle.uvs[2];
-    const Vec3 on_surface = surface.evaluate(uv, Order::Position).point;
-    sag = std::max(sag, std::abs(normal.dot(on_surface - a)));
+    return std::abs(normal.dot(surface.evaluate(uv, Order::Position).point - a));
+  };
+  SagPlace greatest;
+  for (const Weights& w : sag_samples()) {
+    const double there = distance(w);
+    if (there > greatest.distance) greatest = {w, there};
   }
-  return sag;
+  if (greatest.distance > searched_from) greatest = search_sag(greatest, distance);
+  return greatest.distance;
 }
 
 }  // namespace surfmesh::detail

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "surfmesh/geometry/surface.hh"
@@ -20,10 +21,50 @@ using Weights = std::array<double, 3>;
 /// first, where the distance is greatest.
 const std::vector<Weights>& sag_samples();
 
-/// The greatest distance of the surface from the plane of the triangle, over the samples.
+/// Steps along a side between samples, and the shares of it with which the search for a greater
+/// distance begins and ends.
+inline constexpr int kSampleSteps = 6;
+inline constexpr double kFirstSearchStep = 0.5 / kSampleSteps;
+inline constexpr double kLastSearchStep = 0.125 / kSampleSteps;
+
+/// A place of a triangle and the distance there.
+struct SagPlace {
+  Weights weights{};
+  double distance = 0;
+};
+
+/// Climb from the sample with the greatest distance to a place with a greater one: over a rounded
+/// crease, which is much narrower than the triangle, all samples may miss it.
+///
+/// `distance(weights)` is asked about 20 times.
+template <class Distance>
+SagPlace search_sag(SagPlace place, Distance distance);
+
+/// The greatest distance of the surface from the plane of the triangle, over the samples, and around
+/// the greatest one if that is above `searched_from`.
 ///
 /// Unlike the distance from the triangle it does not grow where parameters run unevenly and a
 /// sample lies beyond a side, over the next triangle.
-double plane_sag(const Surface& surface, const SurfaceTriangle& triangle);
+double plane_sag(const Surface& surface, const SurfaceTriangle& triangle,
+                 double searched_from = 0);
+
+template <class Distance>
+SagPlace search_sag(SagPlace place, Distance distance) {
+  for (double step = kFirstSearchStep; step >= kLastSearchStep;) {
+    const SagPlace before = place;
+    for (std::size_t from = 0; from < 3; ++from) {
+      for (std::size_t to = 0; to < 3; ++to) {
+        if (from == to || before.weights[from] < step) continue;
+        Weights weights = before.weights;
+        weights[from] -= step;
+        weights[to] += step;
+        const double there = distance(weights);
+        if (there > place.distance) place = {weights, there};
+      }
+    }
+    if (place.distance <= before.distance) step /= 2;
+  }
+  return place;
+}
 
 }  // namespace surfmesh::detail
