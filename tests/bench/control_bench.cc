@@ -60,7 +60,7 @@ SizeField fine_field() {
 }
 
 std::vector<ControlNode> regular_nodes(const SizeField& field, std::int64_t nodes) {
-  return choose_control_nodes(field, {static_cast<int>(nodes), 0.1});
+  return choose_control_nodes(field, {static_cast<int>(nodes), 0.1}).nodes;
 }
 
 ControlMesh regular_control(const SizeField& field, std::int64_t nodes,
@@ -108,7 +108,7 @@ void query_grid_at_random(benchmark::State& state) {
 
 void query_chosen_nodes_at_random(benchmark::State& state) {
   const SizeField field = paper_field();
-  const ControlMesh control(field.surface().domain(), choose_control_nodes(field, {}), {});
+  const ControlMesh control(field.surface().domain(), choose_control_nodes(field, {}).nodes, {});
   ask(state, random_queries(field), control);
   state.counters["nodes"] = static_cast<double>(control.mesh().n_vertices());
 }
@@ -132,7 +132,7 @@ void build_classified(benchmark::State& state) {
 void choose_nodes(benchmark::State& state) {
   const SizeField field = paper_field();
   std::size_t count = 0;
-  for (auto _ : state) count = choose_control_nodes(field, {}).size();
+  for (auto _ : state) count = choose_control_nodes(field, {}).nodes.size();
   state.counters["nodes"] = static_cast<double>(count);
 }
 

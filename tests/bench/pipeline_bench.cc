@@ -5,14 +5,18 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include "geometry/cages.hh"
 
 // After cages, for Scheme::Loop of a later header would shadow the Loop of a model.
 #include "support/domain_meshes.hh"
+#include "support/metric_formulas.hh"
 #include "support/models.hh"
 #include "surfmesh/geometry/cage_model.hh"
 #include "surfmesh/geometry/callable_surface.hh"
+#include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 
 namespace surfmesh {
@@ -74,6 +78,27 @@ BENCHMARK(torus_cage_by_threads)
     ->Range(1, 8)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
+
+/// Argument: the share of the sizes of a strong metric.
+void strong_metric(benchmark::State& state,
+                   testing::MetricFormulas (*formulas)(double scale)) {
+  const double scale = 1 / static_cast<double>(state.range(0));
+  const auto path = std::filesystem::temp_directory_path() / "surfmesh_pipeline_bench.json";
+  std::ofstream(path) << testing::model_text(formulas(scale));
+  const ModelInput input = load_model(path);
+  std::filesystem::remove(path);
+  std::size_t triangles = 0;
+  for (auto _ : state) {
+    triangles = mesh_model(input.model, input.sources, input.options).mesh.n_faces();
+  }
+  count_triangles(state, triangles);
+}
+BENCHMARK_CAPTURE(strong_metric, shock, testing::shock_formulas)
+    ->RangeMultiplier(2)->Range(1, 8)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(strong_metric, ring, testing::ring_formulas)
+    ->RangeMultiplier(2)->Range(1, 4)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(strong_metric, jump, testing::jump_formulas)
+    ->RangeMultiplier(2)->Range(1, 4)->Unit(benchmark::kMillisecond);
 
 /// Argument: by how much sizes are smaller than those of c1.
 template <class Way>

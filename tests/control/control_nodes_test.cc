@@ -22,7 +22,7 @@ using testing::sizing_of;
 
 std::vector<ControlNode> nodes_on(const Surface& surface, const Sizing& sizing,
                                   const ControlNodeOptions& options = {}) {
-  return choose_control_nodes(SizeField(surface, sizing, {}, 1), options);
+  return choose_control_nodes(SizeField(surface, sizing, {}, 1), options).nodes;
 }
 
 std::set<std::pair<double, double>> positions(const std::vector<ControlNode>& nodes) {
@@ -67,7 +67,7 @@ TEST(ControlNodes, HaveNoPositionTwice) {
 TEST(ControlNodes, CarryTheExactFieldAtTheirPosition) {
   const auto wave = testing::paper_wave();
   const SizeField field(*wave, testing::paper_sizing(), {}, 1);
-  for (const ControlNode& node : choose_control_nodes(field, {0, 0.5})) {
+  for (const ControlNode& node : choose_control_nodes(field, {0, 0.5}).nodes) {
     const SizeField::Sample sample = field.at(node.uv);
     ASSERT_EQ(node.size, sample.size);
     ASSERT_EQ(node.point, sample.point);
@@ -108,7 +108,7 @@ TEST(ControlNodes, RepresentASmoothFieldToThePrecision) {
   const test::Torus torus(3, 1, {0, 6, -1, 1});
   const SizeField field(torus, sizing_of(0.25, 1e-3, 100, 100), {}, 1);
   for (const double precision : {0.2, 0.1, 0.05}) {
-    const ControlMesh control(torus.domain(), choose_control_nodes(field, {0, precision}), {});
+    const ControlMesh control(torus.domain(), choose_control_nodes(field, {0, precision}).nodes, {});
     std::mt19937 random(1);
     std::uniform_real_distribution<double> uniform(0, 1);
     ControlSpace::Hint hint;

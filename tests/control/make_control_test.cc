@@ -136,7 +136,7 @@ std::pair<double, double> misses_of(const Surface& surface, const Sizing& sizing
   constexpr int samples = 20'000;
   constexpr double precision = 0.1;
   const SizeField field(surface, sizing, {}, 1, precision);
-  const ControlMesh control(surface.domain(), choose_accurate_nodes(field, {0, precision}), {});
+  const ControlMesh control(surface.domain(), choose_accurate_nodes(field, {0, precision}).nodes, {});
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(0, 1);
   ControlSpace::Hint hint;

@@ -86,31 +86,32 @@ MetricArea metric_area(const SizeField& field, const ControlSpace& control, int 
   return area;
 }
 
-std::vector<ControlNode> choose_accurate_nodes(const SizeField& field,
-                                               const ControlNodeOptions& given) {
+ChosenNodes choose_accurate_nodes(const SizeField& field, const ControlNodeOptions& given) {
   ControlNodeOptions options = given;
-  std::vector<ControlNode> nodes = choose_control_nodes(field, options);
-  if (options.regular > 0 || !field.has_source()) return nodes;
+  ChosenNodes chosen = choose_control_nodes(field, options);
+  if (options.regular > 0 || !field.has_source()) return chosen;
   const Interpolation interpolation =
       options.by_distance ? Interpolation::Triangle : Interpolation::Linear;
-  for (int round = 0; round < kMaxRounds; ++round) {
-    const ControlMesh control(field.surface().domain(), nodes, {.interpolation = interpolation});
-    const MetricArea area = metric_area(field, control, sample_count(nodes.size()));
+  for (int round = 0; round < kMaxRounds && !chosen.is_coarse; ++round) {
+    const ControlMesh control(field.surface().domain(), chosen.nodes,
+                              {.interpolation = interpolation});
+    const MetricArea area = metric_area(field, control, sample_count(chosen.nodes.size()));
     const double error = std::abs(area.control - area.exact);
     if (error <= std::max(kNegligibleArea, kAreaError * area.exact)) break;
     options.precision *= kFinerPrecision;
-    nodes = choose_control_nodes(field, options);
+    chosen = choose_control_nodes(field, options);
   }
-  return nodes;
+  return chosen;
 }
 
-std::vector<ControlNode> choose_grid_nodes(const SizeField& field,
-                                           const ControlNodeOptions& options) {
+ChosenNodes choose_grid_nodes(const SizeField& field, const ControlNodeOptions& options) {
   if (options.regular > 0) return choose_control_nodes(field, options);
   for (int side = kFirstGridSide;; side = 2 * side - 1) {
-    std::vector<ControlNode> nodes = choose_control_nodes(field, {.regular = side * side});
-    const ControlGrid grid(field.surface().domain(), nodes, {}, {});
-    if (side > kLastGridSide || holds(grid, field, side, options.precision)) return nodes;
+    ChosenNodes chosen = choose_control_nodes(field, {.regular = side * side});
+    const ControlGrid grid(field.surface().domain(), chosen.nodes, {}, {});
+    if (holds(grid, field, side, options.precision)) return chosen;
+    chosen.is_coarse = side > kLastGridSide;
+    if (chosen.is_coarse) return chosen;
   }
 }
 

@@ -29,15 +29,13 @@ MetricArea metric_area(const SizeField& field, const ControlSpace& control, int 
 /// Error    on a smooth field 1 % of all points miss the precision at most, on one with kinks 2 %,
 ///          by less than three times (test AccurateNodes.*)
 /// Cost     about 5 µs a node
-std::vector<ControlNode> choose_accurate_nodes(const SizeField& field,
-                                               const ControlNodeOptions& options);
+ChosenNodes choose_accurate_nodes(const SizeField& field, const ControlNodeOptions& options);
 
 /// Regular nodes, rows along u: as many as asked for, or twice as many along each side until bilinear
 /// interpolation holds the field to the precision on an independent sample or cells are small
 /// against the elements; a million at most.
 ///
 /// Cost     about 1 µs a node
-std::vector<ControlNode> choose_grid_nodes(const SizeField& field,
-                                           const ControlNodeOptions& options);
+ChosenNodes choose_grid_nodes(const SizeField& field, const ControlNodeOptions& options);
 
 }  // namespace surfmesh

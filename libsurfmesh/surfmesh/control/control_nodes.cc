@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <numeric>
 #include <unordered_map>
 
@@ -27,12 +28,19 @@ constexpr std::uint32_t kFirstCells = 4;
 /// Shares of a cell's width at which it is sampled: irrational, and not symmetric.
 constexpr std::array<double, 3> kSampleShares = {0.1273, 0.4817, 0.8359};
 
+/// Nodes for each unit of metric area, of which an element takes 0.43, and beside these, from which on
+/// no cell is halved. Smooth fields take 0.02 to 0.5 a unit, creased patches of a few elements
+/// hundreds in all.
+constexpr double kMostNodesPerUnit = 8;
+constexpr double kFreeNodes = 20'000;
+
 /// Nodes in all: far more than sizes that elements can follow ever need in one patch.
 constexpr std::size_t kMaxNodes = 4'000'000;
 
 struct Cell {
   std::uint32_t i0, j0, i1, j1;
-  std::vector<int> places;  ///< those of sources inside
+  std::vector<int> places = {};  ///< those of sources inside
+  double metric_area = 0;        ///< as the cell it comes from shows it
 };
 
 /// Samples of the field inside one cell, rows along u.
@@ -43,27 +51,22 @@ class NodeChooser {
   NodeChooser(const SizeField& field, const ControlNodeOptions& options)
       : field_(field), domain_(field.surface().domain()), options_(options) {}
 
-  std::vector<ControlNode> run() {
+  ChosenNodes run() {
     constexpr std::uint32_t step = kGridSize / kFirstCells;
-    std::vector<Cell> cells;
+    // First come, first served: where nodes are cut off, all cells are equally fine.
+    std::deque<Cell> cells;
     for (std::uint32_t j = 0; j < kGridSize; j += step)
       for (std::uint32_t i = 0; i < kGridSize; i += step)
-        cells.push_back({i, j, i + step, j + step, {}});
+        cells.push_back({i, j, i + step, j + step});
     const std::vector<int> all = all_places();
     for (Cell& cell : cells) take_places(cell, all);
     while (!cells.empty()) {
-      const Cell cell = std::move(cells.back());
-      if (nodes_.size() > kMaxNodes) {
-        const Uv uv = at(cell.i0, cell.j0);
-        throw Error(ErrorCode::Limit,
-                    fmt::format("sizes near (u,v) = ({}, {}) change so fast that more than {} "
-                                "control nodes are needed; a larger hmin helps",
-                                uv.u, uv.v, kMaxNodes));
-      }
-      cells.pop_back();
+      const Cell cell = std::move(cells.front());
+      check_limit(cell);
+      cells.pop_front();
       split_or_keep(cell, cells);
     }
-    return std::move(nodes_);
+    return {std::move(nodes_), is_coarse_};
   }
 
  private:
@@ -78,6 +81,36 @@ class NodeChooser {
       nodes_.push_back({uv, sample.point, sample.form, sample.size, {0, 0, 0}});
     }
     return nodes_[entry->second];
+  }
+
+  void check_limit(const Cell& cell) const {
+    if (nodes_.size() <= kMaxNodes) return;
+    const Uv uv = at(cell.i0, cell.j0);
+    throw Error(ErrorCode::Limit,
+                fmt::format("sizes near (u,v) = ({}, {}) change so fast that more than {} control "
+                            "nodes are needed; a larger hmin helps",
+                            uv.u, uv.v, kMaxNodes));
+  }
+
+  /// Metric area of a cell by the mean of its samples, which take the place of what its parent showed.
+  void measure(Cell& cell, const CellSamples& samples) {
+    double density = 0;
+    for (const auto& row : samples) {
+      for (const SizeField::Sample& s : row) {
+        density += s.form.l11 * s.form.l22 / determinant(s.size) / 9;
+      }
+    }
+    metric_area_ -= cell.metric_area;
+    cell.metric_area = density * (domain_.u1 - domain_.u0) * (domain_.v1 - domain_.v0) *
+                       (cell.i1 - cell.i0) / kGridSize * (cell.j1 - cell.j0) / kGridSize;
+    metric_area_ += cell.metric_area;
+  }
+
+  bool is_cut_off() {
+    const bool is_over =
+        static_cast<double>(nodes_.size()) > kFreeNodes + kMostNodesPerUnit * metric_area_;
+    is_coarse_ = is_coarse_ || is_over;
+    return is_over;
   }
 
   CellSamples sample(const Cell& cell) const {
@@ -97,28 +130,29 @@ class NodeChooser {
     return at(cell.i0 + s * (cell.i1 - cell.i0), cell.j0 + t * (cell.j1 - cell.j0));
   }
 
-  void split_or_keep(const Cell& cell, std::vector<Cell>& cells) {
+  void split_or_keep(Cell cell, std::deque<Cell>& cells) {
     const std::array<ControlNode, 4> corners = {node(cell.i0, cell.j0), node(cell.i1, cell.j0),
                                                 node(cell.i1, cell.j1), node(cell.i0, cell.j1)};
     const CellSamples samples = sample(cell);
+    measure(cell, samples);
     const bool can_split_u = is_long(cell, samples, true);
     const bool can_split_v = is_long(cell, samples, false);
-    if ((can_split_u || can_split_v) && !conforms(cell, corners, samples)) {
+    if ((can_split_u || can_split_v) && !conforms(cell, corners, samples) && !is_cut_off()) {
       split(cell,
             can_split_u && (!can_split_v || variation(samples, true) >= variation(samples, false)),
             cells);
       return;
     }
     const Missed missed = missed_place(cell, corners);
-    if (missed.is_any) {
+    if (missed.is_any && !is_cut_off()) {
       split(cell, missed.is_longer_along_u, cells);
     } else {
       keep(cell);
     }
   }
 
-  void split(const Cell& cell, bool along_u, std::vector<Cell>& cells) const {
-    Cell first{cell.i0, cell.j0, cell.i1, cell.j1, {}};
+  void split(const Cell& cell, bool along_u, std::deque<Cell>& cells) const {
+    Cell first{cell.i0, cell.j0, cell.i1, cell.j1, {}, 0.5 * cell.metric_area};
     Cell second = first;
     if (along_u) {
       first.i1 = second.i0 = cell.i0 + (cell.i1 - cell.i0) / 2;
@@ -127,8 +161,8 @@ class NodeChooser {
     }
     take_places(first, cell.places);
     take_places(second, cell.places);
-    cells.push_back(std::move(second));
     cells.push_back(std::move(first));
+    cells.push_back(std::move(second));
   }
 
   std::vector<int> all_places() const {
@@ -251,6 +285,8 @@ class NodeChooser {
   const ControlNodeOptions& options_;
   std::vector<ControlNode> nodes_;
   std::unordered_map<std::uint64_t, std::size_t> index_;
+  double metric_area_ = 0;  ///< of all cells
+  bool is_coarse_ = false;
 };
 
 std::vector<ControlNode> regular_nodes(const SizeField& field, int count) {
@@ -288,10 +324,10 @@ void check(const ControlNodeOptions& options) {
   }
 }
 
-std::vector<ControlNode> choose_control_nodes(const SizeField& field,
+ChosenNodes choose_control_nodes(const SizeField& field,
                                               const ControlNodeOptions& options) {
   check(options);
-  if (options.regular > 0) return regular_nodes(field, options.regular);
+  if (options.regular > 0) return {regular_nodes(field, options.regular)};
   return NodeChooser(field, options).run();
 }
 

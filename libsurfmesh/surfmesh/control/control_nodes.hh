@@ -44,15 +44,23 @@ struct ControlNodeOptions {
 
 void check(const ControlNodeOptions& options);
 
+struct ChosenNodes {
+  std::vector<ControlNode> nodes;
+  /// True if the field changes so fast that the nodes were cut off before they held the precision.
+  bool is_coarse = false;
+};
+
 /// Place nodes so that the field is represented to a precision.
 ///
 /// Cells, first the whole rectangle, are halved across the direction in which the field changes
 /// most until all their samples conform or the cell is small against the elements wanted there.
 /// Samples lie at irrational shares of a cell, so that a periodic field cannot hide between nodes.
-/// The corners of the domain are always nodes, no position comes twice.
+/// The corners of the domain are always nodes, no position comes twice. When there are several nodes
+/// for each element that the field asks for, no cell is halved any more: elements cannot follow.
 ///
 /// Cost     about ten samples of the field a cell
-std::vector<ControlNode> choose_control_nodes(const SizeField& field,
+/// Throws   Limit for more than four million nodes, naming (u,v)
+ChosenNodes choose_control_nodes(const SizeField& field,
                                               const ControlNodeOptions& options);
 
 }  // namespace surfmesh

@@ -39,6 +39,11 @@ PatchSources with_interpolated_points(const PatchSources& sources) {
   return result;
 }
 
+void take(ChosenNodes chosen, ControlInput& input) {
+  input.nodes = std::move(chosen.nodes);
+  input.is_coarse = chosen.is_coarse;
+}
+
 /// Refine the triangulation of the nodes for shape; the new nodes have the sizes it gives there.
 void add_inner_nodes(const Surface& surface, std::vector<ControlNode>& nodes) {
   NodeTriangulation triangulation(surface.domain(), nodes);
@@ -87,15 +92,16 @@ ControlInput collect_control_input(const Surface& surface, const Sizing& sizing,
   const bool is_chosen = has_other_sources(sources, field) || places.empty();
   input.options.discs_meet_area_sources = is_chosen;
   if (options.kind == ControlKind::Grid) {
-    input.nodes = choose_grid_nodes(field, own);
+    take(choose_grid_nodes(field, own), input);
     input.places = std::move(places);
     return input;
   }
   if (!sources.sag.empty()) {
     input.nodes = sag_nodes(sources.sag.front(), field);
+  } else if (is_chosen) {
+    take(choose_accurate_nodes(field, own), input);
   } else {
-    input.nodes =
-        is_chosen ? choose_accurate_nodes(field, own) : corners_like_nearest(surface, places);
+    input.nodes = corners_like_nearest(surface, places);
   }
   input.nodes.insert(input.nodes.end(), places.begin(), places.end());
   if (options.inner_nodes) add_inner_nodes(surface, input.nodes);

@@ -33,6 +33,7 @@ struct ControlInput {
   std::vector<ControlNode> places;  ///< beside a grid, nodes at places of their own
   ControlKind kind = ControlKind::Mesh;
   ControlSpaceOptions options = {};
+  bool is_coarse = false;  ///< the nodes do not hold the precision, see ChosenNodes
 };
 
 /// Collect the nodes of one patch from all sources of sizes, and the options with the gradation.

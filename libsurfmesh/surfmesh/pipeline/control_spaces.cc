@@ -81,6 +81,13 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
                                       patch_sources[p], model.diagonal, options.control);
     result.spaces[p] = make_control(inputs[p]);
   });
+  for (std::size_t p = 0; p < inputs.size(); ++p) {
+    if (!inputs[p].is_coarse) continue;
+    result.shortfalls.push_back(
+        fmt::format("patch {}: the control space does not hold its precision, for sizes change "
+                    "faster than elements can follow; a larger hmin helps",
+                    model.patches[p].name));
+  }
   if (!grade_across_contours(model, inputs, result.spaces, options.observer).has_converged) {
     result.shortfalls.push_back("gradation across contours has not come to an end");
   }

@@ -29,14 +29,6 @@ class FrontQueue {
     highest_ = std::max(highest_, i);
   }
 
-  /// Call `visit(face)` for the entry `distance` places behind the first, if its bucket has one.
-  template <class Visit>
-  void look_ahead(std::size_t distance, Visit visit) const {
-    const Bucket& bucket = buckets_[highest_];
-    const std::size_t i = bucket.next + distance;
-    if (i < bucket.entries.size()) visit(bucket.entries[i].face);
-  }
-
   /// Take the first entry of the highest bucket; false if there is none.
   bool pop(Entry& entry) {
     while (buckets_[highest_].is_empty()) {

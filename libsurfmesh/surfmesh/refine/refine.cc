@@ -52,7 +52,7 @@ class Refinement {
       activate(FaceHandle(static_cast<int>(f)));
     }
     empty_queue();
-    if (insert_missed_places()) empty_queue();
+    if (!report_.is_stopped && insert_missed_places()) empty_queue();
     report_.queries = hint_.answers;
     return report_;
   }
@@ -74,7 +74,6 @@ class Refinement {
         report_.is_stopped = true;
         return;
       }
-      fetch_ahead();
       State& state = states_[index(entry.face)];
       if (state.stamp != entry.stamp || state.is_accepted) continue;
       if (++steps % kStepsBetweenCancellation == 0) throw_if_cancelled(options_.observer);
@@ -96,58 +95,13 @@ class Refinement {
     return static_cast<double>(delaunay_.n_faces() - slack_) > kMostTriangles * predicted_count();
   }
 
-  /// Ask for the memory of the triangles that come next in the queue and of their neighbours, in
-  /// steps of which each follows the handles that the one before has brought: at a million triangles
-  /// the front is longer than the near cache, and the vertices that its triangles see across the
-  /// empty domain are far away.
-  void fetch_ahead() const {
-    const TriMesh& mesh = delaunay_.mesh();
-    queue_.look_ahead(20, [&](FaceHandle fh) {
-      __builtin_prefetch(&mesh.face(fh));
-      __builtin_prefetch(&states_[index(fh)]);
-    });
-    queue_.look_ahead(16, [&](FaceHandle fh) { fetch(mesh.halfedge_handle(fh)); });
-    queue_.look_ahead(12, [&](FaceHandle fh) {
-      const HalfedgeHandle heh = mesh.halfedge_handle(fh);
-      fetch(mesh.next_halfedge_handle(heh));
-      fetch(mesh.prev_halfedge_handle(heh));
-      fetch(mesh.to_vertex_handle(heh));
-      fetch(mesh.from_vertex_handle(heh));
-    });
-    queue_.look_ahead(8, [&](FaceHandle fh) {
-      for_each_side(fh, [&](HalfedgeHandle heh) {
-        fetch(mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(heh)));
-      });
-    });
-    queue_.look_ahead(4, [&](FaceHandle fh) {
-      for_each_side(fh, [&](HalfedgeHandle heh) {
-        fetch(mesh.to_vertex_handle(mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(heh))));
-      });
-    });
-  }
-
-  template <class Visit>
-  void for_each_side(FaceHandle fh, Visit visit) const {
-    const TriMesh& mesh = delaunay_.mesh();
-    HalfedgeHandle heh = mesh.halfedge_handle(fh);
-    for (int k = 0; k < 3; ++k, heh = mesh.next_halfedge_handle(heh)) visit(heh);
-  }
-
-  void fetch(HalfedgeHandle heh) const {
-    __builtin_prefetch(&delaunay_.mesh().edge(delaunay_.mesh().edge_handle(heh)));
-  }
-
-  void fetch(VertexHandle vh) const {
-    __builtin_prefetch(&delaunay_.uv(vh));
-    __builtin_prefetch(&delaunay_.metric(vh));
-  }
-
   /// Insert places of the field that lie in triangles much too large for them: what lies between
   /// the vertices of a triangle alone is never asked for.
   bool insert_missed_places() {
     bool is_any = false;
     FaceHandle near(0);
     for (const MetricCorner& place : field_.places()) {
+      if (is_astray()) break;
       const Location location = delaunay_.locate(place.uv, near);
       near = location.face;
       if (!is_insertable(location) || !is_missed(place, location.face)) continue;
