@@ -10,6 +10,7 @@
 
 #include "surfmesh/metric/minimum.hh"
 #include "surfmesh/metric/size_tensor.hh"
+#include "surfmesh/metric/tensor.hh"
 
 namespace surfmesh {
 namespace {
@@ -25,7 +26,7 @@ Vec3 middle(const PlacedSize& placed) { return 0.5 * (placed.from + placed.to); 
 double larger_length(const SizeTensor& size) {
   // The larger eigenvalue, without the angle.
   const double mean = 0.5 * (size.h11 + size.h22);
-  return mean + std::hypot(0.5 * (size.h11 - size.h22), size.h12);
+  return mean + eigenvalue_radius(0.5 * (size.h11 - size.h22), size.h12);
 }
 
 }  // namespace

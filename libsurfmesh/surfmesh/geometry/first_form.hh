@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "surfmesh/core/values.hh"
@@ -31,7 +32,8 @@ inline constexpr double kSmallestSine = 1e-12;
 
 /// True if the surface has a tangent plane: p_u and p_v are finite, not zero and not parallel.
 inline bool is_regular(const FirstFormFactor& p) {
-  return p.l11 > 0 && p.l22 > kSmallestSine * std::hypot(p.l21, p.l22);
+  // l22 = sin, l21 = cos of the angle, times |p_v|: where the sine is small the cosine is nearly 1.
+  return p.l11 > 0 && p.l22 > kSmallestSine * std::max(std::abs(p.l21), p.l22);
 }
 
 /// Squared length in space of a parameter step, to first order.

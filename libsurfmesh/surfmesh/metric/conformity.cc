@@ -24,7 +24,7 @@ double greatest_growth(const SizeTensor& a, const SizeTensor& b) {
   const double c11 = d.h11 / b.h11;
   const double c12 = (d.h12 - k * d.h11) / std::sqrt(det);
   const double c22 = (d.h22 - 2 * k * d.h12 + k * k * d.h11) * b.h11 / det;
-  return std::max(0.0, 0.5 * (c11 + c22) + std::hypot(0.5 * (c11 - c22), c12));
+  return std::max(0.0, 0.5 * (c11 + c22) + eigenvalue_radius(0.5 * (c11 - c22), c12));
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ ColumnTurn orthogonalise_columns(const Matrix2& k) {
   const double n2 = k.a12 * k.a12 + k.a22 * k.a22;
   const double angle = 0.5 * std::atan2(2 * (k.a11 * k.a12 + k.a21 * k.a22), n1 - n2);
   const double c = std::cos(angle), s = std::sin(angle);
-  const double first = std::hypot(k.a11 * c + k.a12 * s, k.a21 * c + k.a22 * s);
+  const double x = k.a11 * c + k.a12 * s, y = k.a21 * c + k.a22 * s;
+  const double first = std::sqrt(x * x + y * y);
   // From the determinant, for the second column may cancel.
   return {c, s, first, std::abs(k.a11 * k.a22 - k.a12 * k.a21) / first};
 }

@@ -20,7 +20,7 @@ struct Spectrum {
 
 Spectrum spectrum(const SizeTensor& h) {
   const double half_difference = 0.5 * (h.h11 - h.h22);
-  const double radius = std::hypot(half_difference, h.h12);
+  const double radius = eigenvalue_radius(half_difference, h.h12);
   const double larger = 0.5 * (h.h11 + h.h22) + radius;
   if (radius == 0) return {larger, larger, 1, 0};
   // The determinant is exact for diagonal tensors, mean − radius is not.
@@ -60,7 +60,7 @@ SizeTensor exp_size(const SizeTensor& log_h) {
   // Not by spectrum(): eigenvalues of a logarithm may have any sign.
   const double mean = 0.5 * (log_h.h11 + log_h.h22);
   const double half_difference = 0.5 * (log_h.h11 - log_h.h22);
-  const double radius = std::hypot(half_difference, log_h.h12);
+  const double radius = eigenvalue_radius(half_difference, log_h.h12);
   const double larger = std::exp(mean + radius), smaller = std::exp(mean - radius);
   if (radius == 0) return {larger, 0, larger};
   return with_lengths({larger, smaller, half_difference / radius, log_h.h12 / radius}, larger,

@@ -23,6 +23,13 @@ inline double determinant(const Metric& m) { return m.m11 * m.m22 - m.m12 * m.m1
 
 inline double determinant(const SizeTensor& h) { return h.h11 * h.h22 - h.h12 * h.h12; }
 
+/// Half the difference of the eigenvalues of a symmetric matrix with half the difference of its
+/// diagonal entries and its other entry. As a plain root: entries whose squares are not numbers, or
+/// nothing, are of no use elsewhere either, and std::hypot took a seventh of all time.
+inline double eigenvalue_radius(double half_difference, double other) {
+  return std::sqrt(half_difference * half_difference + other * other);
+}
+
 /// Arithmetic mean of two metrics.
 inline Metric mean(const Metric& a, const Metric& b) {
   return {0.5 * (a.m11 + b.m11), 0.5 * (a.m12 + b.m12), 0.5 * (a.m22 + b.m22)};
