@@ -72,7 +72,8 @@ class SagMeter {
         triangle.points[i] = detail::point_of(mesh_, own[i]);
         triangle.uvs[i] = mesh_.property(uv_of_, own[i]);
       }
-      greatest.take(greatest_place(triangle));
+      const Greatest own_greatest = greatest_place(triangle);
+      greatest.take(own_greatest.sag, own_greatest.at);
     }
     return greatest;
   }
