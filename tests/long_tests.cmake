@@ -42,8 +42,3 @@ surfmesh_add_building_test(Sanitize.Build "sanitize;long"
   ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D TARGETS=${sanitized_targets}
   -P ${CMAKE_CURRENT_SOURCE_DIR}/sanitize.cmake)
 set_tests_properties(Sanitize.Build PROPERTIES FIXTURES_SETUP sanitize)
-
-# All 200 sizes of tests that take a few of them otherwise.
-add_test(NAME SizeLoops.AllSizes COMMAND pipeline_test --gtest_filter=All/SizeLoops.*)
-set_tests_properties(SizeLoops.AllSizes PROPERTIES
-  LABELS "pipeline;long" TIMEOUT 3600 ENVIRONMENT SURFMESH_LOOP_SIZES=200)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Closed-form surfaces at many sizes, from a hundredth of the radius to the radius. The environment
-// variable SURFMESH_LOOP_SIZES sets the number of sizes; with the full 200 it is a long test.
+// variable SURFMESH_LOOP_SIZES sets the number of sizes; the full 200 take some minutes, by hand.
 #include <gtest/gtest.h>
 
 #include <algorithm>
