@@ -350,9 +350,11 @@ class Uncrossing {
     for (const auto& division : divisions_) {
       before.push_back(division ? division->parameters() : ContourDivision::Parameters{});
     }
-    for (int round = 0; round < kMostUncrossings && uncross_once(); ++round) {
+    std::set<ContourSegment> segments = crossing();
+    for (int round = 0; round < kMostUncrossings && uncross(segments); ++round) {
+      segments = crossing();
     }
-    if (crossing().empty()) return;
+    if (segments.empty()) return;
     for (std::size_t c = 0; c < divisions_.size(); ++c) {
       if (divisions_[c]) divisions_[c]->set_parameters(std::move(before[c]));
     }
@@ -365,8 +367,7 @@ class Uncrossing {
   };
 
   /// Returns false if nothing crosses, or nothing can be done about it.
-  bool uncross_once() {
-    const std::set<ContourSegment> segments = crossing();
+  bool uncross(const std::set<ContourSegment>& segments) {
     std::size_t halved = 0;
     // Backwards, for halving moves the segments behind.
     for (auto it = segments.rbegin(); it != segments.rend(); ++it) {

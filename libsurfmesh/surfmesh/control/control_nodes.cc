@@ -29,7 +29,7 @@ constexpr std::uint32_t kFirstCells = 4;
 constexpr std::array<double, 3> kSampleShares = {0.1273, 0.4817, 0.8359};
 
 /// Nodes for each unit of metric area, of which an element takes 0.43, and beside these, from which on
-/// no cell is halved. Smooth fields take 0.02 to 0.5 a unit, creased patches of a few elements
+/// no cell is halved. Smooth fields take less than one a unit, creased patches of a few elements
 /// hundreds in all.
 constexpr double kMostNodesPerUnit = 8;
 constexpr double kFreeNodes = 20'000;

@@ -99,7 +99,7 @@ struct Separation {
 /// it is glued to, which has the same two vertices and names it in turn, or -1 where vertices are to
 /// tell; empty for nothing.
 ///
-/// Cost     O(n) for sides with twins, about 50 ns a triangle; O(n log n) for others
+/// Cost     O(n) for sides with twins; O(n log n) for others
 /// Pre      mesh without elements; indices in [0, vertex_count), three different ones a triangle
 template <class Mesh>
 Separation build_triangles(Mesh& mesh, std::size_t vertex_count,

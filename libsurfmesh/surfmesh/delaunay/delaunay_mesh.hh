@@ -60,8 +60,8 @@ class DelaunayMesh {
 
   /// Renumber all elements along a Hilbert curve, but for the first `fixed` vertices, which stay.
   ///
-  /// For what visits every element once and more; locality halves its time at a million triangles.
-  /// Cost     about 200 ns a triangle
+  /// For what visits every element once and more.
+  /// Cost     O(n)
   /// Pre      shrink() has been called
   void sort_spatially(std::size_t fixed);
 

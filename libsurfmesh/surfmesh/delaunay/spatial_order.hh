@@ -30,7 +30,7 @@ std::vector<int> hilbert_order(const std::vector<Uv>& points);
 /// spread evenly; within a cell points keep their order. Deterministic.
 ///
 /// Returns  indices into `points`
-/// Cost     O(n), about 25 ns a point
+/// Cost     O(n)
 std::vector<int> cell_order(std::span<const Uv> points);
 
 }  // namespace surfmesh
