@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
+#include "surfmesh/control/control_cells_detail.hh"
 #include "surfmesh/control/control_grid.hh"
 #include "surfmesh/control/control_mesh.hh"
 #include "surfmesh/metric/conformity.hh"
@@ -28,27 +31,64 @@ constexpr double kFinerPrecision = 0.6;
 constexpr int kFirstGridSide = 9;
 constexpr int kLastGridSide = 1000;
 
-/// Points of the independent sample: a share of the nodes, within bounds.
+/// Points of the independent sample: as many as nodes, within bounds.
 int sample_count(std::size_t nodes) {
-  return static_cast<int>(std::clamp<std::size_t>(4 * nodes, 100, 100'000));
-}
-
-/// Call `visit(uv)` for points of a domain that cover it evenly: the additive sequence of the
-/// plastic number, which has no period; for a triangular domain those of its rectangle that lie in
-/// it.
-/// Source   Roberts, The unreasonable effectiveness of quasirandom sequences (2018)
-template <class Visit>
-void for_each_quasi_random(const Domain& domain, int samples, Visit visit) {
-  constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
-  for (int i = 1; i <= samples; ++i) {
-    double whole = 0;
-    const Uv uv = domain.at(std::modf(i * first, &whole), std::modf(i * second, &whole));
-    if (domain.fold(uv) == uv) visit(uv);
-  }
+  return static_cast<int>(std::clamp<std::size_t>(nodes, 300, 100'000));
 }
 
 double root_of_determinant(const FirstFormFactor& form, const SizeTensor& size) {
   return form.l11 * form.l22 / determinant(size);
+}
+
+/// Points that cover the domain of a field evenly, and the exact field at them: as many as have been
+/// asked for.
+///
+/// The additive sequence of the plastic number, which has no period; for a triangular domain those
+/// of its rectangle that lie in it.
+/// Source   Roberts, The unreasonable effectiveness of quasirandom sequences (2018)
+class EvenSample {
+ public:
+  struct Point {
+    Uv uv;
+    SizeField::Sample field;
+  };
+
+  explicit EvenSample(const SizeField& field) : field_(field) {}
+
+  /// The points among the first `count` of the rectangle that lie in the domain.
+  std::span<const Point> first(int count) {
+    constexpr double first_share = 0.7548776662466927, second_share = 0.5698402909980532;
+    const Domain domain = field_.surface().domain();
+    while (std::ssize(sizes_) < count) {
+      const auto i = static_cast<double>(sizes_.size() + 1);
+      double whole = 0;
+      const Uv uv =
+          domain.at(std::modf(i * first_share, &whole), std::modf(i * second_share, &whole));
+      if (domain.fold(uv) == uv) points_.push_back({uv, field_.at(uv)});
+      sizes_.push_back(points_.size());
+    }
+    return std::span(points_).first(count > 0 ? sizes_[static_cast<std::size_t>(count) - 1] : 0);
+  }
+
+  const SizeField& field() const { return field_; }
+
+ private:
+  const SizeField& field_;
+  std::vector<Point> points_;
+  std::vector<std::size_t> sizes_;  ///< of `points_` after each point of the rectangle
+};
+
+MetricArea metric_area(EvenSample& sample, const ControlSpace& control, int samples) {
+  const Domain domain = sample.field().surface().domain();
+  const double cell = (domain.u1 - domain.u0) * (domain.v1 - domain.v0) / samples;
+  MetricArea area;
+  ControlSpace::Hint hint;
+  for (const auto& [uv, field] : sample.first(samples)) {
+    area.exact += cell * root_of_determinant(field.form, field.size);
+    area.control +=
+        cell * root_of_determinant(field.form, control.size({uv, field.point, field.form}, hint));
+  }
+  return area;
 }
 
 /// True if a grid of control nodes holds the field to the precision at quasi-random points, or is
@@ -58,50 +98,42 @@ bool holds(const ControlGrid& grid, const SizeField& field, int side, double pre
   const Uv u_step{(domain.u1 - domain.u0) / (side - 1), 0};
   const Uv v_step{0, (domain.v1 - domain.v0) / (side - 1)};
   ControlSpace::Hint hint;
-  bool is_good = true;
-  for_each_quasi_random(domain, 2 * side * side, [&](Uv uv) {
-    if (!is_good) return;
-    const SizeField::Sample sample = field.at(uv);
-    const Metric metric = metric_from_size(sample.form, sample.size);
+  EvenSample sample(field);
+  return std::ranges::all_of(sample.first(2 * side * side), [&](const EvenSample::Point& point) {
+    const auto& [uv, exact] = point;
+    const Metric metric = metric_from_size(exact.form, exact.size);
     const double cell = std::max(squared_length(metric, u_step), squared_length(metric, v_step));
-    if (cell < kLeastCellLength * kLeastCellLength) return;
-    const SizeTensor size = grid.size({uv, sample.point, sample.form}, hint);
-    is_good = log_conformity(sample.size, size) <= precision;
+    return cell < kLeastCellLength * kLeastCellLength ||
+           log_conformity(exact.size, grid.size({uv, exact.point, exact.form}, hint)) <= precision;
   });
-  return is_good;
 }
 
 }  // namespace
 
 MetricArea metric_area(const SizeField& field, const ControlSpace& control, int samples) {
-  const Domain domain = field.surface().domain();
-  const double cell = (domain.u1 - domain.u0) * (domain.v1 - domain.v0) / samples;
-  MetricArea area;
-  ControlSpace::Hint hint;
-  for_each_quasi_random(domain, samples, [&](Uv uv) {
-    const SizeField::Sample sample = field.at(uv);
-    area.exact += cell * root_of_determinant(sample.form, sample.size);
-    area.control += cell * root_of_determinant(sample.form, control.size({uv, sample.point, sample.form}, hint));
-  });
-  return area;
+  EvenSample sample(field);
+  return metric_area(sample, control, samples);
 }
 
-ChosenNodes choose_accurate_nodes(const SizeField& field, const ControlNodeOptions& given) {
-  ControlNodeOptions options = given;
-  ChosenNodes chosen = choose_control_nodes(field, options);
-  if (options.regular > 0 || !field.has_source()) return chosen;
+ChosenNodes choose_accurate_nodes(const SizeField& field, const ControlNodeOptions& options) {
+  check(options);
+  if (options.regular > 0 || !field.has_source()) return choose_control_nodes(field, options);
   const Interpolation interpolation =
       options.by_distance ? Interpolation::Triangle : Interpolation::Linear;
-  for (int round = 0; round < kMaxRounds && !chosen.is_coarse; ++round) {
+  detail::ControlCells cells(field, options.by_distance);
+  EvenSample sample(field);
+  double precision = options.precision;
+  bool is_full = !cells.refine(precision);
+  ChosenNodes chosen{cells.nodes(), is_full};
+  for (int round = 0; round < kMaxRounds && !is_full; ++round) {
     const ControlMesh control(field.surface().domain(), chosen.nodes,
                               {.interpolation = interpolation});
-    const MetricArea area = metric_area(field, control, sample_count(chosen.nodes.size()));
+    const MetricArea area = metric_area(sample, control, sample_count(chosen.nodes.size()));
     const double error = std::abs(area.control - area.exact);
     if (error <= std::max(kNegligibleArea, kAreaError * area.exact)) break;
-    options.precision *= kFinerPrecision;
-    ChosenNodes finer = choose_control_nodes(field, options);
-    if (finer.is_coarse) break;  // what was asked for is held already
-    chosen = std::move(finer);
+    precision *= kFinerPrecision;
+    is_full = !cells.refine(precision);  // what was asked for is held all the same
+    chosen.nodes = cells.nodes();
   }
   return chosen;
 }

@@ -50,18 +50,13 @@ struct ChosenNodes {
   bool is_coarse = false;
 };
 
-/// Place nodes so that the field is represented to a precision.
+/// Place nodes so that the field is represented to a precision: at the corners of cells that are
+/// halved until they conform (detail::ControlCells), or regularly.
 ///
-/// Cells, first the whole rectangle, are halved across the direction in which the field changes
-/// most until all their samples conform or the cell is small against the elements wanted there.
-/// Samples lie at irrational shares of a cell, so that a periodic field cannot hide between nodes.
-/// The corners of the domain are always nodes, no position comes twice. From 20,000 nodes and 8 a
-/// unit of metric area on (more by distance with a small precision), four million at most, no cell is
-/// halved any more: elements cannot follow.
+/// The corners of the domain are always nodes, no position comes twice.
 ///
-/// Cost     about ten samples of the field a cell
+/// Cost     about twenty samples of the field a node
 /// Throws   Limit for more regular nodes than four million
-ChosenNodes choose_control_nodes(const SizeField& field,
-                                              const ControlNodeOptions& options);
+ChosenNodes choose_control_nodes(const SizeField& field, const ControlNodeOptions& options);
 
 }  // namespace surfmesh

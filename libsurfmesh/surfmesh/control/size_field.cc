@@ -143,7 +143,7 @@ SizeTensor SizeField::size_from_curvature(const Jet& jet) const {
   double h2 = bounds_.clamp(length_.of_surface(k.k2));
   h1 = std::min(h1, stretch_ * h2);
   h2 = std::min(h2, stretch_ * h1);
-  return size_tensor(h1, h2, k.angle);
+  return size_tensor(h1, h2, k.cos2, k.sin2);
 }
 
 /// The part of a ring around a singular point in one quarter of the directions from it: the least

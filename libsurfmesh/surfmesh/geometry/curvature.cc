@@ -27,7 +27,8 @@ PrincipalCurvatures principal_curvatures(const Jet& jet) {
   const double mean = 0.5 * (s11 + s22);
   const double half = 0.5 * (s11 - s22);
   const double radius = std::sqrt(half * half + s12 * s12);
-  return {mean + radius, mean - radius, 0.5 * std::atan2(s12, half)};
+  if (radius == 0) return {mean, mean, 1, 0};
+  return {mean + radius, mean - radius, half / radius, s12 / radius};
 }
 
 }  // namespace surfmesh

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 #include "surfmesh/core/values.hh"
 #include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/geometry/surface.hh"
@@ -9,12 +11,18 @@ namespace surfmesh {
 
 /// Principal curvatures, k1 ≥ k2, and the direction of k1. All NaN where there is no tangent plane.
 ///
-/// Units    curvatures 1/length, positive where the surface bends towards the normal p_u × p_v;
-///          angle in radians, from p_u towards p_v, in [−π/2, π/2]
+/// The direction is an angle in the frame of FirstFormFactor, from p_u towards p_v; k2 lies across.
+/// Kept are cosine and sine of its double, which is all that tensors need.
+///
+/// Units    curvatures 1/length, positive where the surface bends towards the normal p_u × p_v
 struct PrincipalCurvatures {
   double k1 = kUnset;
   double k2 = kUnset;
-  double angle = kUnset;  ///< in the frame of FirstFormFactor; k2 belongs to angle + π/2
+  double cos2 = kUnset;
+  double sin2 = kUnset;
+
+  /// Radians in [−π/2, π/2].
+  double angle() const { return 0.5 * std::atan2(sin2, cos2); }
 };
 
 /// Compute the principal curvatures from a jet of order Second.

@@ -9,9 +9,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/geometry/bicubic_parts_detail.hh"
 #include "surfmesh/geometry/bicubic_patch.hh"
 #include "surfmesh/geometry/subdivision_detail.hh"
 
@@ -50,7 +52,8 @@ static_assert(sizeof(Vec3) == 3 * sizeof(double));
 class LimitSurface : public Surface {
  public:
   LimitSurface(const BfrSurface& surface, const std::vector<Vec3>& cage_points, Domain domain,
-               std::vector<SingularPoint> singular_points, std::vector<RoundedSide> rounded_sides)
+               std::vector<SingularPoint> singular_points, std::vector<RoundedSide> rounded_sides,
+               bool has_parts)
       : surface_(surface),
         points_(static_cast<std::size_t>(surface.GetNumPatchPoints())),
         domain_(domain),
@@ -58,12 +61,17 @@ class LimitSurface : public Surface {
         singular_points_(std::move(singular_points)),
         rounded_sides_(std::move(rounded_sides)) {
     surface_.PreparePatchPoints(cage_points[0].data(), kXyz, points_[0].data(), kXyz);
+    if (has_parts) parts_.emplace([this](Uv uv, Order order) { return evaluate_bfr(uv, order); });
   }
 
   Jet evaluate(Uv uv, Order order) const override {
     Jet jet;
     if (std::isfinite(uv.u) && std::isfinite(uv.v)) {
-      jet = evaluate_unchecked(inside(uv), order);
+      const Uv in_face = inside(uv);
+      if (const auto* part = parts_ ? parts_->find(in_face) : nullptr) {
+        return part->evaluate(in_face, order);
+      }
+      jet = evaluate_unchecked(in_face, order);
     }
     if (!is_finite(jet, order)) {
       throw Error(ErrorCode::Geometry,
@@ -175,6 +183,7 @@ class LimitSurface : public Surface {
   bool is_sign_in_doubt_;
   std::vector<SingularPoint> singular_points_;
   std::vector<RoundedSide> rounded_sides_;
+  std::optional<detail::BicubicParts> parts_;
 };
 
 /// Tells the corners of faces at which a limit surface is not one polynomial.
@@ -279,12 +288,14 @@ class SurfaceMaker {
     }
     const bool is_bicubic = surface.IsRegular() && scheme_ == Sdc::SCHEME_CATMARK;
     if (is_bicubic && options_.is_regular_by_hand) {
-      return as_bicubic(LimitSurface(surface, points_, domain, {}, {}));
+      return as_bicubic(LimitSurface(surface, points_, domain, {}, {}, false));
     }
     std::vector<SingularPoint> singular;
     if (!surface.IsRegular()) singular = singular_points(face, domain);
+    const bool has_parts = !surface.IsRegular() && scheme_ == Sdc::SCHEME_CATMARK;
     return std::make_shared<LimitSurface>(surface, points_, domain, std::move(singular),
-                                          rounded_sides(face));
+                                          rounded_sides(face),
+                                          has_parts && options_.is_regular_by_hand);
   }
 
  private:

@@ -31,8 +31,9 @@ CageTopology make_topology(const Cage& cage, Scheme scheme);
 
 /// How limit surfaces are evaluated.
 struct LimitSurfaceOptions {
-  int approximation_level = 8;     ///< 1 to 10, for smooth and sharp features
-  bool is_regular_by_hand = true;  ///< regular Catmull-Clark faces as bicubics, not through Bfr
+  int approximation_level = 8;  ///< 1 to 10, for smooth and sharp features
+  /// Catmull-Clark faces, and squares of them, that are bicubics as such, not through Bfr.
+  bool is_regular_by_hand = true;
 };
 
 /// Make the limit surfaces of the faces of a refiner's base level; see make_limit_surfaces.

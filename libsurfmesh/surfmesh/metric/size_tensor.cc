@@ -28,9 +28,7 @@ Spectrum spectrum(const SizeTensor& h) {
 }
 
 SizeTensor with_lengths(const Spectrum& s, double larger, double smaller) {
-  const double mean = 0.5 * (larger + smaller);
-  const double radius = 0.5 * (larger - smaller);
-  return {mean + radius * s.cos2, radius * s.sin2, mean - radius * s.cos2};
+  return size_tensor(larger, smaller, s.cos2, s.sin2);
 }
 
 }  // namespace

@@ -18,6 +18,12 @@ struct PrincipalSizes {
 /// Source   paper, eq. (1), made symmetric
 SizeTensor size_tensor(double l_s, double l_t, double angle);
 
+/// The same with the cosine and the sine of 2α.
+inline SizeTensor size_tensor(double l_s, double l_t, double cos2, double sin2) {
+  const double mean = 0.5 * (l_s + l_t), radius = 0.5 * (l_s - l_t);
+  return {mean + radius * cos2, radius * sin2, mean - radius * cos2};
+}
+
 /// The size tensor that asks for one length in all directions.
 inline SizeTensor isotropic(double size) { return {size, 0, size}; }
 
