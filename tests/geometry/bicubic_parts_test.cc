@@ -45,8 +45,8 @@ Jet rooted(Uv p) {
   });
 }
 
-/// The polynomial, and √u in the last thirty-second of v.
-Jet rooted_at_the_top(Uv p) { return p.v > 31.0 / 32 ? rooted(p) : polynomial(p); }
+/// The polynomial, and √u in the last sixteenth of v.
+Jet rooted_at_the_top(Uv p) { return p.v > 15.0 / 16 ? rooted(p) : polynomial(p); }
 
 /// Derivatives of a polynomial in a square of the side 1/n lose n² roundings of its points.
 void expect_near(const Jet& found, const Jet& exact, double n) {
@@ -94,8 +94,8 @@ TEST(BicubicParts, AreNotFoundWhereThereIsNoPolynomial) {
 TEST(BicubicParts, LeaveOutTheSmallestSquaresThatAreNone) {
   const BicubicParts parts = parts_of(rooted_at_the_top);
   for (double u = 0; u <= 1; u += 0.03) {
-    EXPECT_EQ(parts.find({u, 0.96}), nullptr) << u;
-    EXPECT_NE(parts.find({u, 0.92}), nullptr) << u;
+    EXPECT_EQ(parts.find({u, 0.9}), nullptr) << u;
+    EXPECT_NE(parts.find({u, 0.86}), nullptr) << u;
   }
 }
 

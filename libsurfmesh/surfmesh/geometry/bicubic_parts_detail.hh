@@ -14,9 +14,9 @@ namespace surfmesh::detail {
 /// The squares of an irregular Catmull-Clark face on which its limit surface is one polynomial each.
 ///
 /// Away from extraordinary corners and semi-sharp sides that surface is made of bicubic pieces over
-/// squares of the sides 1/2, 1/4, 1/8 and so on, which are four times as fast to evaluate as the face.
+/// squares of the sides 1/2, 1/4, 1/8 and so on, which take half the time of the face to evaluate.
 /// A square is such a piece if the polynomial that its corners determine is the surface inside, too;
-/// those of the sides 1 to 1/16 are tried.
+/// those of the sides 1 to 1/8 are tried.
 ///
 /// Error    positions to rounding; derivatives of first (second) order in a square of the side 1/n to
 ///          3 n (9 n²) roundings of positions (test BicubicParts.*)
@@ -40,7 +40,7 @@ class BicubicParts {
 
   /// `surface` evaluates the face; where its derivatives are not finite, no piece is found.
   ///
-  /// Cost     60 evaluations and 8 kB where one corner is extraordinary, 200 and 16 kB where a side is
+  /// Cost     45 evaluations and 6 kB where one corner is extraordinary, 90 and 8 kB where a side is
   ///          semi-sharp
   explicit BicubicParts(const std::function<Jet(Uv, Order)>& surface);
 
@@ -48,7 +48,7 @@ class BicubicParts {
   const Part* find(Uv uv) const;
 
  private:
-  static constexpr int kFinest = 16;  ///< squares along a side of the smallest size
+  static constexpr int kFinest = 8;  ///< squares along a side of the smallest size
 
   std::vector<Part> parts_;
   std::array<std::int16_t, kFinest * kFinest> part_of_;  ///< by smallest square, rows along u
