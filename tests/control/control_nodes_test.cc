@@ -140,6 +140,38 @@ TEST(ControlNodes, FollowASizeBelowTheResolutionOfNoCell) {
   EXPECT_EQ(nodes_on(*testing::half_bent_sheet(), sizing_of(0, 100, 1000, 5)).size(), 25U);
 }
 
+/// Sizes of aspect 1,000 whose direction turns by 30 radians over the unit square along an axis.
+SizeField turning_field(const Surface& plane, bool along_u) {
+  PatchSources sources;
+  sources.fields.push_back({.metric = [along_u](Uv uv, const Vec3&) {
+    const double angle = 30 * (along_u ? uv.u : uv.v), c = std::cos(angle), s = std::sin(angle);
+    const double fine = 1 / (3e-4 * 3e-4), coarse = 1 / (0.3 * 0.3);
+    return Metric{fine * c * c + coarse * s * s, (fine - coarse) * c * s,
+                  fine * s * s + coarse * c * c};
+  }});
+  return {plane, sizing_of(0, 1e-6, 1, 2), sources, 1};
+}
+
+TEST(ControlNodes, LieDenselyOnlyAlongTheDirectionInWhichTheFieldTurns) {
+  // To hold it to the precision h takes steps of 0.02 radians: 1,500 lines of five nodes, and twice
+  // as many halved ones.
+  const test::PlanePatch plane(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY());
+  for (const bool along_u : {true, false}) {
+    const ChosenNodes chosen = choose_control_nodes(turning_field(plane, along_u), {});
+    EXPECT_FALSE(chosen.is_coarse) << along_u;
+    EXPECT_LT(chosen.nodes.size(), 25'000u) << along_u;
+  }
+}
+
+TEST(ControlNodes, AreNotHalvedAlongACreaseBesideIt) {
+  // The curvature ends at u = 0, all along v: cells there become narrow, not short.
+  const auto sheet = testing::half_bent_sheet();
+  const auto nodes = nodes_on(*sheet, sizing_of(0.25, 0.01, 0.5, 5));
+  std::set<double> heights;
+  for (const ControlNode& node : nodes) heights.insert(node.uv.v);
+  EXPECT_LE(heights.size(), 9u);
+}
+
 TEST(ControlNodes, AreTheSameAtAnyScaleOfTheParameters) {
   const auto wave = nodes_on(*testing::paper_wave(), testing::paper_sizing(), {0, 0.3});
   const auto scaled = nodes_on(*testing::paper_wave(1e6, 1e-3), testing::paper_sizing(), {0, 0.3});

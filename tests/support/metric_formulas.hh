@@ -65,9 +65,10 @@ inline MetricFormulas crossing_formulas(double scale = 1) {
   return {"CrossingShocks", a.m11 + "+" + b.m11, a.m12 + "+" + b.m12, a.m22 + "+" + b.m22};
 }
 
-/// Elements of aspect 1,000 whose direction turns by 30 radians over the square: none can follow.
+/// Elements of aspect 1,000 whose direction turns by 30 radians along each side of the
+/// square: none can follow.
 inline MetricFormulas turning_formulas() {
-  return directed_formulas("Turning", "cos(30*v)", "sin(30*v)", "0.0003", "0.3");
+  return directed_formulas("Turning", "cos(30*(u+v))", "sin(30*(u+v))", "0.0003", "0.3");
 }
 
 /// The model file of the unit square with a metric and nothing else.

@@ -24,10 +24,16 @@ constexpr std::uint32_t kFirstCells = 4;
 constexpr std::array<double, 3> kSampleShares = {0.1273, 0.4817, 0.8359};
 /// Each row is shifted, so that no line of constant u or v holds three samples.
 constexpr double kShiftAlongU = 0.017, kShiftAlongV = 0.013;
+/// Where the middle one of three samples in a line lies between the others.
+constexpr double kMiddleShare =
+    (kSampleShares[1] - kSampleShares[0]) / (kSampleShares[2] - kSampleShares[0]);
 
 /// What is missed at most along a line of a cell for each that it changes between the samples in that
 /// line: 1.8 for a field of second order.
 constexpr double kErrorPerChange = 2;
+
+/// A change below this share of that along the other direction comes from the shifts of the rows.
+constexpr double kCrossTalk = 0.25;
 
 /// Changes below this share of what is missed tell no direction.
 constexpr double kEvenShare = 0.1;
@@ -155,8 +161,8 @@ void ControlCells::measure(Cell& cell, const CellSamples& samples) {
   metric_area_ += cell.metric_area;
 }
 
-/// Across the direction in which what is missed changes most. Where the cell is small along it, halving
-/// along the other one mends no more than what changes along that.
+/// Across the direction in which there is most to mend. Where the cell is small along it, halving
+/// along the other one mends no more than what there is along that.
 ControlCells::Halving ControlCells::halving_by_samples(const Cell& cell,
                                                        const CellSamples& samples) const {
   const Uv size = extent(cell);
@@ -179,7 +185,9 @@ ControlCells::Halving ControlCells::halving_by_samples(const Cell& cell,
   const bool is_even = std::max(change_u, change_v) < kEvenShare * error;
   const bool is_more_u = is_even ? along_u >= along_v : change_u >= change_v;
   if (is_more_u ? is_long_u : is_long_v) return {error, is_more_u};
-  return {std::min(error, kErrorPerChange * std::min(change_u, change_v)), !is_more_u};
+  const auto [less, more] = std::minmax(change_u, change_v);
+  if (less < kCrossTalk * more) return {};
+  return {std::min(error, kErrorPerChange * less), !is_more_u};
 }
 
 /// Across the longer side of the cell in the sizes at the place of a source that it hides most.
@@ -217,8 +225,10 @@ double ControlCells::error_at(const Cell& cell, Uv uv, const SizeField::Sample& 
   return log_conformity(exact.size, interpolate(sizes, distances));
 }
 
-/// Greatest change of what is missed between samples in one line; by distance, which does not follow
-/// even a linear field, that of the field from each to the next.
+/// How much there is to mend along a direction: the greatest change, between the samples in a line, of
+/// what is missed, or how far the middle one is from linear between the others, where that is more: of
+/// a field that turns fast all samples miss the same. By distance, which does not follow even a linear
+/// field, the change of the field from each to the next.
 double ControlCells::change(const Table<double>& errors, const CellSamples& samples,
                             bool along_u) const {
   double greatest = 0;
@@ -226,17 +236,18 @@ double ControlCells::change(const Table<double>& errors, const CellSamples& samp
     const auto in_line = [&](const auto& table, std::size_t k) -> const auto& {
       return along_u ? table[line][k] : table[k][line];
     };
+    const auto size = [&](std::size_t k) -> const SizeTensor& {
+      return in_line(samples.field, k).size;
+    };
     if (by_distance_) {
-      for (const std::size_t k : {0, 1}) {
-        const double from_next = log_conformity(in_line(samples.field, k).size,
-                                                in_line(samples.field, k + 1).size);
-        greatest = std::max(greatest, from_next);
-      }
-    } else {
-      const auto [least, most] =
-          std::minmax({in_line(errors, 0), in_line(errors, 1), in_line(errors, 2)});
-      greatest = std::max(greatest, most - least);
+      greatest = std::max({greatest, log_conformity(size(0), size(1)),
+                           log_conformity(size(1), size(2))});
+      continue;
     }
+    const auto [least, most] =
+        std::minmax({in_line(errors, 0), in_line(errors, 1), in_line(errors, 2)});
+    const double bend = log_conformity(size(1), lerp(size(0), size(2), kMiddleShare));
+    greatest = std::max({greatest, most - least, bend});
   }
   return greatest;
 }

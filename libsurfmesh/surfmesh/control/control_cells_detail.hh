@@ -14,8 +14,8 @@ namespace surfmesh::detail {
 
 /// Cells that cover a domain, and control nodes at their corners.
 ///
-/// A cell whose corners do not give the sizes within it is halved, across the direction in which what is
-/// missed changes most, unless it is small in that direction against the elements wanted there. It is
+/// A cell whose corners do not give the sizes within it is halved, across the direction in which
+/// there is most to mend, unless it is small in that direction against the elements wanted there. It is
 /// sampled at irrational shares, so that a periodic field cannot hide between nodes, and at the places
 /// of sources. What it has been found to miss is kept: a finer precision takes up the cells where they
 /// are, and samples new ones only.
