@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The whole path of a formula surface and of a cage, also within a sag and by several threads, and refinement alone on the metric of case c1,
-// over growing numbers of triangles. The counter `triangles` is per second.
+// The whole path of a formula surface and of cages, also within a sag and by several threads, and
+// refinement alone on the metric of case c1, over growing numbers of triangles. The counter
+// `triangles` is per second.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -51,6 +52,32 @@ void whole_torus_cage(benchmark::State& state) {
 }
 BENCHMARK(whole_torus_cage)->RangeMultiplier(2)->Range(4, 32)->Unit(benchmark::kMillisecond);
 
+/// Argument: faces around the tube, all of them irregular and in narrow blocks: every other ring is a
+/// semi-sharp crease, whose curvature control nodes have to follow. `control` is its share of the time.
+void creased_torus_cage(benchmark::State& state) {
+  const int rings = static_cast<int>(state.range(0)), sides = rings / 2;
+  Cage cage = testing::torus(rings, sides);
+  for (int i = 0; i < rings; i += 2) {
+    for (int j = 0; j < sides; ++j) {
+      cage.creases.push_back({{j * rings + i, (j + 1) % sides * rings + i}, 3});
+    }
+  }
+  const Model model = model_from_cage(cage);
+  PipelineOptions options;
+  options.sizing.hmin = {1e-4, true};
+  std::size_t triangles = 0;
+  double control = 0, total = 0;
+  for (auto _ : state) {
+    const Report report = mesh_model(model, {}, options).report;
+    triangles = report.mesh.triangles;
+    control += report.seconds.control;
+    total += report.seconds.total;
+  }
+  count_triangles(state, triangles);
+  state.counters["control"] = control / total;
+}
+BENCHMARK(creased_torus_cage)->RangeMultiplier(2)->Range(8, 64)->Unit(benchmark::kMillisecond);
+
 /// Argument: the diagonal over the sag.
 void torus_cage_within_sag(benchmark::State& state) {
   const Model model = model_from_cage(testing::torus(12, 8));
@@ -83,6 +110,7 @@ BENCHMARK_CAPTURE(strong_metric, ring, testing::ring_formulas)
     ->RangeMultiplier(2)->Range(1, 4)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(strong_metric, jump, testing::jump_formulas)
     ->RangeMultiplier(2)->Range(1, 4)->Unit(benchmark::kMillisecond);
+
 /// Argument: the number of threads. `UseRealTime`, for what counts is the clock.
 void torus_cage_by_threads(benchmark::State& state) {
   const Model model = model_from_cage(testing::torus(24, 16), {.patches = PatchKind::Faces});
