@@ -57,9 +57,41 @@ SizeField::SizeField(const Surface& surface, const Sizing& sizing, const PatchSo
                sizing.grade, "0 (off), or 1 and above");
   take_sources(sources, sizing, precision);
   if (length_.is_off()) return;
-  for (const SingularPoint& singular : surface.singular_points()) {
-    discs_.push_back(make_disc(singular));
+  take_discs();
+}
+
+/// A disc reaches over the cells around its vertex: farther cells that are near in space, as those of
+/// the other side of a sheet, do not see it.
+void SizeField::take_discs() {
+  const CellCount cells = surface_.cells();
+  const auto count = [](int n) { return static_cast<std::size_t>(n); };
+  discs_.resize(count(cells.u) * count(cells.v));
+  for (const SingularPoint& singular : surface_.singular_points()) {
+    const Disc disc = make_disc(singular);
+    const Uv at = in_cells(singular.at);
+    const int column = static_cast<int>(std::lround(at.u)), row = static_cast<int>(std::lround(at.v));
+    for (int j = std::max(row - 1, 0); j <= std::min(row, cells.v - 1); ++j) {
+      for (int i = std::max(column - 1, 0); i <= std::min(column, cells.u - 1); ++i) {
+        discs_[count(j) * count(cells.u) + count(i)].push_back(disc);
+      }
+    }
   }
+}
+
+/// From (u,v) to widths and heights of a cell.
+Uv SizeField::in_cells(Uv uv) const {
+  const CellCount cells = surface_.cells();
+  return {(uv.u - domain_.u0) / (domain_.u1 - domain_.u0) * cells.u,
+          (uv.v - domain_.v0) / (domain_.v1 - domain_.v0) * cells.v};
+}
+
+const std::vector<SizeField::Disc>& SizeField::discs_at(Uv uv) const {
+  const CellCount cells = surface_.cells();
+  const Uv at = in_cells(uv);
+  const int column = std::clamp(static_cast<int>(at.u), 0, cells.u - 1);
+  const int row = std::clamp(static_cast<int>(at.v), 0, cells.v - 1);
+  return discs_[static_cast<std::size_t>(row) * static_cast<std::size_t>(cells.u) +
+                static_cast<std::size_t>(column)];
 }
 
 void SizeField::take_sources(const PatchSources& sources, const Sizing& sizing, double precision) {
@@ -191,8 +223,8 @@ SizeField::Disc SizeField::make_disc(const SingularPoint& singular) const {
   return ring;
 }
 
-void SizeField::blend_with_discs(Sample& sample) const {
-  for (const Disc& disc : discs_) {
+void SizeField::blend_with_discs(Uv uv, Sample& sample) const {
+  for (const Disc& disc : discs_at(uv)) {
     const double squared = (sample.point - disc.centre).squaredNorm();
     if (squared >= 4 * disc.radius * disc.radius) continue;
     const double share = std::min(1.0, 2 - std::sqrt(squared) / disc.radius);
@@ -214,7 +246,7 @@ void SizeField::add_curvature(Uv uv, const Jet& jet, Sample& sample) const {
   const Jet there = place == uv ? jet : second_order(place);
   if (!is_regular(first_form_factor(there.du, there.dv))) return;
   sample.size = size_from_curvature(there);
-  blend_with_discs(sample);
+  blend_with_discs(uv, sample);
 }
 
 SizeTensor SizeField::size_of_field(const FieldSource& field, Uv uv, const Sample& sample) const {
@@ -254,9 +286,12 @@ void SizeField::add_rings(Uv uv, Sample& sample) const {
   for (const Ring& ring : rings_) {
     const double around = size_around(ring.length_at(uv), bounds_);
     if (around >= bounds_.hmax || !is_regular(sample.form)) continue;
-    // The frame's first axis is along p_u.
-    const double angle = ring.is_along_u ? 0 : std::atan2(sample.form.l22, sample.form.l21);
-    sample.size = minimum(sample.size, size_tensor(around, bounds_.hmax, angle));
+    // The frame's first axis is along p_u; p_v is (l21, l22) in it.
+    const double x = ring.is_along_u ? 1 : sample.form.l21;
+    const double y = ring.is_along_u ? 0 : sample.form.l22;
+    const double squares = x * x + y * y;
+    sample.size = minimum(sample.size, size_tensor(around, bounds_.hmax, (x * x - y * y) / squares,
+                                                   2 * x * y / squares));
   }
 }
 

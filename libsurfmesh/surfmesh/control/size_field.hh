@@ -83,6 +83,9 @@ class SizeField {
   void take_tree(std::shared_ptr<const SourceTree> tree);
   void take_places(const PatchSources& sources);
   void take_cells();
+  void take_discs();
+  Uv in_cells(Uv uv) const;
+  const std::vector<Disc>& discs_at(Uv uv) const;
   Jet second_order(Uv uv) const;
   void add_curvature(Uv uv, const Jet& jet, Sample& sample) const;
   void add_sources(Uv uv, const Jet& jet, Sample& sample) const;
@@ -92,7 +95,7 @@ class SizeField {
   Disc make_disc(const SingularPoint& singular) const;
   Disc ring_around(Uv at, double distance) const;
   Disc quarter_ring(const Disc& so_far, Uv at, Uv towards, double distance) const;
-  void blend_with_discs(Sample& sample) const;
+  void blend_with_discs(Uv uv, Sample& sample) const;
 
   const Surface& surface_;
   std::shared_ptr<const Surface> differences_;  ///< of the surface; none for exact curvature
@@ -108,7 +111,7 @@ class SizeField {
   std::vector<Ring> rings_;
   std::vector<Uv> places_;
   bool has_wishes_ = false;  ///< for more than the curvature
-  std::vector<Disc> discs_;
+  std::vector<std::vector<Disc>> discs_;  ///< by cell of the surface, rows along u
 };
 
 }  // namespace surfmesh
