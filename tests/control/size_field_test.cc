@@ -285,6 +285,21 @@ TEST(SizeField, IsIsotropicAroundAnExtraordinaryVertexInTheMiddleOfASide) {
   }
 }
 
+/// A cylinder that is wound up twice, of 16 cells, with an extraordinary vertex at its beginning.
+struct WoundUp : test::Cylinder {
+  WoundUp() : Cylinder(2, {0, 4 * pi, 0, 1}) {}
+  CellCount cells() const override { return {16, 1}; }
+  std::vector<SingularPoint> singular_points() const override { return {{{0, 0}, 1e-3}}; }
+};
+
+TEST(SizeField, IsIsotropicInTheCellsAroundAnExtraordinaryVertexOnly) {
+  const WoundUp surface;
+  const SizeField field = field_of(surface, sizing_of(0.25, 0.01, 10, 3));
+  expect_near(field.at({0.05, 0.05}).size, isotropic(0.5), 1e-12);
+  // The same place in space, but on the other layer.
+  expect_near(field.at({2 * pi + 0.05, 0.05}).size, {0.5, 0, 1.5}, 1e-12);
+}
+
 TEST(SizeField, HasAPlaceInEachFaceOfABlock) {
   const Model model = model_from_cage(testing::sheet(3, 2));
   const SizeField field = field_of(*model.patches[0].surface, sizing_of(0.25, 0.01, 10, 2));
