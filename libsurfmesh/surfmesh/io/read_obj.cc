@@ -35,10 +35,8 @@ std::uint64_t edge_key(int a, int b) {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, const std::string& name, ObjGroups groups)
-      : scanner_(text, name, TextScanner::Joining::Backslash),
-        warnings_(name),
-        keeps_all_groups_(groups == ObjGroups::All) {}
+  ObjReader(std::string_view text, const std::string& name, ReadFor purpose)
+      : scanner_(text, name, TextScanner::Joining::Backslash), warnings_(name), purpose_(purpose) {}
 
   Cage read();
 
@@ -80,7 +78,7 @@ class ObjReader {
 
   TextScanner scanner_;
   WarningList warnings_;
-  bool keeps_all_groups_;
+  ReadFor purpose_;
   Cage cage_;
   std::vector<int> corners_;  ///< of the face that is being read
   std::vector<Reference> later_vertices_;
@@ -134,7 +132,7 @@ void ObjReader::read_face() {
   for (auto word = scanner_.next_word(); !word.empty(); word = scanner_.next_word()) {
     corners_.push_back(read_corner(word));
   }
-  add_face(cage_, corners_, scanner_, warnings_);
+  add_face(cage_, corners_, purpose_, scanner_, warnings_);
   add_face_to_groups();
 }
 
@@ -170,14 +168,14 @@ void ObjReader::read_group_names() {
   }
   if (group_names_.empty()) group_names_.emplace_back("default");
   are_groups_current_ = false;
-  if (!keeps_all_groups_) return;
+  if (purpose_ == ReadFor::Cage) return;
   for (const std::string& name : group_names_) group_named(name, false);
 }
 
 void ObjReader::read_material() {
   material_ = scanner_.next_word();
   are_groups_current_ = false;
-  if (keeps_all_groups_ && !material_.empty()) group_named(material_, true);
+  if (purpose_ == ReadFor::Mesh && !material_.empty()) group_named(material_, true);
 }
 
 /// The group of a name, made if there is none. A group of `g` and of `usemtl` is no material.
@@ -333,12 +331,12 @@ void ObjReader::warn_of_missing_edges() {
 
 }  // namespace
 
-Cage parse_obj(std::string_view text, const std::string& name, ObjGroups groups) {
-  return ObjReader(text, name, groups).read();
+Cage parse_obj(std::string_view text, const std::string& name, ReadFor purpose) {
+  return ObjReader(text, name, purpose).read();
 }
 
 Cage parse_obj(std::string_view text, const std::string& name) {
-  return parse_obj(text, name, ObjGroups::WithFaces);
+  return parse_obj(text, name, ReadFor::Cage);
 }
 
 }  // namespace surfmesh
