@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "surfmesh/io/read_cage.hh"
 #include "surfmesh/io/read_cage_detail.hh"
@@ -74,7 +75,7 @@ class ObjReader {
   double sharpness_of(const TagValues& values, std::size_t i, std::size_t count) const;
 
   void check_references() const;
-  void warn_of_missing_edges();
+  void drop_creases_without_edge();
 
   TextScanner scanner_;
   WarningList warnings_;
@@ -98,7 +99,7 @@ Cage ObjReader::read() {
   } while (scanner_.next_line());
   check_not_empty(cage_, scanner_);
   check_references();
-  warn_of_missing_edges();
+  drop_creases_without_edge();
   cage_.warnings = warnings_.texts();
   return std::move(cage_);
 }
@@ -245,6 +246,9 @@ ObjReader::TagValues ObjReader::read_tag_values() {
     values.reals.push_back(scanner_.to_number(next(), "a value of a tag"));
   }
   for (int i = 0; i < words; ++i) values.words.push_back(next());
+  if (!scanner_.next_word().empty()) {
+    warnings_.add(scanner_.line(), "a tag has more values than its counts tell, they are ignored");
+  }
   return values;
 }
 
@@ -312,7 +316,8 @@ void ObjReader::check_references() const {
   }
 }
 
-void ObjReader::warn_of_missing_edges() {
+/// Leave out creases that name no edge of a face, with a warning that knows the line.
+void ObjReader::drop_creases_without_edge() {
   if (cage_.creases.empty()) return;
   std::unordered_set<std::uint64_t> edges;
   for (const std::vector<int>& face : cage_.faces) {
@@ -320,13 +325,18 @@ void ObjReader::warn_of_missing_edges() {
       edges.insert(edge_key(face[i], face[(i + 1) % face.size()]));
     }
   }
+  std::vector<Cage::Crease> kept;
   for (std::size_t i = 0; i < cage_.creases.size(); ++i) {
     const auto [a, b] = cage_.creases[i].edge;
-    if (edges.contains(edge_key(a, b))) continue;
+    if (edges.contains(edge_key(a, b))) {
+      kept.push_back(cage_.creases[i]);
+      continue;
+    }
     warnings_.add(crease_lines_[i],
                   fmt::format("crease: {} and {} (counted from 0) are not an edge of a face", a, b),
                   "crease without edge");
   }
+  cage_.creases = std::move(kept);
 }
 
 }  // namespace
