@@ -2,6 +2,7 @@
 // Cages that are non-manifold, cannot be oriented or have sides that are points.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -130,6 +131,29 @@ TEST(PoleOfQuads, HasItsVertexWhereTheCageHasIt) {
     least = std::min(least, (to_eigen(result.mesh.point(vh)) - cage.points[0]).norm());
   }
   EXPECT_LT(least, 1e-12);
+}
+
+/// Least 4√3 A / (l1² + l2² + l3²) of the triangles in space.
+double least_shape(const PolyMesh& mesh) {
+  double least = 1;
+  for (const FaceHandle fh : mesh.faces()) {
+    const HalfedgeHandle heh = mesh.halfedge_handle(fh);
+    const Vec3 a = to_eigen(mesh.point(mesh.from_vertex_handle(heh)));
+    const Vec3 b = to_eigen(mesh.point(mesh.to_vertex_handle(heh))) - a;
+    const Vec3 c = to_eigen(mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(heh)))) - a;
+    const double lengths = b.squaredNorm() + c.squaredNorm() + (c - b).squaredNorm();
+    least = std::min(least, 2 * std::sqrt(3) * b.cross(c).norm() / lengths);
+  }
+  return least;
+}
+
+TEST(PrismOfManySides, HasNoSliversBesideItsCentres) {
+  // The parts of its ends are narrow quads around a vertex.
+  PipelineOptions options;
+  options.sizing.hmin = {0.005, true};
+  options.sizing.hmax = {0.1, true};
+  const MeshResult result = mesh_model(model_from_cage(testing::prism(16)), {}, options);
+  EXPECT_GT(least_shape(result.mesh), 0.3);
 }
 
 }  // namespace
