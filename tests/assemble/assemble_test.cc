@@ -207,6 +207,19 @@ TEST(Assemble, CutsAnEdgeOfThreePatchesAtEqualPositions) {
   EXPECT_EQ(result.report.warnings.size(), 1u);
 }
 
+TEST(Assemble, TakesApartPatchesThatMeetInAVertexOnlyWithAWarning) {
+  const Assembled result = assemble_with_size(
+      testing::model_of({testing::plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                         testing::plane({1, 1, 0}, {1, 0, 0}, {0, 1, 0})}),
+      0.2);
+  testing::expect_valid(result.mesh);
+  EXPECT_EQ(repeated_positions(result.mesh), std::vector<std::size_t>{2});
+  ASSERT_EQ(result.report.warnings.size(), 1u);
+  EXPECT_NE(result.report.warnings[0].find("in a point only: 1, the first at (1, 1, 0)"),
+            std::string::npos)
+      << result.report.warnings[0];
+}
+
 TEST(Assemble, HasNoVertexWithoutATriangle) {
   for (const Model& model : {testing::sphere_of(2), testing::cone_of(1)}) {
     const Assembled result = assemble_with_size(model, 0.3);

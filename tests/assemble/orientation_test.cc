@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/cages.hh"
 #include "support/models.hh"
+#include "surfmesh/geometry/cage_model.hh"
 
 namespace surfmesh {
 namespace {
@@ -31,6 +33,11 @@ TEST(OrientPatches, LeavesPiecesOfOneSurface) {
 
 TEST(OrientPatches, CutsAMobiusBandOnce) {
   EXPECT_EQ(orient_patches(testing::mobius_band()).cut_contours.size(), 1u);
+}
+
+TEST(OrientPatches, DoesNotCutAMobiusBandOfManyPatchesAlongItsLength) {
+  const Model model = model_from_cage(testing::mobius_strip(14, 3), {.patches = PatchKind::Faces});
+  EXPECT_LE(orient_patches(model).cut_contours.size(), 5u);  // 3 across
 }
 
 TEST(OrientPatches, DoesNotPassOverContoursOfThreePatches) {

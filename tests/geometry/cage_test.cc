@@ -64,6 +64,14 @@ TEST(Cage, MayHaveASideThatIsAPoint) {
   EXPECT_THROW(refine_once(cage, Scheme::CatmullClark), Error);
 }
 
+TEST(MakeRegular, LeavesOutSidesThatArePointsForLoop) {
+  Cage cage = testing::tetrahedron();
+  cage.faces[1].push_back(cage.faces[1].back());
+  const RefinedCage regular = make_regular(cage, Scheme::Loop);
+  EXPECT_EQ(regular.warnings.size(), 1u);
+  EXPECT_EQ(regular.cage.faces, testing::tetrahedron().faces);
+}
+
 TEST(MakeRegular, LeavesOutFacesThatAreNotSimple) {
   Cage cage = testing::pentagon_prism();
   cage.faces.insert(cage.faces.begin() + 1, {0, 1, 0, 2});

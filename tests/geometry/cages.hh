@@ -55,6 +55,25 @@ inline Cage tube(int m, int n, double radius = 1) {
   return cage;
 }
 
+/// A Möbius band of m × n quads, n across.
+inline Cage mobius_strip(int m, int n) {
+  Cage cage;
+  for (int i = 0; i < m; ++i) {
+    for (int j = 0; j <= n; ++j) {
+      const double a = 2 * M_PI * i / m, s = static_cast<double>(j) / n - 0.5;
+      const double r = 2 + s * std::cos(a / 2);
+      cage.points.emplace_back(r * std::cos(a), r * std::sin(a), s * std::sin(a / 2));
+    }
+  }
+  const auto at = [=](int i, int j) { return i < m ? i * (n + 1) + j : n - j; };
+  for (int i = 0; i < m; ++i) {
+    for (int j = 0; j < n; ++j) {
+      cage.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return cage;
+}
+
 /// A bent sheet of m × n quads with a boundary.
 inline Cage sheet(int m = 3, int n = 3) {
   Cage cage;

@@ -151,6 +151,17 @@ TEST(GatherBlocks, MayHaveAnExtraordinaryVertexInTheMiddleOfASide) {
   EXPECT_EQ(sizes_of(blocks_of(cage)), (Sizes{"2x1", "2x1", "2x1"}));
 }
 
+TEST(GatherBlocks, HasNoHairpinAtAVertexOfManyFaces) {
+  EXPECT_EQ(blocks_of(testing::quad_fan(8)).size(), 4u);
+  EXPECT_EQ(blocks_of(testing::quad_fan(9)).size(), 9u);
+  Cage half = testing::quad_fan(12);
+  half.faces.resize(4);
+  EXPECT_EQ(blocks_of(half).size(), 2u);
+  half = testing::quad_fan(12);
+  half.faces.resize(5);
+  EXPECT_EQ(blocks_of(half).size(), 5u);
+}
+
 TEST(GatherBlocks, LeavesOutFacesOfNoSet) {
   EXPECT_EQ(sizes_of(blocks_of(testing::sheet(3, 1), {0, -1, 0})), (Sizes{"1x1", "1x1"}));
 }

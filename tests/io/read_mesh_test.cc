@@ -136,6 +136,14 @@ TEST(ReadMesh, OpensEdgesOfFacesTurnedAgainstEachOther) {
   EXPECT_EQ(read.warnings.size(), 1u);
 }
 
+TEST(ReadMesh, TakesAVertexOnceThatAFaceHasTwiceInARow) {
+  const MeshFile read = read_obj_text("f 1 2 2 3\nf 1 3 4 1\n");
+  testing::expect_valid(read.mesh);
+  EXPECT_EQ(read.mesh.n_edges(), 5u);
+  ASSERT_EQ(read.warnings.size(), 1u);
+  EXPECT_TRUE(read.warnings[0].ends_with("taken once (and 1 more)")) << read.warnings[0];
+}
+
 TEST(ReadMesh, TellsBadFiles) {
   const TestFolder folder;
   const auto error = [&](const std::string& name, const std::string& text) {

@@ -217,7 +217,7 @@ INSTANTIATE_TEST_SUITE_P(
     Of, OddInputs,
     ::testing::Values(
         BadInput{"RepeatedVertices", "a.obj", kPoints + "f 1 2 2 3 4\n",
-                 "a.obj:5: a face has a vertex twice in a row, taken once"},
+                 "a.obj: face 0 has the same vertex twice in a row; once is taken"},
         BadInput{"UnknownKeywords", "a.obj", kPoints + "f 1 2 3 4\nfoo\n",
                  "a.obj:6: unknown keyword 'foo' is ignored"},
         BadInput{"LinesTooMany", "a.off", kOff + "4 0 1 2 3\n3 0 1 2\n",

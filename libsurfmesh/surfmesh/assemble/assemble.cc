@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "surfmesh/assemble/orientation.hh"
+#include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/topology.hh"
@@ -252,6 +253,44 @@ void write_properties(const std::vector<PatchTriangles>& patches,
   });
 }
 
+/// Vertices of the model at which patches meet in nothing but this point, so that the mesh has
+/// several there although no contour is cut.
+std::vector<int> touched_vertices(const Model& model) {
+  const PromisedTopology promise = promised_topology(model);
+  std::vector<char> is_touched = promise.is_split;
+  for (std::size_t c = 0; c < model.contours.size(); ++c) {
+    const Contour& contour = model.contours[c];
+    if (promise.is_open[c] == 0 || contour.uses.size() < 2) continue;
+    for (const int end : {contour.start, contour.end}) {
+      is_touched[static_cast<std::size_t>(end)] = 0;
+    }
+  }
+  std::vector<int> result;
+  for (std::size_t v = 0; v < is_touched.size(); ++v) {
+    if (is_touched[v] != 0) result.push_back(static_cast<int>(v));
+  }
+  return result;
+}
+
+/// What the mesh is other than the model, for a half-edge mesh cannot be so.
+std::vector<std::string> warnings_of(const Model& model, const Separation& separation) {
+  std::vector<std::string> warnings;
+  if (separation.cut_edges > 0) {
+    warnings.push_back(
+        fmt::format("{} sides of triangles are left open where three or more patches meet, or "
+                    "where the surface cannot be oriented",
+                    separation.cut_edges));
+  }
+  if (const std::vector<int> touched = touched_vertices(model); !touched.empty()) {
+    const Vec3& first = model.vertices[static_cast<std::size_t>(touched.front())].position;
+    warnings.push_back(
+        fmt::format("vertices that are taken apart, as patches meet there in a point only: {}, the "
+                    "first at {}",
+                    touched.size(), place_text(first)));
+  }
+  return warnings;
+}
+
 }  // namespace
 
 AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<ContourNodes>& nodes,
@@ -275,16 +314,9 @@ AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<Co
 
   const Separation separation =
       build_triangles(mesh, points.size(), soup.triangles, std::span<const int>(soup.twins));
-  AssembleReport report;
-  if (separation.cut_edges > 0) {
-    report.warnings.push_back(
-        fmt::format("{} sides of triangles are left open where three or more patches meet, or "
-                    "where the surface cannot be oriented",
-                    separation.cut_edges));
-  }
   set_points(points, separation.copied, mesh);
   write_properties(triangles, first_faces, mesh);
-  return report;
+  return {warnings_of(model, separation)};
 }
 
 }  // namespace surfmesh

@@ -19,7 +19,8 @@ struct AssembleReport {
 /// vertices of a domain may become one (seams, poles), and a triangle that collapses is left out.
 /// Neighbouring patches are oriented alike. Where a half-edge mesh cannot hold what the model asks
 /// for (edges of three and more patches, a Möbius band), the mesh is cut along the contour, with
-/// equal positions on both sides and a warning.
+/// equal positions on both sides and a warning. Where patches meet in a vertex only, each fan gets
+/// one of its own, with a warning that names the place.
 ///
 /// Writes   point(); surf:patch (face), surf:contour (edge), surf:uv and surf:metric (halfedge, at
 ///          its tip)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/assemble/orientation.hh"
 
+#include <queue>
+
 namespace surfmesh {
 namespace {
 
@@ -24,14 +26,16 @@ PatchOrientation orient_patches(const Model& model) {
   }
   PatchOrientation result;
   result.is_turned.assign(model.patches.size(), kUnknown);
-  std::vector<int> stack;
+  // Nearest first: what cannot be oriented is cut where the two ways around it meet, not along the
+  // path of a search that goes on and on in one direction.
+  std::queue<int> reached;
   for (std::size_t first = 0; first < model.patches.size(); ++first) {
     if (result.is_turned[first] != kUnknown) continue;
     result.is_turned[first] = 0;
-    stack.push_back(static_cast<int>(first));
-    while (!stack.empty()) {
-      const int patch = stack.back();
-      stack.pop_back();
+    reached.push(static_cast<int>(first));
+    while (!reached.empty()) {
+      const int patch = reached.front();
+      reached.pop();
       const char here = result.is_turned[static_cast<std::size_t>(patch)];
       for (const int c : contours_of[static_cast<std::size_t>(patch)]) {
         const Contour& contour = model.contours[static_cast<std::size_t>(c)];
@@ -39,7 +43,7 @@ PatchOrientation orient_patches(const Model& model) {
         char& there = result.is_turned[static_cast<std::size_t>(other)];
         if (there != kUnknown) continue;
         there = is_alike(contour) ? here : static_cast<char>(1 - here);
-        stack.push_back(other);
+        reached.push(other);
       }
     }
   }

@@ -20,6 +20,11 @@ using Area = std::int64_t;
 
 constexpr int kNone = -1;
 
+/// Most faces around a vertex in the middle of a block's side. The two faces of the block there
+/// fill an angle of 720° / n, which is straight in the block's parameters: with n = 64 the side is
+/// a hairpin, and the elements beside it were slivers of quality 0.004, at corners of 0.02.
+constexpr int kMostFacesAtSide = 8;
+
 /// A face with one of its corners at the lower left, as one number.
 int placed(int face, int rotation) { return 4 * face + rotation % 4; }
 int face_of(int place) { return place / 4; }
@@ -87,7 +92,15 @@ class Neighbours {
   bool is_wall(int edge) const {
     if (level_.GetEdgeFaces(edge).size() != 2 || level_.GetEdgeSharpness(edge) > 0) return true;
     const auto ends = level_.GetEdgeVertices(edge);
+    if (has_narrow_faces(ends[0]) || has_narrow_faces(ends[1])) return true;
     return is_chaikin_ && (has_semi_sharp(ends[0]) || has_semi_sharp(ends[1]));
+  }
+
+  /// At a boundary the faces share half the angle only.
+  bool has_narrow_faces(int vertex) const {
+    const int faces = level_.GetVertexFaces(vertex).size();
+    const bool is_boundary = level_.GetVertexEdges(vertex).size() != faces;
+    return faces * (is_boundary ? 2 : 1) > kMostFacesAtSide;
   }
 
   bool has_semi_sharp(int vertex) const {

@@ -149,11 +149,12 @@ RefinedCage make_regular(const Cage& cage, Scheme scheme) {
   check_ranges(cage);
   scheme = resolve_scheme(cage, scheme);
   RefinedCage simple = leave_out_faces(cage);
-  if (scheme == Scheme::Loop || std::all_of(simple.cage.faces.begin(), simple.cage.faces.end(),
+  if (scheme != Scheme::Loop && std::all_of(simple.cage.faces.begin(), simple.cage.faces.end(),
                                             [](const auto& face) { return face.size() == 4; })) {
     return simple;
   }
   leave_out_sides(simple);
+  if (scheme == Scheme::Loop) return simple;
   RefinedCage refined = refine_once(simple.cage, scheme);
   for (int& parent : refined.parent_faces) {
     parent = simple.parent_faces[static_cast<std::size_t>(parent)];

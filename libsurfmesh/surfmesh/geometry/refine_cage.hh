@@ -31,7 +31,8 @@ RefinedCage refine_once(const Cage& cage, Scheme scheme);
 /// Faces that are not simple are left out, with a warning. If then a face of a Catmull-Clark or
 /// bilinear cage is not a quad, the cage is refined once, and sides that are points (the same
 /// vertex twice in a row) are left out of their faces before, with a warning: their parts would
-/// make OpenSubdiv's Bfr 3.5.0 read memory that is not its own. Cages of quads keep such sides.
+/// make OpenSubdiv's Bfr 3.5.0 read memory that is not its own. They are left out for Loop, too,
+/// which knows triangles only; Catmull-Clark and bilinear cages of quads keep such sides.
 /// Throws   InvalidInput if the cage cannot be subdivided by the scheme
 RefinedCage make_regular(const Cage& cage, Scheme scheme);
 

@@ -60,12 +60,17 @@ const char* text_of(CornerFault fault) {
   return "";
 }
 
-void add_face(Cage& cage, std::vector<int>& corners, const TextScanner& scanner,
-              WarningList& warnings) {
-  const CornerFault fault = mend_corners(corners);
-  if (fault == CornerFault::TooFew || fault == CornerFault::Twice) scanner.fail(text_of(fault));
-  if (fault == CornerFault::TwiceInARow) warnings.add(scanner.line(), text_of(fault));
+void add_face(Cage& cage, const std::vector<int>& corners, ReadFor purpose,
+              const TextScanner& scanner, WarningList& warnings) {
   cage.faces.push_back(corners);
+  const CornerFault fault = mend_corners(cage.faces.back());
+  if (fault == CornerFault::TooFew || fault == CornerFault::Twice) scanner.fail(text_of(fault));
+  if (fault == CornerFault::None) return;
+  if (purpose == ReadFor::Cage) {
+    cage.faces.back() = corners;
+  } else {
+    warnings.add(scanner.line(), text_of(fault));
+  }
 }
 
 void check_not_empty(const Cage& cage, const TextScanner& scanner) {

@@ -21,11 +21,11 @@ Cage read_cage(const std::filesystem::path& path);
 /// are ignored; indices from 1, or from -1 backwards), g and usemtl (both make groups; g without a
 /// name is "default"), the joining of lines by a backslash, and OpenSubdiv's tags `t`, whose
 /// indices count from 0: crease, corner, hole, interpolateboundary, creasemethod,
-/// smoothtriangles. Other tags, unknown keywords, and a vertex that a face has twice in a row
-/// (dropped once), give a warning.
+/// smoothtriangles. Other tags and unknown keywords give a warning. A face may have a vertex
+/// several times in a row.
 /// Throws   InvalidInput, naming file and line: a bad or missing number or index, a coordinate that
-///          is not finite, a face with fewer than three different vertices or with one of them
-///          twice, a bad tag, a NUL byte; naming the file: no vertices, no faces
+///          is not finite, a face with fewer than three different vertices or one that comes back
+///          to a vertex, a bad tag, a NUL byte; naming the file: no vertices, no faces
 Cage parse_obj(std::string_view text, const std::string& name);
 
 /// Read a cage from the text of an OFF file; `name` stands before the line in messages.

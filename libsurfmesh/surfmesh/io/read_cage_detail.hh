@@ -19,19 +19,24 @@ CornerFault mend_corners(std::vector<int>& corners);
 /// The fault as it stands in messages.
 const char* text_of(CornerFault fault);
 
-/// Which groups a reader of OBJ files keeps: those with faces, in the order of their first face, or
-/// all, in the order in which the file names them.
-enum class ObjGroups { WithFaces, All };
-
-/// As parse_obj of read_cage.hh, with a choice of the groups.
-Cage parse_obj(std::string_view text, const std::string& name, ObjGroups groups);
-
-/// Check the vertices of a face just read from the current line and add it to the cage.
+/// What faces are read for.
 ///
-/// Vertices that come twice in a row are dropped once, with a warning; `corners` is changed.
+/// Cage     groups are those with faces, in the order of their first face; a vertex that comes
+///          several times in a row stays so, for a scheme has its own surface for such a face
+/// Mesh     groups are all, in the order in which the file names them; of equal vertices in a row
+///          one is taken, with a warning
+enum class ReadFor { Cage, Mesh };
+
+/// As those of read_cage.hh, with a choice of the purpose.
+Cage parse_obj(std::string_view text, const std::string& name, ReadFor purpose);
+Cage parse_off(std::string_view text, const std::string& name, ReadFor purpose);
+
+/// Check the vertices of a face just read from the current line and add it to the cage as the
+/// purpose asks for.
+///
 /// Throws   InvalidInput for fewer than three different vertices, or one twice but not in a row
-void add_face(Cage& cage, std::vector<int>& corners, const TextScanner& scanner,
-              WarningList& warnings);
+void add_face(Cage& cage, const std::vector<int>& corners, ReadFor purpose,
+              const TextScanner& scanner, WarningList& warnings);
 
 /// Throws   InvalidInput if the cage has no vertices or no faces
 void check_not_empty(const Cage& cage, const TextScanner& scanner);

@@ -47,7 +47,7 @@ std::vector<const Cage::FaceGroup*> patch_groups(const Cage& cage) {
 }
 
 FaceSetFile read_obj(const std::filesystem::path& path) {
-  Cage cage = parse_obj(read_file(path), path.string(), ObjGroups::All);
+  Cage cage = parse_obj(read_file(path), path.string(), ReadFor::Mesh);
   const auto groups = patch_groups(cage);
   std::vector<int> patches(groups.empty() ? 0 : cage.faces.size(), -1);
   std::vector<std::string> names;
@@ -130,7 +130,7 @@ FaceSetFile read_face_set(const std::filesystem::path& path) {
   if (ending == ".obj") {
     file = read_obj(path);
   } else if (ending == ".off") {
-    file = from_cage(parse_off(read_file(path), path.string()));
+    file = from_cage(parse_off(read_file(path), path.string(), ReadFor::Mesh));
   } else if (ending == ".ply") {
     file = parse_ply(read_file(path), path.string());
   } else if (ending == ".stl") {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "surfmesh/io/read_cage.hh"
 #include "surfmesh/io/read_cage_detail.hh"
@@ -35,10 +36,8 @@ std::uint64_t edge_key(int a, int b) {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, const std::string& name, ObjGroups groups)
-      : scanner_(text, name, TextScanner::Joining::Backslash),
-        warnings_(name),
-        keeps_all_groups_(groups == ObjGroups::All) {}
+  ObjReader(std::string_view text, const std::string& name, ReadFor purpose)
+      : scanner_(text, name, TextScanner::Joining::Backslash), warnings_(name), purpose_(purpose) {}
 
   Cage read();
 
@@ -76,11 +75,11 @@ class ObjReader {
   double sharpness_of(const TagValues& values, std::size_t i, std::size_t count) const;
 
   void check_references() const;
-  void warn_of_missing_edges();
+  void drop_creases_without_edge();
 
   TextScanner scanner_;
   WarningList warnings_;
-  bool keeps_all_groups_;
+  ReadFor purpose_;
   Cage cage_;
   std::vector<int> corners_;  ///< of the face that is being read
   std::vector<Reference> later_vertices_;
@@ -100,7 +99,7 @@ Cage ObjReader::read() {
   } while (scanner_.next_line());
   check_not_empty(cage_, scanner_);
   check_references();
-  warn_of_missing_edges();
+  drop_creases_without_edge();
   cage_.warnings = warnings_.texts();
   return std::move(cage_);
 }
@@ -134,7 +133,7 @@ void ObjReader::read_face() {
   for (auto word = scanner_.next_word(); !word.empty(); word = scanner_.next_word()) {
     corners_.push_back(read_corner(word));
   }
-  add_face(cage_, corners_, scanner_, warnings_);
+  add_face(cage_, corners_, purpose_, scanner_, warnings_);
   add_face_to_groups();
 }
 
@@ -170,14 +169,14 @@ void ObjReader::read_group_names() {
   }
   if (group_names_.empty()) group_names_.emplace_back("default");
   are_groups_current_ = false;
-  if (!keeps_all_groups_) return;
+  if (purpose_ == ReadFor::Cage) return;
   for (const std::string& name : group_names_) group_named(name, false);
 }
 
 void ObjReader::read_material() {
   material_ = scanner_.next_word();
   are_groups_current_ = false;
-  if (keeps_all_groups_ && !material_.empty()) group_named(material_, true);
+  if (purpose_ == ReadFor::Mesh && !material_.empty()) group_named(material_, true);
 }
 
 /// The group of a name, made if there is none. A group of `g` and of `usemtl` is no material.
@@ -247,6 +246,9 @@ ObjReader::TagValues ObjReader::read_tag_values() {
     values.reals.push_back(scanner_.to_number(next(), "a value of a tag"));
   }
   for (int i = 0; i < words; ++i) values.words.push_back(next());
+  if (!scanner_.next_word().empty()) {
+    warnings_.add(scanner_.line(), "a tag has more values than its counts tell, they are ignored");
+  }
   return values;
 }
 
@@ -314,7 +316,8 @@ void ObjReader::check_references() const {
   }
 }
 
-void ObjReader::warn_of_missing_edges() {
+/// Leave out creases that name no edge of a face, with a warning that knows the line.
+void ObjReader::drop_creases_without_edge() {
   if (cage_.creases.empty()) return;
   std::unordered_set<std::uint64_t> edges;
   for (const std::vector<int>& face : cage_.faces) {
@@ -322,23 +325,28 @@ void ObjReader::warn_of_missing_edges() {
       edges.insert(edge_key(face[i], face[(i + 1) % face.size()]));
     }
   }
+  std::vector<Cage::Crease> kept;
   for (std::size_t i = 0; i < cage_.creases.size(); ++i) {
     const auto [a, b] = cage_.creases[i].edge;
-    if (edges.contains(edge_key(a, b))) continue;
+    if (edges.contains(edge_key(a, b))) {
+      kept.push_back(cage_.creases[i]);
+      continue;
+    }
     warnings_.add(crease_lines_[i],
                   fmt::format("crease: {} and {} (counted from 0) are not an edge of a face", a, b),
                   "crease without edge");
   }
+  cage_.creases = std::move(kept);
 }
 
 }  // namespace
 
-Cage parse_obj(std::string_view text, const std::string& name, ObjGroups groups) {
-  return ObjReader(text, name, groups).read();
+Cage parse_obj(std::string_view text, const std::string& name, ReadFor purpose) {
+  return ObjReader(text, name, purpose).read();
 }
 
 Cage parse_obj(std::string_view text, const std::string& name) {
-  return parse_obj(text, name, ObjGroups::WithFaces);
+  return parse_obj(text, name, ReadFor::Cage);
 }
 
 }  // namespace surfmesh

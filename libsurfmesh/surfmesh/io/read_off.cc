@@ -11,8 +11,11 @@ namespace {
 
 class OffReader {
  public:
-  OffReader(std::string_view text, const std::string& name)
-      : text_size_(text.size()), scanner_(text, name, TextScanner::Joining::Off), warnings_(name) {}
+  OffReader(std::string_view text, const std::string& name, ReadFor purpose)
+      : text_size_(text.size()),
+        scanner_(text, name, TextScanner::Joining::Off),
+        warnings_(name),
+        purpose_(purpose) {}
 
   Cage read() {
     if (!scanner_.next_line()) scanner_.fail_whole("the file is empty");
@@ -38,6 +41,7 @@ class OffReader {
   std::size_t text_size_;
   TextScanner scanner_;
   WarningList warnings_;
+  ReadFor purpose_;
   Cage cage_;
   int vertex_count_ = 0;
   int face_count_ = 0;
@@ -118,14 +122,18 @@ void OffReader::read_faces() {
       }
       corners.push_back(vertex);
     }
-    add_face(cage_, corners, scanner_, warnings_);
+    add_face(cage_, corners, purpose_, scanner_, warnings_);
   }
 }
 
 }  // namespace
 
+Cage parse_off(std::string_view text, const std::string& name, ReadFor purpose) {
+  return OffReader(text, name, purpose).read();
+}
+
 Cage parse_off(std::string_view text, const std::string& name) {
-  return OffReader(text, name).read();
+  return parse_off(text, name, ReadFor::Cage);
 }
 
 }  // namespace surfmesh

@@ -40,6 +40,7 @@ ModelInput load_cage(const std::filesystem::path& path, const CageOptions& cage_
   ModelInput input;
   at_file(path.string(), [&] { input.model = model_from_cage(cage, cage_options); });
   std::vector<std::string>& warnings = input.model.warnings;
+  for (std::string& warning : warnings) warning.insert(0, path.string() + ": ");
   warnings.insert(warnings.begin(), cage.warnings.begin(), cage.warnings.end());
   return input;
 }
