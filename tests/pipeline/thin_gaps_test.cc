@@ -88,6 +88,20 @@ TEST(ThinGaps, BetweenLoopsAreSeenAtAnyWidth) {
   testing::expect_valid(mesh_model(input.model, {}, options).mesh);
 }
 
+TEST(ThinGaps, AreToldWhereElementsDoNotFit) {
+  const TestFolder folder;
+  write_text(folder / "a.json",
+             model_with({"HoleNearTheRim", false, {{0.7, 0.302, 0.3}}}).dump());
+  const ModelInput input = load_model(folder / "a.json");
+  PipelineOptions options;
+  EXPECT_EQ(mesh_model(input.model, {}, options).report.warnings, std::vector<std::string>{});
+  options.sizing.proximity = 0;
+  const auto warnings = mesh_model(input.model, {}, options).report.warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(warnings[0].starts_with("triangles are as flat as quality 0.0")) << warnings[0];
+  EXPECT_NE(warnings[0].find(", in patch p at (0.69"), std::string::npos) << warnings[0];
+}
+
 class ThinGapShapes : public ::testing::TestWithParam<Gap> {};
 
 TEST_P(ThinGapShapes, GiveValidMeshesAtCoarseSizes) {
