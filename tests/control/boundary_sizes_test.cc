@@ -31,12 +31,15 @@ std::vector<PlacedSize> gaps(const Model& model, double hmax, double proximity =
   return proximity_sizes(model, 0, own, SizeBounds(own, 1));
 }
 
-TEST(Proximity, IsTheWidthOfAStrip) {
+/// Size across a gap in which one row of unit triangles fits.
+constexpr double kOfOneRow = 2 / std::numbers::sqrt3;
+
+TEST(Proximity, IsTheSizeOfARowThatFillsAStrip) {
   const auto sizes = gaps(model_of({rectangle(0, 0, 3, 0.1)}), 1);
   ASSERT_FALSE(sizes.empty());
   for (const PlacedSize& placed : sizes) {
-    EXPECT_NEAR(placed.at_from.along, 0.1, 1e-12);
-    EXPECT_NEAR(placed.at_from.across, 0.2, 1e-12);
+    EXPECT_NEAR(placed.at_from.along, kOfOneRow * 0.1, 1e-12);
+    EXPECT_NEAR(placed.at_from.across, kOfOneRow * 0.2, 1e-12);
     EXPECT_NEAR(std::abs(placed.to.y() - placed.from.y()), 0.1, 1e-12);
     EXPECT_NEAR(placed.to.x(), placed.from.x(), 1e-12);
   }
@@ -53,7 +56,7 @@ TEST(Proximity, CoversTheWholeStrip) {
 
 TEST(Proximity, DividesByTheNumberOfElements) {
   for (const PlacedSize& placed : gaps(model_of({rectangle(0, 0, 3, 0.1)}), 0.7, 4)) {
-    EXPECT_NEAR(placed.at_from.along, 0.025, 1e-12);
+    EXPECT_NEAR(placed.at_from.along, kOfOneRow * 0.025, 1e-12);
   }
 }
 
@@ -68,7 +71,7 @@ TEST(Proximity, IsTheGapBesideAHole) {
   for (const PlacedSize& placed : gaps(testing::square_with_hole(0.9), 1)) {
     least = std::min(least, placed.at_from.along);
   }
-  EXPECT_NEAR(least, 0.1, 0.01);
+  EXPECT_NEAR(least, kOfOneRow * 0.1, 0.01);
 }
 
 TEST(Proximity, IsTheDistanceToTheNearestOfManyPieces) {
@@ -77,9 +80,43 @@ TEST(Proximity, IsTheDistanceToTheNearestOfManyPieces) {
     if (placed.from.norm() > 0.95) continue;  // not on the hole
     ++count;
     const double x = std::abs(placed.from.x()), y = std::abs(placed.from.y());
-    EXPECT_NEAR(placed.at_from.along, 1 - std::max(x, y), 1e-12) << x << " " << y;
+    EXPECT_NEAR(placed.at_from.along, kOfOneRow * (1 - std::max(x, y)), 1e-12) << x << " " << y;
   }
   EXPECT_GT(count, 30);
+}
+
+/// Half a ring of radius 1 with a width.
+Model half_ring(double width) {
+  return model_of({make_callable_surface(Domain{0, std::numbers::pi, 0, 1}, [=](auto u, auto v) {
+    return std::array{(1 - width * v) * cos(u), (1 - width * v) * sin(u), 0 * u};
+  })});
+}
+
+TEST(Proximity, IsTheWidthOfACurvedStripWhateverHmax) {
+  for (const double width : {0.05, 1e-3, 1e-5}) {
+    for (const double hmax : {0.1, 0.4, 1.0}) {
+      Sizing own = sizing(hmax);
+      own.hmin = {1e-7, false};
+      const auto sizes = proximity_sizes(half_ring(width), 0, own, SizeBounds(own, 1));
+      double covered = 0;
+      for (const PlacedSize& placed : sizes) {
+        EXPECT_NEAR(placed.at_from.along, kOfOneRow * width, 0.06 * width) << hmax;
+        if (placed.from.norm() > 1 - 0.1 * width) covered += 2 * placed.radius;
+      }
+      EXPECT_NEAR(covered, std::numbers::pi, 0.01 + 4 * width) << width << " " << hmax;
+    }
+  }
+}
+
+TEST(Proximity, IsNotInACornerOfAStraightAndACurvedSide) {
+  // An arc of radius 1 and a chord of it that meet at 40°.
+  const double half = 40 * std::numbers::pi / 180;
+  const auto segment = make_callable_surface(Domain{-half, half, 0, 1}, [=](auto u, auto v) {
+    return std::array{sin(u), cos(half) * (1 - v) + cos(u) * v, 0 * u};
+  });
+  for (const double hmax : {0.02, 0.1, 0.5, 2.0}) {
+    EXPECT_TRUE(gaps(model_of({segment}), hmax).empty()) << hmax;
+  }
 }
 
 TEST(ClampWarning, CountsSourcesAndTables) {

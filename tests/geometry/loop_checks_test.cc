@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace surfmesh {
 namespace {
@@ -79,6 +80,21 @@ TEST(LoopNearParts, AreNotFoundAtCornersAndCusps) {
   EXPECT_TRUE(near_parts({{{"star", star, true, {}}}}, 1e-4).empty());
 }
 
+TEST(LoopNearParts, AreNotFoundAlongAShortContour) {
+  const auto slit = [](double width) {
+    const Uv corners[] = {{0, 0}, {1, 0}, {1, width}, {0, width}};
+    LoopCurves loop;
+    for (int i = 0; i < 4; ++i) {
+      const auto side = std::make_shared<SegmentCurve>(corners[i], corners[(i + 1) % 4]);
+      loop.push_back({"side" + std::to_string(i), side, true, {}});
+    }
+    return loop;
+  };
+  const auto found = near_parts({circle(0, 0, 2), slit(1e-4)}, 1e-4);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].a + " " + found[0].b, "side0 side2");
+}
+
 TEST(LoopNearParts, AreNotFoundWhereThereIsNoExtent) {
   const auto spike = std::make_shared<CallableCurve>([](double t) {
     return Uv{std::cos(2 * pi * t), 0};
@@ -109,6 +125,17 @@ TEST(LoopOutside, IsToldWithItsPlace) {
 TEST(LoopInside, KnowsItsPoints) {
   EXPECT_TRUE(is_inside(circle(0, 0, 1), {0.5, -0.5}));
   EXPECT_FALSE(is_inside(circle(0, 0, 1), {0.8, 0.8}));
+}
+
+TEST(LoopInside, KnowsPointsBetweenTheCurveAndItsChords) {
+  // The chords of 64 samples are off by 1e-3 of the radius.
+  for (int i = 0; i < 100; ++i) {
+    const double c = std::cos(0.1 * i), s = std::sin(0.1 * i);
+    for (const double gap : {1e-4, 1e-7, 1e-10}) {
+      EXPECT_TRUE(is_inside(circle(0, 0, 1), {(1 - gap) * c, (1 - gap) * s})) << i << " " << gap;
+      EXPECT_FALSE(is_inside(circle(0, 0, 1), {(1 + gap) * c, (1 + gap) * s})) << i << " " << gap;
+    }
+  }
 }
 
 }  // namespace

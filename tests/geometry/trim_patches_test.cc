@@ -189,6 +189,18 @@ TEST(TrimPatches, WarnsOfContoursThatAreNotJoined) {
             "them one name");
 }
 
+TEST(TrimPatches, WarnsNotOfContoursAsShortAsTheyAreNear) {
+  // A hole as small as contours may be apart: each of its sides is as near to all others.
+  const double d = 1e-4;
+  const auto side = [&](const char* name, Uv a, Uv b) {
+    return ContourInput{name, nullptr, {{"p", line(a, b)}}};
+  };
+  const Model model = square({{"-a", "-d", "-c", "-b"}},
+                             {side("a", {0, 0}, {d, 0}), side("b", {d, 0}, {d, d}),
+                              side("c", {d, d}, {0, d}), side("d", {0, d}, {0, 0})});
+  EXPECT_EQ(model.warnings, std::vector<std::string>{});
+}
+
 TEST(TrimPatches, WarnsOfContoursThatNearlyMeet) {
   const Model model = square({{"-hole"}}, {hole(0.5, {0.5 - 1e-5, 0})});
   ASSERT_EQ(model.warnings.size(), 1u);

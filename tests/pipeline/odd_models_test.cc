@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
 
 #include "support/errors.hh"
 #include "support/expect_valid.hh"
@@ -46,6 +49,41 @@ TEST(OddModel, WithTwoPointSidesInARowHasOnePole) {
   const MeshResult result = mesh_model(model);
   testing::expect_valid(result.mesh);
   EXPECT_EQ(result.report.mesh.euler, 1);
+}
+
+/// The cap of the unit sphere around an axis tilted from the pole, which it holds beside its middle.
+Model cap_around_a_pole(double radius, double tilt) {
+  const auto rim = std::make_shared<CallableSpaceCurve>([=](double t) -> Vec3 {
+    const double angle = t == 1 ? 0 : 2 * std::numbers::pi * t;
+    const double x = std::sin(radius) * std::cos(angle), z = std::cos(radius);
+    return {x * std::cos(tilt) + z * std::sin(tilt), std::sin(radius) * std::sin(angle),
+            z * std::cos(tilt) - x * std::sin(tilt)};
+  });
+  const double low = std::numbers::pi / 2 - radius - tilt, high = std::numbers::pi / 2;
+  const auto meridian = [&](double u) {
+    return std::make_shared<SegmentCurve>(Uv{u, low}, Uv{u, high});
+  };
+  return model_from_patches(
+      {{"s", std::make_shared<test::Sphere>(1, Domain{0, 2 * std::numbers::pi, 0, high}),
+        {{"rim", "seam", "-s:v1", "-seam"}}}},
+      {{"rim", rim, {}},
+       {"seam", nullptr, {{"s", meridian(2 * std::numbers::pi)}, {"s", meridian(0)}}}});
+}
+
+TEST(OddModel, WithARimNearItsPoleIsMeshedAtAnySize) {
+  for (const double tilt : {0.1, 0.3, 0.5}) {
+    const Model model = cap_around_a_pole(0.6, tilt);
+    for (const double size : {0.05, 0.1, 0.2, 0.4, 1.0}) {
+      SCOPED_TRACE(::testing::Message() << tilt << " " << size);
+      PipelineOptions options;
+      options.sizing = {.curvature = 0, .hmax = {size, false}};
+      const MeshResult result = mesh_model(model, {}, options);
+      testing::expect_valid(result.mesh);
+      EXPECT_EQ(result.report.mesh.euler, 1);
+      EXPECT_EQ(result.report.shortfalls, std::vector<std::string>{});
+      EXPECT_GT(result.report.quality.min, 0.25);
+    }
+  }
 }
 
 TEST(OddModel, WithAUseOfNoPatchIsRefused) {

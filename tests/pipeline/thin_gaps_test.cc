@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -54,9 +55,56 @@ Json model_with(const Gap& gap) {
           {"contours", contours}};
 }
 
-class ThinGaps : public ::testing::TestWithParam<Gap> {};
+/// The ring between the circles of radius 1 and less.
+Gap narrow_ring(double width) {
+  return {"NarrowRing", true, {{1, 1, 1}, {1, 1, 1 - width, 0.37}}};
+}
 
-TEST_P(ThinGaps, GiveValidMeshesAtCoarseSizes) {
+TEST(ThinGaps, GetTheRowsAskedForWhateverHmax) {
+  const TestFolder folder;
+  const double width = 0.01;
+  write_text(folder / "a.json", model_with(narrow_ring(width)).dump());
+  const ModelInput input = load_model(folder / "a.json");
+  for (const double rows : {1.0, 2.0, 3.0}) {
+    // Rows of triangles whose sides along the ring are twice as long as their size across it.
+    const double predicted = 0.5 * std::numbers::sqrt3 * rows * rows * 2 * std::numbers::pi / width;
+    for (const double hmax : {0.06, 0.2, 1.0}) {
+      PipelineOptions options;
+      options.sizing = {.hmax = {hmax, false}, .proximity = rows};
+      const MeshResult result = mesh_model(input.model, {}, options);
+      const auto count = static_cast<double>(result.report.mesh.triangles);
+      EXPECT_NEAR(count, predicted, 0.05 * predicted) << rows << " " << hmax;
+      EXPECT_GT(result.report.quality.min, 0.6);
+    }
+  }
+}
+
+TEST(ThinGaps, BetweenLoopsAreSeenAtAnyWidth) {
+  const TestFolder folder;
+  write_text(folder / "a.json", model_with(narrow_ring(1e-4)).dump());
+  const ModelInput input = load_model(folder / "a.json");
+  PipelineOptions options;
+  options.sizing.proximity = 0;
+  testing::expect_valid(mesh_model(input.model, {}, options).mesh);
+}
+
+TEST(ThinGaps, AreToldWhereElementsDoNotFit) {
+  const TestFolder folder;
+  write_text(folder / "a.json",
+             model_with({"HoleNearTheRim", false, {{0.7, 0.302, 0.3}}}).dump());
+  const ModelInput input = load_model(folder / "a.json");
+  PipelineOptions options;
+  EXPECT_EQ(mesh_model(input.model, {}, options).report.warnings, std::vector<std::string>{});
+  options.sizing.proximity = 0;
+  const auto warnings = mesh_model(input.model, {}, options).report.warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(warnings[0].starts_with("triangles are as flat as quality 0.0")) << warnings[0];
+  EXPECT_NE(warnings[0].find(", in patch p at (0.69"), std::string::npos) << warnings[0];
+}
+
+class ThinGapShapes : public ::testing::TestWithParam<Gap> {};
+
+TEST_P(ThinGapShapes, GiveValidMeshesAtCoarseSizes) {
   const TestFolder folder;
   write_text(folder / "a.json", model_with(GetParam()).dump());
   const ModelInput input = load_model(folder / "a.json");
@@ -78,7 +126,7 @@ TEST_P(ThinGaps, GiveValidMeshesAtCoarseSizes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    All, ThinGaps,
+    All, ThinGapShapes,
     ::testing::Values(Gap{"HoleNearTheRim", false, {{0.7, 0.301, 0.3}}},
                       Gap{"TwoHolesNearlyTouching", false, {{0.6, 0.5, 0.3}, {1.201, 0.5, 0.3}}},
                       Gap{"NarrowAnnulus", true, {{1, 1, 1}, {1, 1, 0.999, 0.37}}},

@@ -169,6 +169,13 @@ TEST(MeasureQuality, CountsPoorTriangles) {
   EXPECT_EQ(s.below_0_3, 1);
 }
 
+TEST(MeasureQuality, NamesTheWorstTriangle) {
+  PolyMesh mesh = testing::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 0.01, 0}, {0, 1, 0}},
+                                   {{0, 2, 3}, {0, 1, 2}});
+  testing::attach_plane_properties(mesh);
+  EXPECT_EQ(measure_quality(mesh).worst_face, 1);
+}
+
 TEST(MeasureQuality, LeavesQuadsOut) {
   PolyMesh mesh = testing::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0.5, 0}},
                                    {{0, 1, 2, 3}, {1, 4, 2}});

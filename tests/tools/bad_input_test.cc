@@ -207,7 +207,7 @@ class OddInputs : public Program, public ::testing::WithParamInterface<BadInput>
 TEST_P(OddInputs, AreMeshedWithAWarning) {
   const BadInput& input = GetParam();
   write_text(folder_ / input.file, input.text);
-  EXPECT_EQ(run("mesh " + input.file + " -o out.obj --quiet --hmax 10%"), 0);
+  EXPECT_EQ(run("mesh " + input.file + " -o out.obj --quiet --hmax 10% --hmin 0.0001%"), 0);
   EXPECT_TRUE(err_.starts_with("surfmesh: warning: " + input.line)) << err_;
   EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out.obj"));

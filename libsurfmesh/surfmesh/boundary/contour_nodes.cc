@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -13,6 +14,7 @@
 
 #include "surfmesh/boundary/crossing_segments_detail.hh"
 #include "surfmesh/boundary/metric_arc.hh"
+#include "surfmesh/boundary/pole_room_detail.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
@@ -28,6 +30,9 @@ constexpr double kLongestSegment = std::numbers::sqrt2;
 /// patch, and for a loop that crosses itself.
 constexpr double kShortestHalved = 0.02;
 constexpr double kShortestUncrossed = 1e-6;
+
+/// Greatest distance, as a share of a segment, of its line in the parameters from where it should be.
+constexpr double kMostAstray = 0.2;
 
 /// Rounds of halving segments of loops that cross, and the most segments that these may become, as
 /// a multiple and beyond: curves that do not cross, but overlap, would have no end.
@@ -133,6 +138,21 @@ class ContourDivision {
     if (!is_increasing()) parameters_ = before;
     halve_long_segments();
     if (parameters_[selected_].size() > before[selected_].size()) parameters_ = before;
+  }
+
+  /// Halve segments whose straight line in the parameters of a patch with a pole is astray: near the
+  /// pole it runs around it where the contour passes by.
+  void halve_astray_segments() {
+    for (std::size_t use = 0; use < contour_.uses.size(); ++use) {
+      if (!has_pole(patch_of(model_, contour_.uses[use]))) continue;
+      for (std::size_t i = 0; i < segment_count();) {
+        if (is_astray(use, i) && can_halve(i, kShortestHalved)) {
+          halve(i);
+        } else {
+          ++i;
+        }
+      }
+    }
   }
 
   /// Halve a segment where that is possible.
@@ -292,6 +312,31 @@ class ContourDivision {
     return length;
   }
 
+  bool has_pole(const Patch& patch) const {
+    for (const PatchLoop& loop : patch.loops) {
+      for (const LoopEntry& entry : loop) {
+        if (model_.contours[static_cast<std::size_t>(entry.contour)].is_degenerate) return true;
+      }
+    }
+    return false;
+  }
+
+  /// True if the middle of the line in the parameters is far both from the contour and the chord.
+  bool is_astray(std::size_t use, std::size_t i) const {
+    const Surface& surface = *patch_of(model_, contour_.uses[use]).surface;
+    const Curve& curve = *contour_.uses[use].curve;
+    const double from = parameters_[use][i], to = parameters_[use][i + 1];
+    const auto point = [&](Uv uv) { return surface.evaluate(uv, Order::Position).point; };
+    const Uv uv_a = curve.evaluate(from), uv_b = curve.evaluate(to);
+    const Vec3 a = point(uv_a), b = point(uv_b);
+    const Vec3 middle = point(curve.evaluate(0.5 * (from + to)));
+    const Vec3 line = point(lerp(uv_a, uv_b, 0.5));
+    const double distance = std::min({detail::segment_distance(line, a, b),
+                                      detail::segment_distance(line, a, middle),
+                                      detail::segment_distance(line, middle, b)});
+    return distance > kMostAstray * (b - a).norm();
+  }
+
   /// False where the selected patch sees nearly nothing of the segment, or another patch finds its
   /// middle at one of its ends: halving would not end there.
   bool can_halve(std::size_t i, double shortest) const {
@@ -334,7 +379,8 @@ struct ContourSegment {
   friend auto operator<=>(const ContourSegment&, const ContourSegment&) = default;
 };
 
-/// Halves segments until the loops of a patch, whose curves do not cross, do not either.
+/// Halves segments until the loops of a patch, whose curves do not cross, do not either, nor are in
+/// the way of the rings that cut off its poles.
 class Uncrossing {
  public:
   Uncrossing(const Model& model, ContourDivisions& divisions, int multiple)
@@ -383,7 +429,11 @@ class Uncrossing {
 
   std::set<ContourSegment> crossing() const {
     std::set<ContourSegment> segments;
-    for (const Patch& patch : model_.patches) collect(loops_of(patch), segments);
+    for (const Patch& patch : model_.patches) {
+      const Loops loops = loops_of(patch);
+      collect(loops, segments);
+      for (std::size_t l = 0; l < loops.nodes.size(); ++l) collect_at_poles(loops, l, segments);
+    }
     return segments;
   }
 
@@ -420,6 +470,43 @@ class Uncrossing {
       if (length_p >= kShareHalvedToo * length_q) add(loops.segments[p.loop][p.node], crossing);
       if (length_q >= kShareHalvedToo * length_p) add(loops.segments[q.loop][q.node], crossing);
     }
+  }
+
+  /// Add the segments next to poles whose rings have no room.
+  void collect_at_poles(const Loops& loops, std::size_t l, std::set<ContourSegment>& crossing) const {
+    const std::vector<ContourSegment>& segments = loops.segments[l];
+    const detail::NodeLoop& nodes = loops.nodes[l];
+    const std::size_t n = nodes.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (is_pole(segments[i]) || !is_pole(segments[(i + 1) % n])) continue;
+      std::size_t last = i + 1;  // of the sides that are the pole
+      while (is_pole(segments[(last + 1) % n])) ++last;
+      const ContourSegment& to = segments[i];
+      const ContourSegment& from = segments[(last + 1) % n];
+      const detail::PoleSide pole{nodes[i], nodes[(i + 1) % n], nodes[(last + 1) % n],
+                                  nodes[(last + 2) % n]};
+      if (has_room(loops, pole, {to.contour, from.contour})) continue;
+      add(to, crossing);
+      add(from, crossing);
+    }
+  }
+
+  bool is_pole(const ContourSegment& segment) const {
+    return model_.contours[static_cast<std::size_t>(segment.contour)].is_degenerate;
+  }
+
+  /// `seams` are the contours that lead to the pole.
+  static bool has_room(const Loops& loops, const detail::PoleSide& pole,
+                       const std::array<int, 2>& seams) {
+    for (std::size_t l = 0; l < loops.nodes.size(); ++l) {
+      const detail::NodeLoop& nodes = loops.nodes[l];
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const int contour = loops.segments[l][i].contour;
+        if (contour == seams[0] || contour == seams[1]) continue;
+        if (detail::is_in_the_way(pole, nodes[i], nodes[(i + 1) % nodes.size()])) return false;
+      }
+    }
+    return true;
   }
 
   void add(const ContourSegment& segment, std::set<ContourSegment>& crossing) const {
@@ -475,6 +562,7 @@ BoundaryNodes place_contour_nodes(const Model& model,
     if (division.halve_long_segments() && !options.sag) {
       division.even_out(least(contour), options.multiple);
     }
+    division.halve_astray_segments();
     division.round_up_to(options.multiple);
   });
   Uncrossing(model, divisions, options.multiple).run();

@@ -50,7 +50,8 @@ struct BoundaryNodes {
 ///
 /// Contours get more nodes where the result would not be a proper mesh otherwise: at least three
 /// segments if closed, two if another contour joins the same vertices, one to spare beside each
-/// pole. A degenerate contour has one segment of no length.
+/// pole. A degenerate contour has one segment of no length; where another part of a loop comes near
+/// to it, the segments beside it are halved until the ring around the pole has room.
 ///
 /// `fields` holds the metric of each patch.
 /// Cost     four to eight metric queries a segment and use

@@ -22,6 +22,9 @@ constexpr double kOutside = 1e-9;
 constexpr int kParts = 8;
 constexpr int kMaxDivisions = 4;
 
+/// Parts of one loop are near to each other only if the way along it is more than so many gaps.
+constexpr double kLeastWay = 6;
+
 /// A curve is nearer to its chord than this share of the chord's length, but at sharp bends.
 constexpr double kBulge = 0.2;
 
@@ -152,6 +155,34 @@ class Scale {
   Uv high_{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 };
 
+/// Ways along loops, in the lengths of a scale.
+class LoopWays {
+ public:
+  LoopWays(const std::vector<LoopCurves>& loops, const Scale& scale) {
+    for (const LoopCurves& loop : loops) {
+      std::vector<double>& ways = ways_.emplace_back(1, 0.0);
+      for (const Segment& s : segments_of(loop)) ways.push_back(ways.back() + scale.length(s));
+    }
+  }
+
+  /// The shorter way between parts of two segments of one loop; infinite between loops.
+  double between(const Segment& p, const Segment& part_p, const Segment& q,
+                 const Segment& part_q) const {
+    if (p.loop != q.loop) return std::numeric_limits<double>::infinity();
+    const double way = std::abs(middle(p, part_p) - middle(q, part_q));
+    return std::min(way, ways_[p.loop].back() - way);
+  }
+
+ private:
+  double middle(const Segment& whole, const Segment& part) const {
+    const double share = (0.5 * (part.s0 + part.s1) - whole.s0) / (whole.s1 - whole.s0);
+    const std::vector<double>& ways = ways_[whole.loop];
+    return (1 - share) * ways[whole.position] + share * ways[whole.position + 1];
+  }
+
+  std::vector<std::vector<double>> ways_;  ///< by loop, to the start of each segment
+};
+
 using SegmentPair = std::pair<Segment, Segment>;
 
 /// Divide two segments; the two parts that are nearest to each other.
@@ -182,6 +213,23 @@ std::optional<SegmentPair> near_pair(const Scale& scale, const Segment& p, const
     if (divisions == kMaxDivisions) return pair;
     pair = nearest_parts(scale, pair.first, pair.second);
   }
+}
+
+/// True if a segment meets the ray from a point in the direction of growing u an odd number of
+/// times. Where the point is so near that it may lie between the curve and its chord, the parts of
+/// the segment are asked.
+bool meets_ray(const Scale& scale, const Segment& segment, Uv point, int divisions) {
+  const double distance = scale.length(scale.foot(point, segment) - point);
+  if (divisions > 0 && distance < kBulge * scale.length(segment)) {
+    bool result = false;
+    for (const Segment& part : segments_of(*segment.curve, segment.s0, segment.s1, kParts)) {
+      if (meets_ray(scale, part, point, divisions - 1)) result = !result;
+    }
+    return result;
+  }
+  const Uv a = segment.a, b = segment.b;
+  return (a.v > point.v) != (b.v > point.v) &&
+         point.u < a.u + (point.v - a.v) / (b.v - a.v) * (b.u - a.u);
 }
 
 }  // namespace
@@ -231,6 +279,7 @@ std::optional<std::string> crossing(const std::vector<LoopCurves>& loops) {
 std::vector<NearParts> near_parts(const std::vector<LoopCurves>& loops, double share) {
   const std::vector<Segment> segments = all_segments(loops);
   const Scale scale(segments);
+  const LoopWays ways(loops, scale);
   double longest = 0;
   for (const Segment& s : segments) longest = std::max(longest, scale.length(s));
   using CurveNumber = std::pair<std::size_t, std::size_t>;  // loop, place in the loop
@@ -247,6 +296,7 @@ std::vector<NearParts> near_parts(const std::vector<LoopCurves>& loops, double s
       const auto pair = near_pair(scale, p, q, share);
       if (!pair) continue;
       const double gap = scale.distance(pair->first, pair->second);
+      if (ways.between(p, pair->first, q, pair->second) <= kLeastWay * gap) continue;
       const auto [at_p, at_q] = scale.nearest(pair->first, pair->second);
       const NearParts parts{p.curve->name, q.curve->name, at_p, at_q};
       const CurveNumber a(p.loop, p.position / kSamples), b(q.loop, q.position / kSamples);
@@ -261,11 +311,11 @@ std::vector<NearParts> near_parts(const std::vector<LoopCurves>& loops, double s
 }
 
 bool is_inside(const LoopCurves& loop, Uv point) {
+  const std::vector<Segment> segments = segments_of(loop);
+  const Scale scale(segments);
   bool result = false;
-  for (const Segment& segment : segments_of(loop)) {
-    const Uv a = segment.a, b = segment.b;
-    if ((a.v > point.v) == (b.v > point.v)) continue;
-    if (point.u < a.u + (point.v - a.v) / (b.v - a.v) * (b.u - a.u)) result = !result;
+  for (const Segment& segment : segments) {
+    if (meets_ray(scale, segment, point, kMaxDivisions)) result = !result;
   }
   return result;
 }

@@ -49,11 +49,13 @@ struct NearParts {
 
 /// Parts of loops that are nearer to each other than `share` of the extent of all loops, u and v
 /// measured by themselves: of each two contours the nearest ones. Parts of one loop are compared if
-/// they are a quarter of a contour or more apart along it.
+/// they are a quarter of a contour or more, and more than six times the gap, apart along it.
 /// Cost     O(n log n) for n samples, 64 a curve, and 100 evaluations for each two that seem near
 std::vector<NearParts> near_parts(const std::vector<LoopCurves>& loops, double share);
 
-/// True if a point lies inside of a loop.
+/// True if a point lies inside of a loop, however near to it.
+///
+/// Cost     64 evaluations a curve, and some for each sample that is near the point
 bool is_inside(const LoopCurves& loop, Uv point);
 
 }  // namespace surfmesh

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "surfmesh/geometry/project_to_curve.hh"
 
@@ -11,6 +12,18 @@ namespace {
 
 /// Places at which a contour is compared with another.
 constexpr std::array<double, 5> kPlaces = {0, 0.21, 0.5, 0.83, 1};
+
+/// A contour that runs along another is longer than this many gaps, or it is short rather than near.
+constexpr double kLengthPerGap = 4;
+
+/// True if the places of a contour are so near to another that it runs along it.
+bool is_along(const OpenContour& contour, double gap, double near) {
+  double length = 0;
+  for (std::size_t i = 1; i < contour.points.size(); ++i) {
+    length += (contour.points[i] - contour.points[i - 1]).norm();
+  }
+  return gap <= near && length >= kLengthPerGap * gap;
+}
 
 /// Greatest distance of the places of a contour from another.
 double distance(const OpenContour& a, const OpenContour& b) {
@@ -51,8 +64,12 @@ std::vector<ContourPair> contours_along(const std::vector<OpenContour>& a,
     for (const OpenContour& q : b) {
       if (p.contour == q.contour || !p.box.intersects(q.box)) continue;
       double gap = distance(p, q);
-      if (gap > near) gap = distance(q, p);
-      if (gap <= near) pairs.push_back({p.contour->name, q.contour->name, gap});
+      bool is_pair = is_along(p, gap, near);
+      if (!is_pair) {
+        gap = distance(q, p);
+        is_pair = is_along(q, gap, near);
+      }
+      if (is_pair) pairs.push_back({p.contour->name, q.contour->name, gap});
     }
   }
   return pairs;

@@ -31,7 +31,8 @@ struct ContourPair {
   double gap = 0;  ///< greatest distance of the places compared
 };
 
-/// The pairs of contours, one of `a` and one of `b`, of which one is near the other all along.
+/// The pairs of contours, one of `a` and one of `b`, of which one is near the other all along, and
+/// longer than four gaps.
 ///
 /// Error    contours are compared at five places
 /// Cost     O(n m) comparisons of boxes

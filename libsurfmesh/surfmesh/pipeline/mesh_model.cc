@@ -28,6 +28,9 @@
 namespace surfmesh {
 namespace {
 
+/// A triangle of less quality is told: it is of no use, and the user can mend it.
+constexpr double kFlatQuality = 0.1;
+
 /// What the meshing of one patch tells beside its mesh.
 struct PatchReport {
   StageSeconds seconds;
@@ -260,12 +263,25 @@ class Run {
                     topology.is_closed, topology.euler};
     report_.edges = measure_edges(mesh);
     report_.quality = measure_quality(mesh);
+    warn_of_flat_triangles(mesh);
     StageSeconds& s = report_.seconds;
     const double meshing =
         s.boundary + s.triangulate + s.refine + s.improve + s.quad + s.assemble;
     s.total = meshing + s.control;
     report_.triangles_per_second =
         meshing > 0 ? static_cast<double>(topology.faces) / meshing : 0;
+  }
+
+  void warn_of_flat_triangles(const PolyMesh& mesh) {
+    const QualityStatistics& quality = report_.quality;
+    if (quality.worst_face < 0 || quality.min >= kFlatQuality) return;
+    const FaceHandle fh(quality.worst_face);
+    const auto patch = mesh.property(require(mesh, keys::face_patch), fh);
+    report_.warnings.push_back(fmt::format(
+        "triangles are as flat as quality {:.3g}, in patch {} at {}: the boundary leaves less room "
+        "than the sizes ask for; gaps get their sizes by proximity, not below hmin",
+        quality.min, model_.patches[static_cast<std::size_t>(patch)].name,
+        place_text(to_eigen(mesh.calc_face_centroid(fh)))));
   }
 
   const Model& model_;

@@ -320,9 +320,9 @@ class ShapeMeter {
       add_length(next.norm());
       squares += next.squaredNorm();
     }
-    if (n == 3)
-      add_quality(squares > 0 ? 2 * std::numbers::sqrt3 * double_area(set_, f).norm() / squares
-                              : 0);
+    if (n != 3) return;
+    const double area = double_area(set_, f).norm();
+    add_quality(squares > 0 ? 2 * std::numbers::sqrt3 * area / squares : 0, f);
   }
 
   void add_angle(double angle, std::size_t f) {
@@ -344,9 +344,12 @@ class ShapeMeter {
     length_sum_ += length;
   }
 
-  void add_quality(double quality) {
+  void add_quality(double quality, std::size_t f) {
     ++shape_.quality.count;
-    shape_.quality.min = std::min(shape_.quality.min, quality);
+    if (quality < shape_.quality.min) {
+      shape_.quality.min = quality;
+      shape_.quality.worst_face = static_cast<int>(f);
+    }
     quality_sum_ += quality;
     if (quality < kPoorQuality) ++poor_;
   }

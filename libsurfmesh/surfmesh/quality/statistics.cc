@@ -97,6 +97,7 @@ double metric_length(const Corners& corners, EdgeHandle eh) {
 }
 
 struct Triangle {
+  int face;
   int patch;
   double area_uv;
   double quality;  // as seen in (u,v)
@@ -113,7 +114,7 @@ Triangle measure_triangle(const Corners& corners, FaceHandle fh, int patch) {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("face {}: (u,v) or the metric of a corner is not set", fh.idx()));
   }
-  return {patch, 0.5 * cross(b - a, c - a), quality};
+  return {fh.idx(), patch, 0.5 * cross(b - a, c - a), quality};
 }
 
 std::vector<Triangle> measure_triangles(const PolyMesh& mesh) {
@@ -185,7 +186,10 @@ QualityStatistics measure_quality(const PolyMesh& mesh) {
     const bool is_turned = patch_area.at(triangle.patch) < 0;
     const double quality = is_turned ? -triangle.quality : triangle.quality;
     moments.add(quality);
-    result.min = std::min(result.min, quality);
+    if (quality < result.min) {
+      result.min = quality;
+      result.worst_face = triangle.face;
+    }
     if (quality < kPoorQuality) ++poor;
   }
   result.mean = moments.mean();

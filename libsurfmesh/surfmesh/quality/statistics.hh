@@ -39,6 +39,7 @@ struct QualityStatistics {
   double min = 0;
   double mean = 0;
   double below_0_3 = 0;  ///< share of the triangles with Q < 0.3
+  int worst_face = -1;   ///< index of the first with the least Q
 
   friend bool operator==(const QualityStatistics&, const QualityStatistics&) = default;
 };
