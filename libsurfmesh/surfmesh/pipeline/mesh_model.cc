@@ -151,7 +151,7 @@ class Run {
     if (turned == 0) return;
     report_.shortfalls.push_back(
         fmt::format("{} triangles are turned against the normal of the surface{}; smaller sizes "
-                    "help (curvature, hmax)",
+                    "help (curvature, hmin, hmax)",
                     turned, turned_place()));
   }
 
