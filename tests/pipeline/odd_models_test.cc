@@ -126,5 +126,13 @@ TEST(OddModel, WithoutExtentIsRefused) {
   EXPECT_NE(error_of([&] { mesh_model(model); }).find("no extent"), std::string::npos);
 }
 
+TEST(OddModel, OfWhichAreasCannotBeSquaredIsRefused) {
+  Model model = testing::unit_square();
+  model.diagonal = 1e-80;
+  EXPECT_NE(error_of([&] { mesh_model(model); }).find("too small"), std::string::npos);
+  model.diagonal = 1e80;
+  EXPECT_NE(error_of([&] { mesh_model(model); }).find("too large"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace surfmesh

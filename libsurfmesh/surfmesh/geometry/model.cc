@@ -13,6 +13,11 @@ namespace {
 /// Ends of contours that are the same vertex may differ by rounding of the evaluation only.
 constexpr double kLoopGap = 1e-6;
 
+/// Beyond these diagonals the squares of areas and of their inverses, that is the fourth powers of
+/// lengths down to a millionth of it, are no numbers of full precision.
+constexpr double kLeastDiagonal = 1e-70;
+constexpr double kGreatestDiagonal = 1e70;
+
 bool is_index(int i, std::size_t count) { return i >= 0 && static_cast<std::size_t>(i) < count; }
 
 const ContourUse& use_of(const Model& model, std::size_t patch, const LoopEntry& entry) {
@@ -70,15 +75,20 @@ void check_loop(const Model& model, std::size_t patch_index, const PatchLoop& lo
   }
 }
 
+void check_extent(double diagonal) {
+  if (diagonal >= kLeastDiagonal && diagonal <= kGreatestDiagonal) return;
+  const char* reason = diagonal > kGreatestDiagonal ? "it is too large"
+                       : diagonal > 0               ? "it is too small"
+                                                    : "it has no extent";
+  throw Error(ErrorCode::InvalidInput,
+              fmt::format("the model's diagonal is {}: {}", diagonal, reason));
+}
+
 }  // namespace
 
 void check(const Model& model) {
   if (model.patches.empty()) throw Error(ErrorCode::InvalidInput, "the model has no patches");
-  if (!(model.diagonal > 0 && std::isfinite(model.diagonal))) {
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("the model's diagonal is {}: {}", model.diagonal,
-                            model.diagonal > 0 ? "it is too large" : "it has no extent"));
-  }
+  check_extent(model.diagonal);
   for (const Contour& contour : model.contours) {
     if (!is_index(contour.start, model.vertices.size()) ||
         !is_index(contour.end, model.vertices.size())) {

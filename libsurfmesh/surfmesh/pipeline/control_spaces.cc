@@ -11,6 +11,7 @@
 #include "surfmesh/control/parse_length.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/pipeline/for_each_patch_detail.hh"
+#include "surfmesh/pipeline/patch_names_detail.hh"
 
 namespace surfmesh {
 namespace {
@@ -81,12 +82,13 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
                                       patch_sources[p], model.diagonal, options.control);
     result.spaces[p] = make_control(inputs[p]);
   });
-  for (std::size_t p = 0; p < inputs.size(); ++p) {
-    if (!inputs[p].is_coarse) continue;
+  std::vector<char> is_coarse;
+  for (const ControlInput& input : inputs) is_coarse.push_back(input.is_coarse);
+  if (const std::string names = detail::patch_names(model, is_coarse); !names.empty()) {
     result.shortfalls.push_back(
-        fmt::format("patch {}: the control space does not hold its precision, for sizes change "
-                    "faster than elements can follow; a larger hmin or precision helps",
-                    model.patches[p].name));
+        fmt::format("{}: the control space does not hold its precision, for sizes change faster "
+                    "than elements can follow; a larger hmin or precision helps",
+                    names));
   }
   if (!grade_across_contours(model, inputs, result.spaces, options.observer).has_converged) {
     result.shortfalls.push_back("gradation across contours has not come to an end");

@@ -20,6 +20,7 @@
 #include "surfmesh/core/validate.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/for_each_patch_detail.hh"
+#include "surfmesh/pipeline/patch_names_detail.hh"
 #include "surfmesh/pipeline/reach_sag_detail.hh"
 #include "surfmesh/pipeline/sag_corrections_detail.hh"
 #include "surfmesh/pipeline/serial_observer_detail.hh"
@@ -35,7 +36,7 @@ constexpr double kFlatQuality = 0.1;
 struct PatchReport {
   StageSeconds seconds;
   Report::Queries queries;
-  std::vector<std::string> shortfalls;
+  bool is_given_up = false;
   std::size_t turned = 0;  ///< triangles against the normal of the surface
 };
 
@@ -116,7 +117,8 @@ class Run {
     patch_reports_.resize(model_.patches.size());
     for_each_patch(model_, "mesh", options_.observer, boundary_counts(),
                    [this](std::size_t p) { mesh_patch(p); });
-    for (PatchReport& report : patch_reports_) take(report);
+    for (const PatchReport& report : patch_reports_) take(report);
+    tell_given_up();
     const StageClock clock(report_.seconds.assemble);
     if (split_improper_chords(patches_) > 0 || corrected_sag_) {
       share_indices(patches_.size(), [this](std::size_t p) {
@@ -138,14 +140,24 @@ class Run {
     return counts;
   }
 
-  void take(PatchReport& report) {
+  void take(const PatchReport& report) {
     report_.seconds += report.seconds;
     Report::Queries& queries = report_.control.queries;
     queries.triangulate += report.queries.triangulate;
     queries.refine += report.queries.refine;
     queries.improve += report.queries.improve;
-    std::move(report.shortfalls.begin(), report.shortfalls.end(),
-              std::back_inserter(report_.shortfalls));
+  }
+
+  void tell_given_up() {
+    std::vector<char> is_given_up;
+    for (const PatchReport& report : patch_reports_) is_given_up.push_back(report.is_given_up);
+    const std::string names = detail::patch_names(model_, is_given_up);
+    if (names.empty()) return;
+    report_.shortfalls.push_back(
+        fmt::format("{}: given up at three times the triangles that the sizes ask for: they change "
+                    "direction faster than elements can follow; smaller stretch or a lower grade "
+                    "helps",
+                    names));
   }
 
   void tell_turned() {
@@ -154,7 +166,7 @@ class Run {
     if (turned == 0) return;
     report_.shortfalls.push_back(
         fmt::format("{} triangles are turned against the normal of the surface{}; smaller sizes "
-                    "help (curvature, hmax)",
+                    "help (curvature, hmin, hmax)",
                     turned, turned_place()));
   }
 
@@ -200,13 +212,7 @@ class Run {
     refine_options.max_elements = elements_left();
     const RefineReport refined = refine(*patches_[p].delaunay, *patches_[p].field, refine_options);
     report.queries.refine = refined.queries;
-    if (refined.is_stopped) {
-      report.shortfalls.push_back(
-          fmt::format("patch {}: given up at three times the triangles that the sizes ask for: "
-                      "they change direction faster than elements can follow; smaller stretch or "
-                      "a lower grade helps",
-                      model_.patches[p].name));
-    }
+    report.is_given_up = refined.is_stopped;
   }
 
   void improve_patch(std::size_t p) {
