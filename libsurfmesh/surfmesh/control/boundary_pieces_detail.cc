@@ -80,8 +80,7 @@ BoundaryPieces::BoundaryPieces(const Model& model, const std::vector<int>& patch
 bool BoundaryPieces::complete(BoundaryPiece& piece) const {
   const ContourUse& use = contour(piece.contour).uses[static_cast<std::size_t>(piece.use)];
   const Surface& surface = *patch(piece.patch).surface;
-  const Jet jet =
-      surface.evaluate(use.curve->evaluate(0.5 * (piece.t0 + piece.t1)), Order::First);
+  const Jet jet = surface.evaluate(use.curve->evaluate(0.5 * (piece.t0 + piece.t1)), Order::First);
   const Vec3 left = jet.du.cross(jet.dv).cross(piece.to - piece.from);
   const double norm = left.norm();
   if (!(norm > 0)) return false;

@@ -12,8 +12,7 @@
 #include "surfmesh/control/curve_polyline.hh"
 #include "surfmesh/geometry/model.hh"
 
-/// The boundary of some patches in pieces, to be searched for those that face each other, apart for its
-/// tests.
+/// The boundary of some patches in pieces, to be searched for those that face each other.
 namespace surfmesh::detail {
 
 /// A part of a contour use, and its chord.
@@ -41,8 +40,8 @@ struct BoundaryPoint {
   double distance = 0;  ///< from the point that it was looked for from
 };
 
-/// The contours of some patches that are not smooth, in pieces that are straight as seen from the other
-/// side of a gap: nearer to their chords than a twentieth of the distance to any piece within
+/// The contours of some patches that are not smooth, in pieces that are straight as seen from the
+/// other side of a gap: nearer to their chords than a twentieth of the distance to any piece within
 /// `reach` that may be opposite.
 class BoundaryPieces {
  public:
