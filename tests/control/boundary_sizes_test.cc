@@ -28,7 +28,7 @@ Sizing sizing(double hmax, double proximity = 1) {
 
 std::vector<PlacedSize> gaps(const Model& model, double hmax, double proximity = 1) {
   const Sizing own = sizing(hmax, proximity);
-  return proximity_sizes(model, 0, own, SizeBounds(own, 1));
+  return proximity_sizes(model, own, SizeBounds(own, 1))[0];
 }
 
 /// Size across a gap in which one row of unit triangles fits.
@@ -97,13 +97,25 @@ TEST(Proximity, IsTheWidthOfACurvedStripWhateverHmax) {
     for (const double hmax : {0.1, 0.4, 1.0}) {
       Sizing own = sizing(hmax);
       own.hmin = {1e-7, false};
-      const auto sizes = proximity_sizes(half_ring(width), 0, own, SizeBounds(own, 1));
+      const auto sizes = proximity_sizes(half_ring(width), own, SizeBounds(own, 1))[0];
       double covered = 0;
       for (const PlacedSize& placed : sizes) {
         EXPECT_NEAR(placed.at_from.along, kOfOneRow * width, 0.06 * width) << hmax;
         if (placed.from.norm() > 1 - 0.1 * width) covered += 2 * placed.radius;
       }
       EXPECT_NEAR(covered, std::numbers::pi, 0.01 + 4 * width) << width << " " << hmax;
+    }
+  }
+}
+
+TEST(Proximity, GoesAcrossPatchesThatASmoothContourJoins) {
+  // Two halves of a strip along its middle line: the gap is the whole.
+  const Model model = model_of({rectangle(0, 0, 3, 0.05), rectangle(0, 0.05, 3, 0.1)});
+  const Sizing own = sizing(1);
+  for (const auto& sizes : proximity_sizes(model, own, SizeBounds(own, 1))) {
+    ASSERT_FALSE(sizes.empty());
+    for (const PlacedSize& placed : sizes) {
+      EXPECT_NEAR(placed.at_from.along, kOfOneRow * 0.1, 1e-12);
     }
   }
 }

@@ -195,9 +195,9 @@ TEST(TrimPatches, WarnsNotOfContoursAsShortAsTheyAreNear) {
   const auto side = [&](const char* name, Uv a, Uv b) {
     return ContourInput{name, nullptr, {{"p", line(a, b)}}};
   };
-  const Model model = square({{"-a", "-d", "-c", "-b"}},
-                             {side("a", {0, 0}, {d, 0}), side("b", {d, 0}, {d, d}),
-                              side("c", {d, d}, {0, d}), side("d", {0, d}, {0, 0})});
+  const Model model =
+      square({{"-a", "-d", "-c", "-b"}}, {side("a", {0, 0}, {d, 0}), side("b", {d, 0}, {d, d}),
+                                          side("c", {d, d}, {0, d}), side("d", {0, d}, {0, 0})});
   EXPECT_EQ(model.warnings, std::vector<std::string>{});
 }
 

@@ -51,7 +51,8 @@ TEST(OddModel, WithTwoPointSidesInARowHasOnePole) {
   EXPECT_EQ(result.report.mesh.euler, 1);
 }
 
-/// The cap of the unit sphere around an axis tilted from the pole, which it holds beside its middle.
+/// The cap of the unit sphere around an axis tilted from the pole, which it holds beside its
+/// middle.
 Model cap_around_a_pole(double radius, double tilt) {
   const auto rim = std::make_shared<CallableSpaceCurve>([=](double t) -> Vec3 {
     const double angle = t == 1 ? 0 : 2 * std::numbers::pi * t;
@@ -64,7 +65,8 @@ Model cap_around_a_pole(double radius, double tilt) {
     return std::make_shared<SegmentCurve>(Uv{u, low}, Uv{u, high});
   };
   return model_from_patches(
-      {{"s", std::make_shared<test::Sphere>(1, Domain{0, 2 * std::numbers::pi, 0, high}),
+      {{"s",
+        std::make_shared<test::Sphere>(1, Domain{0, 2 * std::numbers::pi, 0, high}),
         {{"rim", "seam", "-s:v1", "-seam"}}}},
       {{"rim", rim, {}},
        {"seam", nullptr, {{"s", meridian(2 * std::numbers::pi)}, {"s", meridian(0)}}}});

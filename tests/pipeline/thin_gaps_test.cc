@@ -56,9 +56,7 @@ Json model_with(const Gap& gap) {
 }
 
 /// The ring between the circles of radius 1 and less.
-Gap narrow_ring(double width) {
-  return {"NarrowRing", true, {{1, 1, 1}, {1, 1, 1 - width, 0.37}}};
-}
+Gap narrow_ring(double width) { return {"NarrowRing", true, {{1, 1, 1}, {1, 1, 1 - width, 0.37}}}; }
 
 TEST(ThinGaps, GetTheRowsAskedForWhateverHmax) {
   const TestFolder folder;
@@ -90,8 +88,7 @@ TEST(ThinGaps, BetweenLoopsAreSeenAtAnyWidth) {
 
 TEST(ThinGaps, AreToldWhereElementsDoNotFit) {
   const TestFolder folder;
-  write_text(folder / "a.json",
-             model_with({"HoleNearTheRim", false, {{0.7, 0.302, 0.3}}}).dump());
+  write_text(folder / "a.json", model_with({"HoleNearTheRim", false, {{0.7, 0.302, 0.3}}}).dump());
   const ModelInput input = load_model(folder / "a.json");
   PipelineOptions options;
   EXPECT_EQ(mesh_model(input.model, {}, options).report.warnings, std::vector<std::string>{});

@@ -170,8 +170,8 @@ TEST(MeasureQuality, CountsPoorTriangles) {
 }
 
 TEST(MeasureQuality, NamesTheWorstTriangle) {
-  PolyMesh mesh = testing::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 0.01, 0}, {0, 1, 0}},
-                                   {{0, 2, 3}, {0, 1, 2}});
+  PolyMesh mesh =
+      testing::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 0.01, 0}, {0, 1, 0}}, {{0, 2, 3}, {0, 1, 2}});
   testing::attach_plane_properties(mesh);
   EXPECT_EQ(measure_quality(mesh).worst_face, 1);
 }

@@ -31,7 +31,7 @@ constexpr double kLongestSegment = std::numbers::sqrt2;
 constexpr double kShortestHalved = 0.02;
 constexpr double kShortestUncrossed = 1e-6;
 
-/// Greatest distance, as a share of a segment, of its line in the parameters from where it should be.
+/// Greatest distance of a segment's line in the parameters from contour and chord, in its length.
 constexpr double kMostAstray = 0.2;
 
 /// Rounds of halving segments of loops that cross, and the most segments that these may become, as
@@ -140,8 +140,8 @@ class ContourDivision {
     if (parameters_[selected_].size() > before[selected_].size()) parameters_ = before;
   }
 
-  /// Halve segments whose straight line in the parameters of a patch with a pole is astray: near the
-  /// pole it runs around it where the contour passes by.
+  /// Halve segments whose straight line in the parameters of a patch with a pole is astray: near
+  /// the pole it runs around it where the contour passes by.
   void halve_astray_segments() {
     for (std::size_t use = 0; use < contour_.uses.size(); ++use) {
       if (!has_pole(patch_of(model_, contour_.uses[use]))) continue;
@@ -331,9 +331,9 @@ class ContourDivision {
     const Vec3 a = point(uv_a), b = point(uv_b);
     const Vec3 middle = point(curve.evaluate(0.5 * (from + to)));
     const Vec3 line = point(lerp(uv_a, uv_b, 0.5));
-    const double distance = std::min({detail::segment_distance(line, a, b),
-                                      detail::segment_distance(line, a, middle),
-                                      detail::segment_distance(line, middle, b)});
+    const double distance =
+        std::min({detail::segment_distance(line, a, b), detail::segment_distance(line, a, middle),
+                  detail::segment_distance(line, middle, b)});
     return distance > kMostAstray * (b - a).norm();
   }
 
@@ -473,7 +473,8 @@ class Uncrossing {
   }
 
   /// Add the segments next to poles whose rings have no room.
-  void collect_at_poles(const Loops& loops, std::size_t l, std::set<ContourSegment>& crossing) const {
+  void collect_at_poles(const Loops& loops, std::size_t l,
+                        std::set<ContourSegment>& crossing) const {
     const std::vector<ContourSegment>& segments = loops.segments[l];
     const detail::NodeLoop& nodes = loops.nodes[l];
     const std::size_t n = nodes.size();

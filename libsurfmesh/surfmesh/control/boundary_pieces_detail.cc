@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/control/boundary_pieces_detail.hh"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+
+#include "surfmesh/core/at_place.hh"
 
 namespace surfmesh::detail {
 namespace {
@@ -62,10 +66,11 @@ struct NearestPoint {
 
 }  // namespace
 
-BoundaryPieces::BoundaryPieces(const Model& model, int patch, double tolerance, double reach)
-    : model_(model), patch_(patch), reach_(reach) {
-  for (const PatchLoop& loop : model.patches[static_cast<std::size_t>(patch)].loops) {
-    for (const LoopEntry& entry : loop) collect(entry, tolerance);
+BoundaryPieces::BoundaryPieces(const Model& model, const std::vector<int>& patches,
+                               double tolerance, double reach)
+    : model_(model), reach_(reach) {
+  for (const int p : patches) {
+    at_place(fmt::format("patch {}", patch(p).name), [&] { collect(p, tolerance); });
   }
   plant_tree();
   straighten();
@@ -74,9 +79,8 @@ BoundaryPieces::BoundaryPieces(const Model& model, int patch, double tolerance, 
 /// Set what follows from the contour between the ends; false where there is no tangent plane.
 bool BoundaryPieces::complete(BoundaryPiece& piece) const {
   const ContourUse& use = contour(piece.contour).uses[static_cast<std::size_t>(piece.use)];
-  const Surface& surface = *model_.patches[static_cast<std::size_t>(patch_)].surface;
-  const Jet jet =
-      surface.evaluate(use.curve->evaluate(0.5 * (piece.t0 + piece.t1)), Order::First);
+  const Surface& surface = *patch(piece.patch).surface;
+  const Jet jet = surface.evaluate(use.curve->evaluate(0.5 * (piece.t0 + piece.t1)), Order::First);
   const Vec3 left = jet.du.cross(jet.dv).cross(piece.to - piece.from);
   const double norm = left.norm();
   if (!(norm > 0)) return false;
@@ -91,15 +95,20 @@ bool BoundaryPieces::complete(BoundaryPiece& piece) const {
   return true;
 }
 
-void BoundaryPieces::collect(const LoopEntry& entry, double tolerance) {
+void BoundaryPieces::collect(int index, double tolerance) {
+  for (const PatchLoop& loop : patch(index).loops) {
+    for (const LoopEntry& entry : loop) collect(index, entry, tolerance);
+  }
+}
+
+void BoundaryPieces::collect(int index, const LoopEntry& entry, double tolerance) {
   const Contour& c = contour(entry.contour);
   if (c.is_smooth || c.is_degenerate) return;
-  const auto points =
-      curve_polyline(CurveOnSurface(model_.patches[static_cast<std::size_t>(patch_)].surface,
-                                    c.uses[static_cast<std::size_t>(entry.use)].curve,
-                                    c.part_count),
-                     tolerance);
+  const CurveOnSurface curve(patch(index).surface,
+                             c.uses[static_cast<std::size_t>(entry.use)].curve, c.part_count);
+  const auto points = curve_polyline(curve, tolerance);
   BoundaryPiece piece;
+  piece.patch = index;
   piece.contour = entry.contour;
   piece.use = entry.use;
   piece.whole = length(points);

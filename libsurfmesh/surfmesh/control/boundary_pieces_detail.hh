@@ -12,14 +12,14 @@
 #include "surfmesh/control/curve_polyline.hh"
 #include "surfmesh/geometry/model.hh"
 
-/// The boundary of a patch in pieces, to be searched for those that face each other, apart for its
-/// tests.
+/// The boundary of some patches in pieces, to be searched for those that face each other.
 namespace surfmesh::detail {
 
 /// A part of a contour use, and its chord.
 struct BoundaryPiece {
   int contour = -1;
   int use = -1;
+  int patch = -1;
   double t0 = 0, t1 = 0;
   Vec3 from, to;
   Vec3 middle;            ///< of the contour, at the mean of t0 and t1
@@ -40,8 +40,8 @@ struct BoundaryPoint {
   double distance = 0;  ///< from the point that it was looked for from
 };
 
-/// The contours of a patch that are not smooth, in pieces that are straight as seen from the other
-/// side of a gap: nearer to their chords than a twentieth of the distance to any piece within
+/// The contours of some patches that are not smooth, in pieces that are straight as seen from the
+/// other side of a gap: nearer to their chords than a twentieth of the distance to any piece within
 /// `reach` that may be opposite.
 class BoundaryPieces {
  public:
@@ -50,7 +50,8 @@ class BoundaryPieces {
 
   /// Units    tolerance (distance of chords where nothing is near) and reach in model units
   /// Cost     five evaluations a piece, and O(n log n) for n pieces in up to 12 rounds
-  BoundaryPieces(const Model& model, int patch, double tolerance, double reach);
+  BoundaryPieces(const Model& model, const std::vector<int>& patches, double tolerance,
+                 double reach);
 
   const std::vector<BoundaryPiece>& all() const { return pieces_; }
   const BoundaryPiece& operator[](int piece) const {
@@ -72,15 +73,16 @@ class BoundaryPieces {
   const Contour& contour(int index) const {
     return model_.contours[static_cast<std::size_t>(index)];
   }
+  const Patch& patch(int index) const { return model_.patches[static_cast<std::size_t>(index)]; }
   bool complete(BoundaryPiece& piece) const;
-  void collect(const LoopEntry& entry, double tolerance);
+  void collect(int patch, double tolerance);
+  void collect(int patch, const LoopEntry& entry, double tolerance);
   void plant_tree();
   void straighten();
   std::vector<char> find_bent() const;
   double way_between(const BoundaryPiece& piece, const BoundaryPoint& point) const;
 
   const Model& model_;
-  int patch_;
   double reach_;
   std::vector<BoundaryPiece> pieces_;
   Eigen::KdBVH<double, 3, int> tree_;  ///< of the indices of pieces_

@@ -60,11 +60,8 @@ std::vector<std::vector<PlacedSize>> boundary_sizes(const Model& model, const Si
     for (const ContourUse& use : model.contours[c].uses) patches.insert(use.patch);
     for (const int patch : patches) append(sizes[static_cast<std::size_t>(patch)], of_contours[c]);
   }
-  share_indices(model.patches.size(), [&](std::size_t p) {
-    append(sizes[p], at_place(fmt::format("patch {}", model.patches[p].name), [&] {
-             return proximity_sizes(model, static_cast<int>(p), sizing, bounds);
-           }));
-  });
+  const auto of_gaps = proximity_sizes(model, sizing, bounds);
+  for (std::size_t p = 0; p < of_gaps.size(); ++p) append(sizes[p], of_gaps[p]);
   return sizes;
 }
 

@@ -15,7 +15,7 @@ namespace surfmesh {
 ///
 /// These three come from contours that are not smooth (true boundaries, creases, trims), and go to
 /// all patches that share the contour.
-/// Cost     about 0.1 ms a contour that is not smooth, and proximity_sizes of each patch
+/// Cost     about 0.1 ms a contour that is not smooth, and proximity_sizes
 /// Throws   InvalidInput for a size or radius of `near` that is none; InvalidOption for a sizing
 ///          out of range
 std::vector<PatchSources> model_sources(const Model& model, const Sources& sources,

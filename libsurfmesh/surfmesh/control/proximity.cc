@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <optional>
 
 #include "surfmesh/control/boundary_pieces_detail.hh"
+#include "surfmesh/core/parallel.hh"
+#include "surfmesh/geometry/disjoint_sets_detail.hh"
 
 namespace surfmesh {
 namespace {
@@ -38,14 +41,16 @@ constexpr double kRowHeight = std::numbers::sqrt3 / 2;
 
 class GapSearch {
  public:
-  GapSearch(const Model& model, int patch, const Sizing& sizing, const SizeBounds& bounds)
+  /// Adds to `sizes`, by patch.
+  GapSearch(const Model& model, const std::vector<int>& patches, const Sizing& sizing,
+            const SizeBounds& bounds, std::vector<std::vector<PlacedSize>>& sizes)
       : bounds_(bounds),
         rows_height_(sizing.proximity * kRowHeight),
-        pieces_(model, patch, kChordShare * bounds.hmax, rows_height_ * bounds.hmax) {}
+        pieces_(model, patches, kChordShare * bounds.hmax, rows_height_ * bounds.hmax),
+        sizes_(sizes) {}
 
-  std::vector<PlacedSize> run() {
+  void run() {
     for (const BoundaryPiece& piece : pieces_.all()) cross(piece, 0);
-    return std::move(sizes_);
   }
 
  private:
@@ -78,21 +83,50 @@ class GapSearch {
     placed.at_from = placed.at_to = {size, bounds_.clamp(kAlong * size)};
     placed.follows_segment = true;
     placed.radius = 0.5 * piece.width();
-    sizes_.push_back(placed);
+    const int other = pieces_[opposite.piece].patch;
+    sizes_[static_cast<std::size_t>(piece.patch)].push_back(placed);
+    if (other != piece.patch) sizes_[static_cast<std::size_t>(other)].push_back(placed);
   }
 
   const SizeBounds& bounds_;
   double rows_height_;  ///< gap that the elements asked for fill, in sizes across it
   BoundaryPieces pieces_;
-  std::vector<PlacedSize> sizes_;
+  std::vector<std::vector<PlacedSize>>& sizes_;
 };
+
+/// The patches that smooth contours join, in the order of the first of each group.
+std::vector<std::vector<int>> smooth_groups(const Model& model) {
+  DisjointSets sets(model.patches.size());
+  for (const Contour& contour : model.contours) {
+    if (!contour.is_smooth || contour.uses.empty()) continue;
+    for (const ContourUse& use : contour.uses) {
+      sets.unite(static_cast<std::size_t>(contour.uses.front().patch),
+                 static_cast<std::size_t>(use.patch));
+    }
+  }
+  std::vector<std::vector<int>> groups;
+  std::vector<std::size_t> group_of(model.patches.size());
+  for (std::size_t p = 0; p < model.patches.size(); ++p) {
+    const std::size_t first = sets.find(p);  // the least of its set
+    if (first == p) {
+      group_of[p] = groups.size();
+      groups.emplace_back();
+    }
+    groups[group_of[first]].push_back(static_cast<int>(p));
+  }
+  return groups;
+}
 
 }  // namespace
 
-std::vector<PlacedSize> proximity_sizes(const Model& model, int patch, const Sizing& sizing,
-                                        const SizeBounds& bounds) {
-  if (sizing.proximity == 0) return {};
-  return GapSearch(model, patch, sizing, bounds).run();
+std::vector<std::vector<PlacedSize>> proximity_sizes(const Model& model, const Sizing& sizing,
+                                                     const SizeBounds& bounds) {
+  std::vector<std::vector<PlacedSize>> sizes(model.patches.size());
+  if (sizing.proximity == 0) return sizes;
+  const auto groups = smooth_groups(model);
+  share_indices(groups.size(),
+                [&](std::size_t g) { GapSearch(model, groups[g], sizing, bounds, sizes).run(); });
+  return sizes;
 }
 
 }  // namespace surfmesh

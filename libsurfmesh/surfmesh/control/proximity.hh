@@ -8,7 +8,8 @@
 
 namespace surfmesh {
 
-/// Sizes between parts of a patch's boundary that face each other across the patch.
+/// Sizes between parts of the boundary that face each other across a patch, or across several that
+/// smooth contours join, by patch: those of a gap on the patches at both of its ends.
 ///
 /// From the middle of each piece of a contour that is not smooth the nearest point of another piece
 /// is looked for that lies inwards, within 60° of the inward direction of either, and whose inward
@@ -24,7 +25,7 @@ namespace surfmesh {
 ///          Proximity.IsTheWidthOfACurvedStripWhateverHmax)
 /// Cost     O(n log n) for n pieces of the boundary, and for each those that are nearer than its gap;
 ///          without a gap, those within reach: O(n²) where all are and none face each other
-std::vector<PlacedSize> proximity_sizes(const Model& model, int patch, const Sizing& sizing,
-                                        const SizeBounds& bounds);
+std::vector<std::vector<PlacedSize>> proximity_sizes(const Model& model, const Sizing& sizing,
+                                                     const SizeBounds& bounds);
 
 }  // namespace surfmesh

@@ -13,7 +13,7 @@ namespace {
 /// Places at which a contour is compared with another.
 constexpr std::array<double, 5> kPlaces = {0, 0.21, 0.5, 0.83, 1};
 
-/// A contour that runs along another is longer than this many gaps, or it is short rather than near.
+/// A contour along another is longer than this many gaps, or it is short rather than near.
 constexpr double kLengthPerGap = 4;
 
 /// True if the places of a contour are so near to another that it runs along it.
