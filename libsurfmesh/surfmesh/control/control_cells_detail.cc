@@ -41,7 +41,7 @@ constexpr double kEvenShare = 0.1;
 /// Nodes for each unit of metric area, of which an element takes 0.43, and beside these, from which on
 /// no cell is halved. Smooth fields take less than one a unit, creased patches of a few elements
 /// hundreds in all.
-constexpr double kMostNodesPerUnit = 8;
+constexpr double kMostNodesPerUnit = 16;
 constexpr double kFreeNodes = 20'000;
 
 /// The precision for which these are: inverse distances need nodes as its inverse square.

@@ -20,7 +20,7 @@ namespace surfmesh::detail {
 /// of sources. What it has been found to miss is kept: a finer precision takes up the cells where they
 /// are, and samples new ones only.
 ///
-/// From 20,000 nodes and 8 a unit of metric area on (more by distance with a small precision), four
+/// From 20,000 nodes and 16 a unit of metric area on (more by distance with a small precision), four
 /// million at most, no cell is halved any more: elements cannot follow.
 class ControlCells {
  public:
