@@ -8,7 +8,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numbers>
 #include <set>
 #include <utility>
 
@@ -18,13 +17,11 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
+#include "surfmesh/metric/triangle.hh"
 #include "surfmesh/quality/triangle_distance_detail.hh"
 
 namespace surfmesh {
 namespace {
-
-/// Longest segment in the metric of a patch that did not place the nodes.
-constexpr double kLongestSegment = std::numbers::sqrt2;
 
 /// Shortest segment, in the metric of the patch that placed the nodes, that is halved for another
 /// patch, and for a loop that crosses itself.
@@ -115,7 +112,7 @@ class ContourDivision {
   bool halve_long_segments() {
     const std::size_t before = segment_count();
     for (std::size_t i = 0; i < segment_count();) {
-      if (longest(i) > kLongestSegment && can_halve(i, kShortestHalved)) {
+      if (longest(i) > kLongestUnit && can_halve(i, kShortestHalved)) {
         halve(i);
       } else {
         ++i;

@@ -2,13 +2,12 @@
 #include "surfmesh/improve/fit_lengths.hh"
 
 #include <algorithm>
-#include <numbers>
 #include <vector>
+
+#include "surfmesh/metric/triangle.hh"
 
 namespace surfmesh {
 namespace {
-
-constexpr double kShortest = 1 / std::numbers::sqrt2, kLongest = std::numbers::sqrt2;
 
 class LengthFit {
  public:
@@ -22,9 +21,9 @@ class LengthFit {
       if (delaunay_.is_constrained(eh)) continue;
       const HalfedgeHandle heh = mesh().halfedge_handle(eh, 0);
       const double length = metric_length(heh);
-      if (length < kShortest) {
+      if (length < kShortestUnit) {
         if (!try_collapse(heh)) try_collapse(mesh().opposite_halfedge_handle(heh));
-      } else if (length > kLongest) {
+      } else if (length > kLongestUnit) {
         try_split(eh);
       }
     }
@@ -56,7 +55,7 @@ class LengthFit {
     for (const MetricCorner& next : star_.ring()) {
       if (!(previous->uv == tip.uv) && !(next.uv == tip.uv)) {
         if (orient2d(tip.uv, previous->uv, next.uv) <= 0) return -1;
-        if (std::max(distance(tip, *previous), distance(tip, next)) > kLongest) return -1;
+        if (std::max(distance(tip, *previous), distance(tip, next)) > kLongestUnit) return -1;
         least = std::min(least, triangle_quality(tip, *previous, next));
       }
       previous = &next;
@@ -93,7 +92,7 @@ class LengthFit {
       if (orient2d(middle.uv, from.uv, to.uv) <= 0) return false;
       after = std::min(after, triangle_quality(middle, from, to));
     }
-    if (shortest < kShortest || after < std::min(before, kGoodQuality)) return false;
+    if (shortest < kShortestUnit || after < std::min(before, kGoodQuality)) return false;
     const VertexHandle vh = delaunay_.split_edge(eh, middle.uv);
     delaunay_.metric(vh) = middle.metric;
     ++report_.split;

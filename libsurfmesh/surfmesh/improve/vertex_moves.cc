@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "surfmesh/metric/triangle.hh"
+
 namespace surfmesh {
 namespace {
 
@@ -76,7 +78,7 @@ double VertexMoves::score(const MetricCorner& p) const {
   double excess = 0;
   for (const MetricCorner& neighbour : star_.ring()) {
     const double length = fast_edge_length(p.uv, p.metric, neighbour.uv, neighbour.metric);
-    excess = std::max({excess, 1 / std::numbers::sqrt2 - length, length - std::numbers::sqrt2});
+    excess = std::max({excess, kShortestUnit - length, length - kLongestUnit});
   }
   // A valid place never scores below an inverted one.
   return std::max(least - 0.5 * excess, 0.0);

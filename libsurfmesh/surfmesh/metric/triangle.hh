@@ -36,6 +36,10 @@ inline double density(const Metric& m) { return std::sqrt(std::max(0.0, determin
 /// Metric area of a unit triangle.
 inline constexpr double kUnitTriangleArea = std::numbers::sqrt3 / 4;
 
+/// The unit range: metric lengths whose half and double are no nearer to 1, by ratio.
+inline constexpr double kShortestUnit = 1 / std::numbers::sqrt2;
+inline constexpr double kLongestUnit = std::numbers::sqrt2;
+
 /// Quality 4√3 A_M / (l1² + l2² + l3²) in a constant metric: 1 for a unit triangle, 0 for a
 /// degenerate one, negative for an inverted one.
 inline double triangle_quality(Uv a, Uv b, Uv c, const Metric& m) {

@@ -97,12 +97,12 @@ class SagCorrector {
 
   SagCorrections run() {
     boundary_count_ = boundary_vertices(patch_.boundary).size();
+    measure_new_faces();
+    const std::size_t limit = kFreeFaces + delaunay_.n_faces() / 2;
     for (int round = 0; round < kMostRounds; ++round) {
-      measure_new_faces();
       const std::vector<FaceHandle> far = far_faces();
-      if (round == 0) limit_ = kFreeFaces + sags_.size() / 2;
       // Where most triangles are too far the sizes are to blame, or hmin is in the way.
-      if (far.empty() || far.size() > limit_ || result_.nodes > limit_) break;
+      if (far.empty() || far.size() > limit || result_.nodes > limit) break;
       const SagCorrections before = result_;
       for (const FaceHandle fh : far) correct(fh);
       if (result_.swaps == before.swaps && result_.nodes == before.nodes) break;
@@ -359,7 +359,6 @@ class SagCorrector {
   PatchMesh& patch_;
   DelaunayMesh& delaunay_;
   double aim_;
-  std::size_t limit_ = 0;  ///< of triangles that are corrected, and of nodes
   std::size_t boundary_count_ = 0;
   std::vector<double> sags_;  ///< by face
   SagCorrections result_;

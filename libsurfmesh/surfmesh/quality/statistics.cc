@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <unordered_map>
 
 #include "surfmesh/core/error.hh"
@@ -16,9 +15,6 @@
 
 namespace surfmesh {
 namespace {
-
-constexpr double kLongestUnit = std::numbers::sqrt2;
-constexpr double kShortestUnit = 1 / std::numbers::sqrt2;
 
 constexpr double kPoorQuality = 0.3;
 
