@@ -30,6 +30,7 @@ constexpr int kRingSamples = 5;
 
 /// Share of its width and height at which the field is looked at in each cell of the surface.
 constexpr double kCellShare = 0.45;
+
 /// What the curvature of the surface asks for: where sizes that hold the sag are known, its factor
 /// alone.
 CurvatureLength length_on(const Sizing& sizing, const PatchSources& sources, double diagonal) {

@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "surfmesh/geometry/first_form.hh"
+
 namespace surfmesh {
 
 // The shape operator in the orthonormal frame is S = L⁻¹ II L⁻ᵀ with I = L Lᵀ: symmetric, so that

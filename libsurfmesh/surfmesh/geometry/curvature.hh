@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "surfmesh/core/values.hh"
-#include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/geometry/surface.hh"
 
 namespace surfmesh {
