@@ -164,11 +164,14 @@ TEST(RefineLimit, EndsTheRun) {
             "limit: more than max_elements = 1000 triangles");
 }
 
-TEST(RefineLimit, DoesNotEndARunThatStaysBelow) {
+TEST(RefineLimit, IsTheNumberOfTrianglesThatAreStillAllowed) {
   const FunctionField field = testing::isotropic_field(0.1);
   const std::size_t count = refined(field, {})->n_faces();
-  const auto delaunay = empty_square(field);
-  EXPECT_EQ(error_of([&] { refine(*delaunay, field, {.max_elements = count}); }), "no error");
+  const auto error_with = [&](std::size_t most) {
+    return error_of([&] { refine(*empty_square(field), field, {.max_elements = most}); });
+  };
+  EXPECT_EQ(error_with(count), "no error");
+  EXPECT_EQ(error_with(count - 1).substr(0, 6), "limit:");
 }
 
 TEST(RefineDegenerate, LeavesADomainThatIsSmallEnough) {

@@ -214,20 +214,21 @@ class Run {
         improve(*patches_[p].delaunay, *patches_[p].field, improve_options).queries;
   }
 
-  /// Elements that the patches which are not finished may have. Whichever these are, there is an
-  /// error if, and only if, all patches together have too many.
+  /// Elements that the patches which are not finished may have: each takes at least one. Whichever
+  /// these are, there is an error if, and only if, all patches together have too many.
   std::size_t elements_left() const {
-    const std::size_t most = options_.refine.max_elements;
     const std::size_t count = elements_;
-    if (count >= most) {
-      throw Error(ErrorCode::Limit, fmt::format("more than max_elements = {} triangles", most));
-    }
-    return most - count;
+    expect_few(count + 1);
+    return options_.refine.max_elements - count;
   }
 
-  void count_elements(std::size_t count) {
-    elements_ += count;
-    elements_left();
+  void count_elements(std::size_t count) { expect_few(elements_ += count); }
+
+  void expect_few(std::size_t elements) const {
+    const std::size_t most = options_.refine.max_elements;
+    if (elements > most) {
+      throw Error(ErrorCode::Limit, fmt::format("more than max_elements = {} triangles", most));
+    }
   }
 
   void finish_patch(std::size_t p) {
