@@ -35,8 +35,8 @@ struct FreedElements {
 /// Hands out elements of a mesh that grows in bulk.
 ///
 /// OpenMesh's new_vertex/edge/face resize every property array at each call; here the arrays are
-/// resized geometrically and the surplus is cut off by shrink(). Between growth and shrink() the
-/// mesh has surplus elements at the end of its arrays, which no halfedge refers to.
+/// resized for many vertices at a time and the surplus is cut off by shrink(). Between growth and
+/// shrink() the mesh has surplus elements at the end of its arrays, which no halfedge refers to.
 class ElementPool {
  public:
   explicit ElementPool(TriMesh& mesh)
@@ -48,10 +48,13 @@ class ElementPool {
   }
 
   /// Make sure that one more vertex can be inserted without another resize.
+  ///
+  /// Cost     O(1) amortised: the arrays are std::vectors, whose memory grows geometrically, so that
+  ///          few elements a resize are enough here; a share of the mesh would be filled for nothing
   void prepare_insertion() {
     if (vertices_ + 1 > mesh_.n_vertices() || edges_ + 3 > mesh_.n_edges() ||
         faces_ + 2 > mesh_.n_faces()) {
-      reserve(kLeastGrowth + vertices_ / 2);
+      reserve(kGrowth);
     }
   }
 
@@ -72,7 +75,7 @@ class ElementPool {
   void shrink() { mesh_.resize(vertices_, edges_, faces_); }
 
  private:
-  static constexpr std::size_t kLeastGrowth = 64;
+  static constexpr std::size_t kGrowth = 64;  ///< vertices for which room is made at once
 
   TriMesh& mesh_;
   std::size_t vertices_;
