@@ -266,27 +266,25 @@ int ControlMesh::walk(Uv uv, int start, RandomBits& random) const {
   return at;
 }
 
-int ControlMesh::find_triangle(Uv uv, Hint& hint) const {
+void ControlMesh::locate(Uv uv, Hint& hint) const {
   const bool is_known = static_cast<std::size_t>(hint.triangle) < triangles_.size();
   const bool is_near =
       is_known && seeds_.are_near(node(triangle(hint.triangle).nodes[0]).uv, uv);
   const int start = is_near ? hint.triangle : seeds_.triangles[seeds_.cell(uv)];
   hint.triangle = walk(uv, start, hint.random);
-  return hint.triangle;
 }
 
 // --- interpolation ---
 
 SizeTensor ControlMesh::interpolate(const SurfacePoint& at, Hint& hint) const {
-  const int index = find_triangle(at.uv, hint);
-  const Triangle& t = triangle(index);
+  const Triangle& t = triangle(hint.triangle);
   switch (t.interpolation) {
     case Interpolation::Single:
       ++hint.answers.single;
       return size_of(node(t.nodes[0]).value);
     case Interpolation::Circles:
       ++hint.answers.circles;
-      return from_circles(index, at.uv, at.form, hint);
+      return from_circles(hint.triangle, at.uv, at.form, hint);
     case Interpolation::Linear:
       ++hint.answers.linear;
       return linear(t, at.uv);
@@ -301,10 +299,10 @@ SizeTensor ControlMesh::size_of(const SizeTensor& value) const {
 }
 
 std::optional<SizeTensor> ControlMesh::extended_size_by_vertices(const SurfacePoint& at,
-                                                                 Hint& hint) const {
+                                                                 const Hint& hint) const {
   std::optional<SizeTensor> least;
   if (extended_.empty()) return least;
-  for (const int i : triangle(find_triangle(at.uv, hint)).nodes) {
+  for (const int i : triangle(hint.triangle).nodes) {
     const int extended = extended_of_[static_cast<std::size_t>(i)];
     if (extended < 0) continue;
     const auto size = extended_size(extended_[static_cast<std::size_t>(extended)], at.point);

@@ -28,6 +28,8 @@ class ControlMesh : public ControlSpace {
   const TriMesh& mesh() const override { return mesh_; }
 
  protected:
+  void locate(Uv uv, Hint& hint) const override;
+
   /// Weights are barycentric, or 1/d² with distances through M_p at the point asked for (paper,
   /// eq. (4), (5)).
   ///
@@ -36,7 +38,7 @@ class ControlMesh : public ControlSpace {
   SizeTensor interpolate(const SurfacePoint& at, Hint& hint) const override;
 
   std::optional<SizeTensor> extended_size_by_vertices(const SurfacePoint& at,
-                                                      Hint& hint) const override;
+                                                      const Hint& hint) const override;
 
  private:
   /// What a query reads of a node.
@@ -86,7 +88,6 @@ class ControlMesh : public ControlSpace {
 
   int exit_towards(Uv uv, int triangle, int entered_from, RandomBits& random) const;
   int walk(Uv uv, int start, RandomBits& random) const;
-  int find_triangle(Uv uv, Hint& hint) const;
   SizeTensor linear(const Triangle& triangle, Uv uv) const;
   SizeTensor from_vertices(const Triangle& triangle, Uv uv, const FirstFormFactor& form) const;
   SizeTensor from_circles(int triangle, Uv uv, const FirstFormFactor& form, Hint& hint) const;

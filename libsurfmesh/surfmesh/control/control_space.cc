@@ -58,15 +58,17 @@ SizeTensor ControlSpace::size(const SurfacePoint& at, Hint& hint) const {
 }
 
 SizeTensor ControlSpace::size_anew(const SurfacePoint& at, Hint& hint) const {
-  const auto extended = options_.lookup == DiscLookup::Disc
-                            ? discs_.size_at(at.point)
-                            : extended_size_by_vertices(at, hint);
-  if (!extended) return interpolate(at, hint);
-  if (options_.grade == 0 && !options_.discs_meet_area_sources) {
+  const bool by_vertices = options_.lookup == DiscLookup::Vertices;
+  if (by_vertices) locate(at.uv, hint);
+  const auto extended =
+      by_vertices ? extended_size_by_vertices(at, hint) : discs_.size_at(at.point);
+  if (extended && options_.grade == 0 && !options_.discs_meet_area_sources) {
     ++hint.answers.extended;
     return *extended;
   }
-  return minimum(*extended, interpolate(at, hint));
+  if (!by_vertices) locate(at.uv, hint);
+  const SizeTensor interpolated = interpolate(at, hint);
+  return extended ? minimum(*extended, interpolated) : interpolated;
 }
 
 void ControlSpace::take_node_metrics(const std::vector<ControlNode>& nodes) {

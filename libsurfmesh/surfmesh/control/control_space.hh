@@ -118,13 +118,20 @@ class ControlSpace {
   /// Tell the nodes after gradation.
   void take_node_metrics(const std::vector<ControlNode>& nodes);
 
+  /// Find the triangle that contains a point, for the questions below, and keep it in the hint; the
+  /// cells of a grid need no search.
+  virtual void locate(Uv, Hint&) const {}
+
   /// The sizes of the extended nodes of the triangle that contains a point, in whose discs it lies;
   /// a grid has no such triangles.
-  virtual std::optional<SizeTensor> extended_size_by_vertices(const SurfacePoint&, Hint&) const {
+  /// Pre      locate() was called last for this point
+  virtual std::optional<SizeTensor> extended_size_by_vertices(const SurfacePoint&,
+                                                              const Hint&) const {
     return std::nullopt;
   }
 
   /// The sizes from the nodes around a point, without any extended form.
+  /// Pre      locate() was called last for this point
   virtual SizeTensor interpolate(const SurfacePoint& at, Hint& hint) const = 0;
 
  private:
