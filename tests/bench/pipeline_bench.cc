@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The whole path of a formula surface and of a cage, also within a sag and by several threads, and refinement alone on the metric of case c1,
-// over growing numbers of triangles. The counter `triangles` is per second.
+// The whole path of a formula surface and of a cage, also within a sag and by several threads, and
+// refinement alone on the metric of case c1, over growing numbers of triangles. The counter
+// `triangles` is per second.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -61,7 +62,10 @@ void torus_cage_within_sag(benchmark::State& state) {
   for (auto _ : state) triangles = mesh_model(model, {}, options).mesh.n_faces();
   count_triangles(state, triangles);
 }
-BENCHMARK(torus_cage_within_sag)->RangeMultiplier(4)->Range(256, 4096)->Unit(benchmark::kMillisecond);
+BENCHMARK(torus_cage_within_sag)
+    ->RangeMultiplier(4)
+    ->Range(256, 4096)
+    ->Unit(benchmark::kMillisecond);
 
 /// Argument: the share of the sizes of a strong metric.
 void strong_metric(benchmark::State& state,

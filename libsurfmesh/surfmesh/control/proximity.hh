@@ -19,8 +19,8 @@ namespace surfmesh {
 /// to 20° are no gaps, nor are round ends.
 ///
 /// Gaps are measured in space.
-/// Cost     O(n log n) for n pieces of the boundary, and for each those that are nearer than its gap;
-///          without a gap, those within reach: O(n²) where all are and none face each other
+/// Cost     O(n log n) for n pieces of the boundary, and for each those that are nearer than its
+///          gap; without a gap, those within reach: O(n²) where all are and none face each other
 std::vector<PlacedSize> proximity_sizes(const Model& model, int patch, const Sizing& sizing,
                                         const SizeBounds& bounds);
 
