@@ -36,8 +36,8 @@ constexpr NamedOption kNamedOptions[] = {
     {kControl, "precision", "P", "conformity of the control space with the sizes asked for"},
     {kControl, "control", "mesh|grid", "triangulated, or a regular grid"},
     {kControl, "interpolation", "linear|s|t|o|auto",
-     "sizes linear in a triangle of nodes, or by distance from one, its triangle's, all circumcircles', "
-     "or the cheapest that is as good"},
+     "sizes linear in a triangle of nodes, or by distance from one, its triangle's, all "
+     "circumcircles', or the cheapest that is as good"},
     {kControl, "epsilon", "E", "accuracy of the interpolation auto"},
     {kControl, "reuse", "F", "use a size again within this metric distance; 0 is off"},
     {kMeshing, "placement", "frontal|circumcentre", "where new nodes go"},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Queries of the control space of the surface of eq. (7), its construction, the choice of its
-// nodes. The marks, at 40,000 nodes: near the last one V_t 60 ns, V_o 220 ns, a grid 20 ns, at random
-// V_t 200 ns; to build 80 ms, with classification 250 ms.
+// nodes. The marks, at 40,000 nodes: near the last one V_t 60 ns, V_o 220 ns, a grid 20 ns, at
+// random V_t 200 ns; to build 80 ms, with classification 250 ms.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -51,7 +51,7 @@ std::vector<SurfacePoint> random_queries(const SizeField& field) {
   return queries;
 }
 
-/// The field with a largest size of half a cell more than a tenth, so that regular nodes stay apart.
+/// A field with a largest size of half a cell more than a tenth, so that regular nodes stay apart.
 SizeField fine_field() {
   static const auto surface = testing::paper_wave();
   Sizing sizing = testing::paper_sizing();
@@ -68,7 +68,8 @@ ControlMesh regular_control(const SizeField& field, std::int64_t nodes,
   return ControlMesh(field.surface().domain(), regular_nodes(field, nodes), options);
 }
 
-void ask(benchmark::State& state, const std::vector<SurfacePoint>& queries, const ControlSpace& control) {
+void ask(benchmark::State& state, const std::vector<SurfacePoint>& queries,
+         const ControlSpace& control) {
   ControlSpace::Hint hint;
   for (auto _ : state) {
     for (const SurfacePoint& q : queries) {

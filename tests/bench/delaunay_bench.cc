@@ -60,8 +60,14 @@ void order(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(spatial_order(points));
 }
 
-BENCHMARK(insert_by_cavity)->RangeMultiplier(10)->Range(10'000, 1'000'000)->Unit(benchmark::kMillisecond);
-BENCHMARK(insert_by_swaps)->RangeMultiplier(10)->Range(10'000, 1'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(insert_by_cavity)
+    ->RangeMultiplier(10)
+    ->Range(10'000, 1'000'000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(insert_by_swaps)
+    ->RangeMultiplier(10)
+    ->Range(10'000, 1'000'000)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(order)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -88,7 +88,10 @@ void torus_cage_within_sag(benchmark::State& state) {
   for (auto _ : state) triangles = mesh_model(model, {}, options).mesh.n_faces();
   count_triangles(state, triangles);
 }
-BENCHMARK(torus_cage_within_sag)->RangeMultiplier(4)->Range(256, 4096)->Unit(benchmark::kMillisecond);
+BENCHMARK(torus_cage_within_sag)
+    ->RangeMultiplier(4)
+    ->Range(256, 4096)
+    ->Unit(benchmark::kMillisecond);
 
 /// Argument: the share of the sizes of a strong metric.
 void strong_metric(benchmark::State& state,

@@ -52,8 +52,8 @@ TEST(MetricArc, OfASizeWithANarrowDipKeepsItsBound) {
   // 1/h = 1 + 100 / (1 + (u − c)²/w²): an arctangent.
   for (const double w : {0.1, 0.03, 0.01}) {
     const double c = 0.37;
-    const auto field =
-        isotropic_field([=](Uv uv) { return 1 / (10 + 100 / (1 + (uv.u - c) * (uv.u - c) / (w * w))); });
+    const auto field = isotropic_field(
+        [=](Uv uv) { return 1 / (10 + 100 / (1 + (uv.u - c) * (uv.u - c) / (w * w))); });
     const double exact = 10 + 100 * w * (std::atan((1 - c) / w) + std::atan(c / w));
     EXPECT_NEAR(MetricArc(kAlongU, field).length(), exact, kArcError * exact) << w;
   }

@@ -75,8 +75,9 @@ TEST(ContourGradation, LetsSizesGrowFromTheContour) {
 }
 
 TEST(ContourGradation, GoesOnThroughPatches) {
-  Model row = testing::model_of({testing::rectangle(0, 0, 0.1, 1), testing::rectangle(0.1, 0, 0.2, 1),
-                                 testing::rectangle(0.2, 0, 0.3, 1)});
+  Model row =
+      testing::model_of({testing::rectangle(0, 0, 0.1, 1), testing::rectangle(0.1, 0, 0.2, 1),
+                         testing::rectangle(0.2, 0, 0.3, 1)});
   const Controls controls =
       graded_controls(std::move(row), {size_of(0.02, 0.02), size_of(1, 1), size_of(1, 1)});
   // As above, and at each contour a twentieth more.
@@ -116,8 +117,8 @@ TEST(ContourGradation, CarriesDirectionsToAPatchOfTheOtherOrientation) {
 }
 
 TEST(ContourGradation, LowersGridsToo) {
-  const Controls controls =
-      graded_controls(two_squares(), {size_of(0.02, 0.02), size_of(1, 1)}, kGrade, ControlKind::Grid);
+  const Controls controls = graded_controls(two_squares(), {size_of(0.02, 0.02), size_of(1, 1)},
+                                            kGrade, ControlKind::Grid);
   EXPECT_LT(size_at(controls, 1, {1, 0.5}).h11, 0.03);
 }
 

@@ -108,7 +108,8 @@ TEST(ControlNodes, RepresentASmoothFieldToThePrecision) {
   const test::Torus torus(3, 1, {0, 6, -1, 1});
   const SizeField field(torus, sizing_of(0.25, 1e-3, 100, 100), {}, 1);
   for (const double precision : {0.2, 0.1, 0.05}) {
-    const ControlMesh control(torus.domain(), choose_control_nodes(field, {0, precision}).nodes, {});
+    const auto nodes = choose_control_nodes(field, {0, precision}).nodes;
+    const ControlMesh control(torus.domain(), nodes, {});
     std::mt19937 random(1);
     std::uniform_real_distribution<double> uniform(0, 1);
     ControlSpace::Hint hint;
@@ -117,7 +118,8 @@ TEST(ControlNodes, RepresentASmoothFieldToThePrecision) {
       const double s = uniform(random);
       const Uv uv = torus.domain().at(s, uniform(random));
       const SizeField::Sample exact = field.at(uv);
-      if (log_conformity(exact.size, control.size({uv, exact.point, exact.form}, hint)) <= precision) ++good;
+      const SizeTensor held = control.size({uv, exact.point, exact.form}, hint);
+      if (log_conformity(exact.size, held) <= precision) ++good;
     }
     EXPECT_GE(good, 1900) << precision;
   }

@@ -68,7 +68,8 @@ TEST(CircleInterpolation, EqualsASearchOverAllTriangles) {
 }
 
 TEST(CircleInterpolation, TakesDistancesThroughTheFirstForm) {
-  const auto nodes = testing::with_corners({}, isotropic(1), {testing::node({0.5, 0.5}, isotropic(2))});
+  const auto nodes =
+      testing::with_corners({}, isotropic(1), {testing::node({0.5, 0.5}, isotropic(2))});
   const ControlMesh control({}, nodes, {.interpolation = Interpolation::Circles});
   // The circles of the two triangles left and right of (0.5, 0.25) do not hold it: three nodes.
   const double middle = 1 / 0.0625, below = 1 / 25.0625;
@@ -160,7 +161,9 @@ TEST(LinearInterpolation, ReproducesSizesLinearInTheParameters) {
 }
 
 TEST(LinearInterpolation, IsOfSecondOrder) {
-  const auto wave = [](Uv uv) { return isotropic(1e-3 * (2 + std::sin(3 * uv.u) * std::cos(2 * uv.v))); };
+  const auto wave = [](Uv uv) {
+    return isotropic(1e-3 * (2 + std::sin(3 * uv.u) * std::cos(2 * uv.v)));
+  };
   const auto error = [&](int side) {
     const ControlMesh control({}, testing::grid({}, side, wave), {});
     double greatest = 0;

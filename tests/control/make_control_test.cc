@@ -42,7 +42,8 @@ MetricArea stratified_area(const SizeField& field, const ControlSpace& control, 
       const Uv uv = domain.at(s, (j + uniform(random)) / n);
       const SizeField::Sample sample = field.at(uv);
       area.exact += root_of_determinant(sample.form, sample.size);
-      area.control += root_of_determinant(sample.form, control.size({uv, sample.point, sample.form}, hint));
+      area.control +=
+          root_of_determinant(sample.form, control.size({uv, sample.point, sample.form}, hint));
     }
   }
   const double cell = (domain.u1 - domain.u0) * (domain.v1 - domain.v0) / n / n;
@@ -136,7 +137,8 @@ std::pair<double, double> misses_of(const Surface& surface, const Sizing& sizing
   constexpr int samples = 20'000;
   constexpr double precision = 0.1;
   const SizeField field(surface, sizing, {}, 1, precision);
-  const ControlMesh control(surface.domain(), choose_accurate_nodes(field, {0, precision}).nodes, {});
+  const auto nodes = choose_accurate_nodes(field, {0, precision}).nodes;
+  const ControlMesh control(surface.domain(), nodes, {});
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(0, 1);
   ControlSpace::Hint hint;

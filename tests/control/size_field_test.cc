@@ -14,6 +14,7 @@
 #include "support/waves.hh"
 #include "surfmesh/geometry/cage_model.hh"
 #include "surfmesh/geometry/curvature.hh"
+#include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/geometry/limit_surface.hh"
 #include "surfmesh/metric/conformity.hh"
 

@@ -41,7 +41,8 @@ TEST(ThinNodes, KeepsThePrecisionAtAllNodes) {
   for (const double precision : {0.4, 0.2, 0.1}) {
     const NodeInterpolation kept(kPlane, thin_nodes(kPlane, nodes, precision));
     for (const ControlNode& node : nodes) {
-      EXPECT_LE(log_conformity(node.size, kept.at({node.uv, node.point, node.form}).size), precision);
+      EXPECT_LE(log_conformity(node.size, kept.at({node.uv, node.point, node.form}).size),
+                precision);
     }
   }
 }

@@ -187,7 +187,9 @@ TEST(SplitEdge, ConstrainsNoneOfTheNewEdges) {
   DelaunayMesh delaunay({0, 0}, {1, 1});
   const HalfedgeHandle diagonal = delaunay.find_halfedge(VertexHandle(0), VertexHandle(2));
   const VertexHandle vh = delaunay.split_edge(delaunay.mesh().edge_handle(diagonal), {0.5, 0.5});
-  for (const EdgeHandle eh : delaunay.mesh().ve_range(vh)) EXPECT_FALSE(delaunay.is_constrained(eh));
+  for (const EdgeHandle eh : delaunay.mesh().ve_range(vh)) {
+    EXPECT_FALSE(delaunay.is_constrained(eh));
+  }
 }
 
 }  // namespace

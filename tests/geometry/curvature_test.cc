@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/geometry/formula_surface.hh"
 
 namespace surfmesh {

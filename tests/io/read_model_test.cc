@@ -23,7 +23,8 @@ std::string fault(const std::string& text) {
 
 /// A model of one patch: other keys of the patch, other keys of the model.
 std::string model(const std::string& in_patch, const std::string& in_root = "") {
-  return R"({"patches": [{"name": "p", "surface": {"z": "u*v"}, "domain": {"u": [0, 2], "v": [-1, 1]})" +
+  return R"({"patches": [{"name": "p", "surface": {"z": "u*v"},
+             "domain": {"u": [0, 2], "v": [-1, 1]})" +
          (in_patch.empty() ? "" : ", " + in_patch) + "}]" +
          (in_root.empty() ? "" : ", " + in_root) + "}";
 }
@@ -58,7 +59,8 @@ TEST(ReadModel, ReadsSources) {
 
 TEST(ReadModel, ReadsSizesAroundPlaces) {
   const ModelFile file = read(model(R"("sources": [
-      {"at": [0, 1], "size": 1, "radius": "1%", "outer": {"size": [2, 3], "angle": 90, "radius": 4}},
+      {"at": [0, 1], "size": 1, "radius": "1%",
+       "outer": {"size": [2, 3], "angle": 90, "radius": 4}},
       {"along": [[0, 0], [1, 0.5], [2, 1]], "size": 5, "radius": 6},
       {"along": "p:u0", "size": 7},
       {"inside": [[0, 0], [1, 0], [1, "1/2"]], "size": 8}])"));
@@ -100,7 +102,8 @@ TEST(ReadModel, ReadsTablesBesideTheFile) {
 
 TEST(ReadModel, ReadsPlacesInSpace) {
   const ModelFile file = read(model("", R"("constants": {"a": 2}, "sources": [
-      {"near": [0, "a", 1], "size": 1}, {"near": [[0, 0, 0], [1, 0, "a"]], "size": 1, "radius": 2}])"));
+      {"near": [0, "a", 1], "size": 1},
+      {"near": [[0, 0, 0], [1, 0, "a"]], "size": 1, "radius": 2}])"));
   ASSERT_EQ(file.sources.near.size(), 2u);
   EXPECT_EQ(file.sources.near[0].line.at(0), Vec3(0, 2, 1));
   EXPECT_EQ(file.sources.near[1].line.at(1), Vec3(1, 0, 2));
@@ -108,10 +111,12 @@ TEST(ReadModel, ReadsPlacesInSpace) {
 
 TEST(ReadModelFaults, OfSourcesOfAllKinds) {
   const std::string front = " /patches/0/sources/0";
-  EXPECT_EQ(fault(source(R"("along": [[0, 0]], "size": 1)")), front + "/along: needs at least 2 points");
+  EXPECT_EQ(fault(source(R"("along": [[0, 0]], "size": 1)")),
+            front + "/along: needs at least 2 points");
   EXPECT_EQ(fault(source(R"("inside": [[0, 0], [1, 0], [3, 0]], "size": 1)")),
             front + "/inside/2: this point is outside of the domain");
-  EXPECT_EQ(fault(source(R"("at": [0, 0], "size": 1, "radius": -1)")), front + "/radius: must be 0 or above");
+  EXPECT_EQ(fault(source(R"("at": [0, 0], "size": 1, "radius": -1)")),
+            front + "/radius: must be 0 or above");
   EXPECT_EQ(fault(source(R"("at": [0, 0], "size": 1, "radius": "-1%")")),
             front + "/radius: must be 0 or above");
   EXPECT_EQ(fault(source(R"("at": [0, 0], "size": 1, "radius": "0%")")), "no error");
@@ -124,10 +129,13 @@ TEST(ReadModelFaults, OfSourcesOfAllKinds) {
   EXPECT_EQ(fault(source(R"("field": {"size": "u", "m11": "1"})")),
             front + "/field/m11: a field of one size has no m11");
   EXPECT_TRUE(fault(source(R"("field": {"size": "u+q"})")).starts_with(front + "/field/size: "));
-  EXPECT_EQ(fault(source(R"("field": {"m11": "1", "m22": "1"})")), front + "/field/m12: this key is missing");
-  EXPECT_EQ(fault(source(R"("field": {"size": "u"}, "precision": 0)")), front + "/precision: must be above 0");
+  EXPECT_EQ(fault(source(R"("field": {"m11": "1", "m22": "1"})")),
+            front + "/field/m12: this key is missing");
+  EXPECT_EQ(fault(source(R"("field": {"size": "u"}, "precision": 0)")),
+            front + "/precision: must be above 0");
   EXPECT_TRUE(fault(source(R"("table": "no.csv")")).starts_with(front + "/table: cannot read"));
-  EXPECT_EQ(fault(model("", R"("sources": [{"near": [0, 0], "size": 1}])")).find(" /sources/0/near"), 0u);
+  EXPECT_EQ(
+      fault(model("", R"("sources": [{"near": [0, 0], "size": 1}])")).find(" /sources/0/near"), 0u);
 }
 
 TEST(ReadModel, GivesSourcesTheIndexOfTheirPatch) {
@@ -208,9 +216,9 @@ TEST(ReadModel, AcceptsWhatIsNotBuiltWhereItIsOff) {
   EXPECT_EQ(
       fault(sizing(R"("sag": 0, "proximity": 1, "features": true, "contour_curvature": true)")),
       "no error");
-  EXPECT_EQ(
-      fault(source(R"("everywhere": true, "size": 1, "radius": 0, "outer": {}, "precision": null)")),
-      "no error");
+  EXPECT_EQ(fault(source(
+                R"("everywhere": true, "size": 1, "radius": 0, "outer": {}, "precision": null)")),
+            "no error");
 }
 
 TEST(ReadModel, ReadsTheSag) {

@@ -11,6 +11,8 @@
 namespace surfmesh::testing {
 namespace {
 
+const std::filesystem::path kProject = SURFMESH_SOURCE_DIR;
+
 /// A piece of a source text: code, a comment, or a literal with its quotes.
 enum class Kind { Code, Comment, Literal };
 
@@ -81,6 +83,22 @@ SourceFile read(const std::filesystem::path& root, const std::filesystem::path& 
           lines_of(without_comments(text))};
 }
 
+/// The sources in some folders of a root.
+std::vector<SourceFile> sources_in(const std::filesystem::path& root,
+                                   const std::vector<std::string>& folders) {
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& folder : folders) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
+      const std::filesystem::path& path = entry.path();
+      if (path.extension() == ".hh" || path.extension() == ".cc") paths.push_back(path);
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  std::vector<SourceFile> files;
+  for (const std::filesystem::path& path : paths) files.push_back(read(root, path));
+  return files;
+}
+
 }  // namespace
 
 std::vector<std::string> lines_of(std::string_view text) {
@@ -95,17 +113,11 @@ std::string without_comments(std::string_view text) { return without(text, Kind:
 std::string without_strings(std::string_view text) { return without(text, Kind::Literal); }
 
 std::vector<SourceFile> library_sources() {
-  const std::filesystem::path root =
-      std::filesystem::path(SURFMESH_SOURCE_DIR) / "libsurfmesh" / "surfmesh";
-  std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
-    const std::filesystem::path& path = entry.path();
-    if (path.extension() == ".hh" || path.extension() == ".cc") paths.push_back(path);
-  }
-  std::sort(paths.begin(), paths.end());
-  std::vector<SourceFile> files;
-  for (const std::filesystem::path& path : paths) files.push_back(read(root, path));
-  return files;
+  return sources_in(kProject / "libsurfmesh" / "surfmesh", {""});
+}
+
+std::vector<SourceFile> project_sources() {
+  return sources_in(kProject, {"libsurfmesh", "tests", "tools"});
 }
 
 std::string place(const SourceFile& file, std::size_t line_index) {

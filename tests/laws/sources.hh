@@ -7,9 +7,9 @@
 
 namespace surfmesh::testing {
 
-/// A source file of the library as lines; line numbers count from 1.
+/// A source file as lines; line numbers count from 1.
 struct SourceFile {
-  std::string path;    ///< from libsurfmesh/surfmesh on: "core/mesh.hh"
+  std::string path;    ///< from the folder that is looked through on: "core/mesh.hh"
   std::string folder;  ///< "core"
   std::vector<std::string> lines;
   std::vector<std::string> code;  ///< the lines without their comments
@@ -17,6 +17,9 @@ struct SourceFile {
 
 /// All .hh and .cc files of the library, in the order of their paths.
 std::vector<SourceFile> library_sources();
+
+/// All .hh and .cc files of the project, from its root on, in the order of their paths.
+std::vector<SourceFile> project_sources();
 
 /// Text split into lines, and the same without comments; strings and characters are kept.
 std::vector<std::string> lines_of(std::string_view text);

@@ -85,8 +85,8 @@ TEST(EveryModel, IsMeshedAsItPromisesAndWithoutSlivers) {
   for (const auto& entry : std::filesystem::directory_iterator(kModels)) {
     const std::string name = entry.path().filename().string();
     const std::string ending = entry.path().extension().string();
-    if (name == "surfmesh.schema.json" || (ending != ".json" && ending != ".obj" && ending != ".off"))
-      continue;
+    if (name == "surfmesh.schema.json") continue;
+    if (ending != ".json" && ending != ".obj" && ending != ".off") continue;
     SCOPED_TRACE(name);
     const ModelInput input = load_model(entry.path());
     const MeshResult result = mesh_model(input.model, input.sources, input.options);
@@ -96,8 +96,8 @@ TEST(EveryModel, IsMeshedAsItPromisesAndWithoutSlivers) {
   }
 }
 
-/// Expect a mesh that is cut along a seam, with a warning: every vertex of the cut has another one in
-/// its place.
+/// Expect a mesh that is cut along a seam, with a warning: every vertex of the cut has another one
+/// in its place.
 void expect_cut(const MeshResult& result, long euler, std::size_t pairs) {
   EXPECT_EQ(result.report.shortfalls, std::vector<std::string>{});
   ASSERT_EQ(result.report.warnings.size(), 1u);

@@ -175,11 +175,13 @@ TEST(LoadModel, NamesThePlaceOfBadLoops) {
     return start == std::string::npos ? text : text.substr(start + front.size());
   };
   const std::string arc =
-      R"json({"name": "a", "range": [0, 3], "on": [{"patch": "p", "u": "1+cos(t)/2", "v": "sin(t)/2"}]})json";
+      R"json({"name": "a", "range": [0, 3],
+              "on": [{"patch": "p", "u": "1+cos(t)/2", "v": "sin(t)/2"}]})json";
   EXPECT_TRUE(fault_of(R"(, ["-a"])", arc)
                   .starts_with("/patches/0/loops/1: patch p: the loop does not close, the gap"));
   const std::string high =
-      R"json({"name": "a", "xyz": {"x": "1+0.1*cos(2*pi*t)", "y": "0.1*sin(2*pi*t)", "z": "9"}})json";
+      R"json({"name": "a",
+              "xyz": {"x": "1+0.1*cos(2*pi*t)", "y": "0.1*sin(2*pi*t)", "z": "9"}})json";
   EXPECT_TRUE(fault_of(R"(, ["-a"])", high)
                   .starts_with("/contours/0: contour a on patch p: its distance from the patch"));
   EXPECT_EQ(fault_of("", arc), "no error");

@@ -60,7 +60,9 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
 TEST(ReportJson, CountsQuestionsByStageAndAnswersByKind) {
   const Json control = Json::parse(to_json(example()))["control"];
   EXPECT_EQ(control["classes"], Json::parse(R"({"s": 3, "t": 10, "o": 7, "linear": 0})"));
-  EXPECT_EQ(control["answers"], Json::parse(R"({"s": 1, "t": 6, "o": 3, "linear": 4, "grid": 5, "extended": 6, "reused": 7})"));
+  EXPECT_EQ(control["answers"],
+            Json::parse(
+                R"({"s": 1, "t": 6, "o": 3, "linear": 4, "grid": 5, "extended": 6, "reused": 7})"));
   EXPECT_EQ(control["queries"]["boundary"], 4);
   EXPECT_EQ(control["queries"]["refine"], 28);
   EXPECT_EQ(keys_of(control["queries"]),

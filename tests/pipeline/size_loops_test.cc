@@ -184,7 +184,8 @@ TEST_P(SizeLoops, OfSourcesGiveProperMeshes) {
     for (int p = 0; p < GetParam().pieces; ++p) {
       sources.everywhere.push_back({p, {{size, false}, {size, false}, 0}});
     }
-    const PipelineOptions options{.sizing = {.curvature = 0, .hmin = {1e-4, true}, .hmax = {1, true}}};
+    const PipelineOptions options{
+        .sizing = {.curvature = 0, .hmin = {1e-4, true}, .hmax = {1, true}}};
     expect_right(GetParam(), model, mesh_model(model, sources, options));
   }
 }

@@ -131,7 +131,8 @@ TEST(RefineFrontal, AsksForTheMetricAboutTwiceANode) {
   const FunctionField field = four_point_field();
   const auto delaunay = empty_square(field);
   const RefineReport report = refine(*delaunay, field, kFrontalCavity.options);
-  EXPECT_LT(static_cast<double>(report.queries.total()) / static_cast<double>(report.inserted), 2.2);
+  EXPECT_LT(static_cast<double>(report.queries.total()) / static_cast<double>(report.inserted),
+            2.2);
 }
 
 TEST(RefineFrontal, GetsBetterWithSmallerSizes) {
@@ -149,7 +150,8 @@ TEST(RefineCircumcentre, AsksForTheMetricAboutOnceANode) {
   const FunctionField field = four_point_field();
   const auto delaunay = empty_square(field);
   const RefineReport report = refine(*delaunay, field, kCircumcentreCavity.options);
-  EXPECT_LT(static_cast<double>(report.queries.total()) / static_cast<double>(report.inserted), 1.3);
+  EXPECT_LT(static_cast<double>(report.queries.total()) / static_cast<double>(report.inserted),
+            1.3);
 }
 
 TEST(RefineOptionsCheck, RefusesNoElements) {
@@ -184,7 +186,8 @@ TEST(RefineDegenerate, FillsARoundHoleAndAnLShape) {
   const FunctionField field = testing::isotropic_field(0.05);
   const std::vector<Uv> ell = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
   const auto hole = testing::circle({0.5, 0.5}, 0.3, -38);
-  const auto delaunay = triangulate_boundary({testing::with_nodes(ell, field), hole}, field).delaunay;
+  const auto delaunay =
+      triangulate_boundary({testing::with_nodes(ell, field), hole}, field).delaunay;
   refine(*delaunay, field);
   EXPECT_NEAR(valid_area(*delaunay), 3 + testing::polygon_area(hole), 1e-12);
   EXPECT_GT(testing::mean_quality(*delaunay), 0.95);

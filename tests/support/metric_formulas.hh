@@ -31,8 +31,8 @@ inline MetricFormulas shock_formulas(double scale = 1) {
       fmt::format("{}*0.3", scale));
 }
 
-/// A circular layer 2e-4 thick. Along it elements are no longer than their sagitta, 0.05 of the size
-/// across, allows.
+/// A circular layer 2e-4 thick. Along it elements are no longer than their sagitta, 0.05 of the
+/// size across, allows.
 inline MetricFormulas ring_formulas(double scale = 1) {
   const std::string r = "hypot(u-0.5,v-0.5+1e-9)";
   const std::string across = fmt::format("sqrt(({}*2e-4)^2+(0.15*({}-0.3))^2)", scale, r);
@@ -57,7 +57,8 @@ inline MetricFormulas layer_formulas(double scale = 1) {
 /// Two shocks that cross.
 inline MetricFormulas crossing_formulas(double scale = 1) {
   const auto shock = [&](const char* c, const char* s, const char* distance) {
-    return directed_formulas("", c, s, fmt::format("sqrt(({}*1e-3)^2+(0.15*({}))^2)", scale, distance),
+    return directed_formulas("", c, s,
+                             fmt::format("sqrt(({}*1e-3)^2+(0.15*({}))^2)", scale, distance),
                              fmt::format("{}*0.1", scale));
   };
   const MetricFormulas a = shock("0.6", "0.8", "0.6*u+0.8*v-0.7");
@@ -74,7 +75,8 @@ inline MetricFormulas turning_formulas() {
 /// The model file of the unit square with a metric and nothing else.
 inline std::string model_text(const MetricFormulas& metric) {
   return fmt::format(
-      R"({{"patches": [{{"name": "square", "surface": {{"z": "0"}}, "domain": {{"u": [0, 1], "v": [0, 1]}},
+      R"({{"patches": [{{"name": "square", "surface": {{"z": "0"}},
+      "domain": {{"u": [0, 1], "v": [0, 1]}},
       "sources": [{{"field": {{"m11": "{}", "m12": "{}", "m22": "{}"}}}}]}}],
       "sizing": {{"curvature": 0, "grade": 0, "hmin": 1e-6, "hmax": 1, "contour_curvature": false,
       "proximity": 0, "features": false}}}})",

@@ -81,7 +81,9 @@ inline int contour_index(const Model& model, std::string_view name) {
 class UniformSizes {
  public:
   UniformSizes(const Model& model, double size) {
-    for (const Patch& patch : model.patches) fields_.push_back(isotropic_field_on(*patch.surface, size));
+    for (const Patch& patch : model.patches) {
+      fields_.push_back(isotropic_field_on(*patch.surface, size));
+    }
     for (const FunctionField& field : fields_) pointers_.push_back(&field);
   }
   UniformSizes(const UniformSizes&) = delete;

@@ -36,7 +36,8 @@ std::string formula(const std::string& z) { return patch("\"z\": \"" + z + "\"")
 
 /// A model of the square p: [-1,1]² with these holes besides its sides, and contours a, b.
 std::string square(const std::string& holes, const std::string& contours) {
-  return R"({"patches": [{"name": "p", "surface": {"z": "0"}, "domain": {"u": [-1, 1], "v": [-1, 1]},
+  return R"({"patches": [{"name": "p", "surface": {"z": "0"},
+             "domain": {"u": [-1, 1], "v": [-1, 1]},
              "loops": [["p:v0", "p:u1", "-p:v1", "-p:u0"])" +
          holes + R"(]}], "contours": [)" + contours + "]}";
 }
@@ -224,11 +225,12 @@ INSTANTIATE_TEST_SUITE_P(
                  "a.off:8: the lines after the last face are ignored"},
         BadInput{"SidesThatNearlyMeet", "a.json",
                  R"({"patches": [
-                     {"name": "p", "surface": {"z": "0"}, "domain": {"u": [0, 1], "v": [0, 1]}},
-                     {"name": "q", "surface": {"z": "0"}, "domain": {"u": [1.00001, 2], "v": [0, 1]}}]})",
+                     {"name": "p", "surface": {"z": "0"},
+                      "domain": {"u": [0, 1], "v": [0, 1]}},
+                     {"name": "q", "surface": {"z": "0"},
+                      "domain": {"u": [1.00001, 2], "v": [0, 1]}}]})",
                  "a.json: contours p:u1 and q:u0 are not joined: the gap between them is 1e-05, "
-                 "more than "
-                 "2.24e-09"},
+                 "more than 2.24e-09"},
         BadInput{
             "LoopsThatNearlyMeet", "a.json",
             square(R"(, ["-a"])", contour("a", "0.49999+0.5*cos(t)", "0.5*sin(t)")),

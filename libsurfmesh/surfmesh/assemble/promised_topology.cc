@@ -226,9 +226,10 @@ class Comparison {
   void look_at(EdgeHandle eh) {
     const bool is_open = mesh_.is_boundary(eh), may_be = may_be_open(eh);
     if (is_open && may_be) {
-      is_at_opening_[static_cast<std::size_t>(mesh_.to_vertex_handle(inner_halfedge(eh)).idx())] = 1;
-      is_at_opening_[static_cast<std::size_t>(mesh_.from_vertex_handle(inner_halfedge(eh)).idx())] =
-          1;
+      const HalfedgeHandle heh = inner_halfedge(eh);
+      for (const VertexHandle vh : {mesh_.from_vertex_handle(heh), mesh_.to_vertex_handle(heh)}) {
+        is_at_opening_[static_cast<std::size_t>(vh.idx())] = 1;
+      }
     } else if (is_open) {
       open_.add([&] { return place_of(eh); });
     } else if (may_be && contour_of_.is_valid()) {

@@ -35,8 +35,8 @@ PromisedTopology promised_topology(const Model& model);
 ///
 /// Kinds of faults: open_edge (a side without a neighbour where the model has one), closed_edge (a
 /// side with a neighbour where the model ends), duplicate_vertex (the same coordinates as another
-/// vertex, unless both lie where the mesh may be open, or the model's vertex is split), components and euler (one
-/// place, which tells both numbers). Places name the patch.
+/// vertex, unless both lie where the mesh may be open, or the model's vertex is split), components
+/// and euler (one place, which tells both numbers). Places name the patch.
 ///
 /// Reads    surf:patch (face), surf:contour (edge; optional: without it open edges pass on every
 ///          patch that is open anywhere, and closed_edge is not found)

@@ -7,7 +7,7 @@
 namespace surfmesh {
 namespace {
 
-/// Rounds without progress: halving goes on a little before triangles lie flat, then leads to slivers.
+/// Rounds without progress: triangles lie flat only after some halving; more makes slivers.
 constexpr int kMaxFailures = 4;
 
 bool is_turned(const PatchMesh& patch, const TriangleVertices& triangle) {

@@ -21,8 +21,8 @@ std::size_t count_turned_triangles(const PatchMesh& patch);
 std::optional<Vec3> find_turned_place(const PatchMesh& patch);
 
 /// Mend triangles that are valid in (u,v) but turned against the surface in space, where elements
-/// are large against its curvature: swap an edge if that mends both triangles, else give its longest
-/// chord a node in the middle, and again, for a few rounds.
+/// are large against its curvature: swap an edge if that mends both triangles, else give its
+/// longest chord a node in the middle, and again, for a few rounds.
 ///
 /// Writes   surf:uv, surf:metric of new vertices; points and normals of the patch
 /// Some may stay turned: those at a contour whose own segments are too long.

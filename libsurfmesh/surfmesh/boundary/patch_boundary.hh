@@ -34,7 +34,7 @@ class NodeNumbers {
 /// A node of the boundary of a patch's domain.
 struct BoundaryNode {
   Uv uv;
-  int vertex = -1;   ///< result vertex; -1 for a node of a ring around a pole, which is the patch's own
+  int vertex = -1;   ///< result vertex; -1 for a node of a ring around a pole, the patch's own
   int contour = -1;  ///< contour of the segment from here to the next node; -1 on such a ring
 };
 
@@ -61,9 +61,9 @@ Uv point_on_pole(const PoleFan& fan, double share);
 
 /// Collect the boundary of one patch from the nodes of its contours.
 ///
-/// A side that is one point (a pole), or several such sides in a row, are cut off: the nodes next to
-/// it on both adjoining sides are joined by a ring at constant metric distances, so that the metric,
-/// which is singular at a pole, is never asked for there.
+/// A side that is one point (a pole), or several such sides in a row, are cut off: the nodes next
+/// to it on both adjoining sides are joined by a ring at constant metric distances, so that the
+/// metric, which is singular at a pole, is never asked for there.
 PatchBoundary collect_boundary(const Model& model, int patch,
                                const std::vector<ContourNodes>& nodes, const NodeNumbers& numbers,
                                const MetricField& field);

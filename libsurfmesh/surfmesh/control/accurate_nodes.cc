@@ -40,8 +40,8 @@ double root_of_determinant(const FirstFormFactor& form, const SizeTensor& size) 
   return form.l11 * form.l22 / determinant(size);
 }
 
-/// Points that cover the domain of a field evenly, and the exact field at them: as many as have been
-/// asked for.
+/// Points that cover the domain of a field evenly, and the exact field at them: as many as have
+/// been asked for.
 ///
 /// The additive sequence of the plastic number, which has no period; for a triangular domain those
 /// of its rectangle that lie in it.

@@ -30,9 +30,9 @@ MetricArea metric_area(const SizeField& field, const ControlSpace& control, int 
 /// Cost     about 5 µs a node
 ChosenNodes choose_accurate_nodes(const SizeField& field, const ControlNodeOptions& options);
 
-/// Regular nodes, rows along u: as many as asked for, or twice as many along each side until bilinear
-/// interpolation holds the field to the precision on an independent sample or cells are small
-/// against the elements; a million at most.
+/// Regular nodes, rows along u: as many as asked for, or twice as many along each side until
+/// bilinear interpolation holds the field to the precision on an independent sample or cells are
+/// small against the elements; a million at most.
 ///
 /// Cost     about 1 µs a node
 ChosenNodes choose_grid_nodes(const SizeField& field, const ControlNodeOptions& options);

@@ -208,7 +208,8 @@ class ContourGradation {
         const bool is_mirrored = uses[from].is_forward == uses[to].is_forward;
         least = minimum(least, carried(sizes[from], sides[from], sides[to], is_mirrored));
       }
-      if (log_conformity(sizes[to], least) > kAgreement && is_news(compared, to, station.t, least)) {
+      if (log_conformity(sizes[to], least) > kAgreement &&
+          is_news(compared, to, station.t, least)) {
         add(compared.contour(), uses[to].patch, sides[to], least);
       }
     }

@@ -23,8 +23,8 @@ struct ContourGradationReport {
 /// another patch there, it gets nodes with the minimum of both, and its sizes are graded from them;
 /// until all agree to a twentieth, or forty rounds are over.
 ///
-/// Sizes are carried across a contour as if the two tangent planes were unfolded around it. Contours
-/// are compared at places two units apart at most. Nothing is done where gradation is off.
+/// Sizes are carried across a contour as if the two tangent planes were unfolded around it.
+/// Contours are compared at places two units apart at most. Nothing is done where gradation is off.
 ///
 /// Cost     a metric query for each patch and place; a control space is made anew in each round in
 ///          which its sizes on some contour are lowered

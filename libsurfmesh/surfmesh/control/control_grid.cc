@@ -82,7 +82,8 @@ ControlGrid::Place ControlGrid::place_of(Uv uv) const {
   const double x = std::clamp((uv.u - domain_.u0) * cells_per_u_, 0.0, cells);
   const double y = std::clamp((uv.v - domain_.v0) * cells_per_v_, 0.0, cells);
   // The last node belongs to the last cell.
-  const double column = std::min(std::trunc(x), cells - 1), row = std::min(std::trunc(y), cells - 1);
+  const double column = std::min(std::trunc(x), cells - 1);
+  const double row = std::min(std::trunc(y), cells - 1);
   return {static_cast<std::size_t>(row) * side_ + static_cast<std::size_t>(column), x - column,
           y - row};
 }

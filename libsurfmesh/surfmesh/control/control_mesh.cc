@@ -215,8 +215,8 @@ bool ControlMesh::SeedGrid::are_near(Uv a, Uv b) const {
 }
 
 void ControlMesh::make_seed_grid(const Domain& domain) {
-  // Two cells a triangle: random queries of 80,000 triangles take 95 ns, with one cell 135, with half
-  // a cell 330 (steps miss the near cache), with four cells more again.
+  // Two cells a triangle: random queries of 80,000 triangles take 95 ns, with one cell 135, with
+  // half a cell 330 (steps miss the near cache), with four cells more again.
   const int side = 1 + static_cast<int>(std::sqrt(2 * static_cast<double>(triangles_.size())));
   seeds_.lower = {domain.u0, domain.v0};
   seeds_.side = side;

@@ -33,8 +33,8 @@ class ControlMesh : public ControlSpace {
   /// Weights are barycentric, or 1/d² with distances through M_p at the point asked for (paper,
   /// eq. (4), (5)).
   ///
-  /// Cost     with 80,000 triangles V_t about 50 ns near the point asked for last, 140 ns elsewhere,
-  ///          V_o 140 and 390 ns (tests/bench/control_bench.cc)
+  /// Cost     with 80,000 triangles V_t about 50 ns near the point asked for last, 140 ns
+  ///          elsewhere, V_o 140 and 390 ns (tests/bench/control_bench.cc)
   SizeTensor interpolate(const SurfacePoint& at, Hint& hint) const override;
 
   std::optional<SizeTensor> extended_size_by_vertices(const SurfacePoint& at,

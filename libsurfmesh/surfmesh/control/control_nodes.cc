@@ -41,8 +41,9 @@ std::vector<ControlNode> regular_nodes(const SizeField& field, int count) {
 
 void check(const ControlNodeOptions& options) {
   if (options.regular < 0 || (options.regular > 0 && options.regular < 4)) {
-    throw Error(ErrorCode::InvalidOption,
-                fmt::format("nodes = {} is outside its range: auto, or 4 and above", options.regular));
+    throw Error(
+        ErrorCode::InvalidOption,
+        fmt::format("nodes = {} is outside its range: auto, or 4 and above", options.regular));
   }
   if (!(options.precision > 0)) {
     throw Error(ErrorCode::InvalidOption,

@@ -63,7 +63,9 @@ struct QueryCounts {
   std::size_t extended = 0;  ///< by an extended node alone
   std::size_t reused = 0;    ///< by the last answer
 
-  std::size_t total() const { return single + triangle + circles + linear + grid + extended + reused; }
+  std::size_t total() const {
+    return single + triangle + circles + linear + grid + extended + reused;
+  }
   QueryCounts& operator+=(const QueryCounts& other);
   friend bool operator==(const QueryCounts&, const QueryCounts&) = default;
 };

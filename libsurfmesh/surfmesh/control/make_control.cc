@@ -18,9 +18,9 @@ namespace {
 bool needs_interpolated_points(const PatchSources& sources, const Sizing& sizing,
                                const ControlOptions& options) {
   const bool has_others = sizing.curvature_factor() > 0 || sizing.sag ||
-                          !sources.everywhere.empty() || !sources.along.empty() || !sources.inside.empty() ||
-                          !sources.fields.empty() || !sources.tables.empty() ||
-                          !sources.trees.empty();
+                          !sources.everywhere.empty() || !sources.along.empty() ||
+                          !sources.inside.empty() || !sources.fields.empty() ||
+                          !sources.tables.empty() || !sources.trees.empty();
   const bool has_disc = std::any_of(
       sources.at.begin(), sources.at.end(),
       [](const AtSource& source) { return source.radius.value > 0 || source.outer.has_value(); });

@@ -21,8 +21,8 @@ namespace surfmesh {
 std::vector<PatchSources> model_sources(const Model& model, const Sources& sources,
                                         const Sizing& sizing);
 
-/// A warning that tells how many sizes of the user lie beyond hmin and hmax; none if there are none.
-/// Sizes of fields are not known.
+/// A warning that tells how many sizes of the user lie beyond hmin and hmax; none if there are
+/// none. Sizes of fields are not known.
 ///
 /// Cost     an evaluation of the surface for each row of a table
 /// Throws   InvalidInput for a size or metric that is none

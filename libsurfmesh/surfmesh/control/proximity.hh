@@ -23,8 +23,8 @@ namespace surfmesh {
 /// Units    gaps are measured in space
 /// Error    a gap is within a twentieth, whatever hmax (test
 ///          Proximity.IsTheWidthOfACurvedStripWhateverHmax)
-/// Cost     O(n log n) for n pieces of the boundary, and for each those that are nearer than its gap;
-///          without a gap, those within reach: O(n²) where all are and none face each other
+/// Cost     O(n log n) for n pieces of the boundary, and for each those that are nearer than its
+///          gap; without a gap, those within reach: O(n²) where all are and none face each other
 std::vector<std::vector<PlacedSize>> proximity_sizes(const Model& model, const Sizing& sizing,
                                                      const SizeBounds& bounds);
 

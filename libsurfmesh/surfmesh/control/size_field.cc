@@ -274,7 +274,9 @@ void SizeField::add_sources(Uv uv, const Jet& jet, Sample& sample) const {
   for (const FieldSource& field : fields_) {
     size = minimum(size, bounds_.clamp(size_of_field(field, uv, sample)));
   }
-  for (const auto& table : tables_) size = minimum(size, table->at({uv, sample.point, sample.form}).size);
+  for (const auto& table : tables_) {
+    size = minimum(size, table->at({uv, sample.point, sample.form}).size);
+  }
   if (!trees_.empty()) {
     const TangentPlace place = tangent_place(jet);
     for (const auto& tree : trees_) size = tree->minimum_at(place, size);

@@ -42,10 +42,10 @@ class SizeField {
   /// larger limited to stretch times the smaller; then the minimum with the other sources is
   /// taken, in the order everywhere, inside, fields, tables, sizes around places; at last all are
   /// clamped. Around a short ring of faces sizes leave room for four elements, below hmin, too.
-  /// Around an extraordinary vertex, where curvature grows without bound, the size is isotropic: that
-  /// length h which the greatest curvature on the ring at the distance h/2 asks for, so that it does
-  /// not depend on how near to the vertex one looks. Beside a narrowly rounded side the curvature is
-  /// taken where the rounding ends.
+  /// Around an extraordinary vertex, where curvature grows without bound, the size is isotropic:
+  /// that length h which the greatest curvature on the ring at the distance h/2 asks for, so that
+  /// it does not depend on how near to the vertex one looks. Beside a narrowly rounded side the
+  /// curvature is taken where the rounding ends.
   ///
   /// Cost     one surface evaluation with second derivatives, and what the sources cost
   /// Throws   InvalidInput where a field is not positive (definite) and finite, naming (u,v)

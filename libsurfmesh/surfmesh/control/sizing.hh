@@ -105,8 +105,8 @@ struct NearSource {
   PlaceSize wish;
 };
 
-/// An area source: sizes as a function of the place, (u,v) and the position in space. One of the two
-/// functions is set; both are called from several threads at once.
+/// An area source: sizes as a function of the place, (u,v) and the position in space. One of the
+/// two functions is set; both are called from several threads at once.
 struct FieldSource {
   int patch = -1;
   std::function<double(Uv, const Vec3&)> size = {};    ///< one length, model units

@@ -9,8 +9,8 @@
 namespace surfmesh {
 
 /// Adaptation data: the metric at the corners of an earlier mesh as tables, one for each patch that
-/// has faces. A vertex has one row for each place that it has in a patch, also at a pole, whose rows
-/// are left out when the table is used.
+/// has faces. A vertex has one row for each place that it has in a patch, also at a pole, whose
+/// rows are left out when the table is used.
 ///
 /// Reads    surf:patch (face), surf:uv and surf:metric (corner); a simulation writes its wishes
 ///          into the last

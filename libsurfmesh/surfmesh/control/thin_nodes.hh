@@ -12,8 +12,8 @@ namespace surfmesh {
 ///
 /// Nodes at exactly one place first become one, with the minimum of their sizes. Begins with the
 /// nodes nearest to the corners of the rectangle and adds, in rounds, from each triangle the node
-/// that is represented worst; after twenty rounds all that are. Ends when all nodes left out conform
-/// to the precision (log_conformity) with the interpolation of those kept.
+/// that is represented worst; after twenty rounds all that are. Ends when all nodes left out
+/// conform to the precision (log_conformity) with the interpolation of those kept.
 ///
 /// Returns  the nodes kept, in the order of the first at their places
 /// Cost     O(n log n) a round, each a control space of the nodes kept so far and a query of every

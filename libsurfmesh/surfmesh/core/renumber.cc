@@ -23,8 +23,8 @@ HalfedgeHandle renumbered_halfedge(HalfedgeHandle heh, const std::vector<int>& n
   return HalfedgeHandle(2 * new_edge[static_cast<std::size_t>(heh.idx() / 2)] + heh.idx() % 2);
 }
 
-/// Numbers of elements in the order of a key each, those of equal keys in the order they had: a sort
-/// by counting.
+/// Numbers of elements in the order of a key each, those of equal keys in the order they had: a
+/// sort by counting.
 template <class Key>
 std::vector<int> number_by(std::size_t count, std::size_t key_count, Key key) {
   std::vector<int> next(key_count + 1, 0), keys(count);

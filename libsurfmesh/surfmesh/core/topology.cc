@@ -206,7 +206,8 @@ class FanSeparation {
       const HalfedgeHandle heh = of(corner);
       if (is_seen_[index(heh)]) continue;
       for_each_spoke(heh, [this](HalfedgeHandle spoke) { is_seen_[index(spoke)] = 1; });
-      HalfedgeHandle& first = first_fan_[static_cast<std::size_t>(mesh_.from_vertex_handle(heh).idx())];
+      HalfedgeHandle& first =
+          first_fan_[static_cast<std::size_t>(mesh_.from_vertex_handle(heh).idx())];
       if (first.is_valid()) {
         further_fans.push_back(heh);
       } else {

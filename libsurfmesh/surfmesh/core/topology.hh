@@ -14,9 +14,9 @@
 namespace surfmesh {
 
 // The only operations that change the connectivity of a TriMesh, with those of core/renumber.hh; in
-// place, the frequent ones inlined. OpenMesh's
-// own are compiled with their assertions on in Debian's library (a flip takes 218 ns against 26)
-// and lose edge properties in a split. Properties after an operation:
+// place, the frequent ones inlined. OpenMesh's own are compiled with their assertions on in
+// Debian's library (a flip takes 218 ns against 26) and lose edge properties in a split. Properties
+// after an operation:
 //   flip            vertex, face: kept; edge, halfedge: those of the flipped edge are kept
 //   collapse        kept; of the elements that go those are lost, the last elements take their
 //                   places with their own values
@@ -49,8 +49,8 @@ class ElementPool {
 
   /// Make sure that one more vertex can be inserted without another resize.
   ///
-  /// Cost     O(1) amortised: the arrays are std::vectors, whose memory grows geometrically, so that
-  ///          few elements a resize are enough here; a share of the mesh would be filled for nothing
+  /// Cost     O(1) amortised by the memory of std::vector, which grows geometrically. To resize by
+  ///          a share of the mesh, too, would fill that share for a single vertex
   void prepare_insertion() {
     if (vertices_ + 1 > mesh_.n_vertices() || edges_ + 3 > mesh_.n_edges() ||
         faces_ + 2 > mesh_.n_faces()) {
@@ -62,8 +62,8 @@ class ElementPool {
   EdgeHandle take_edge() { return EdgeHandle(static_cast<int>(edges_++)); }
   FaceHandle take_face() { return FaceHandle(static_cast<int>(faces_++)); }
 
-  /// Let the last elements take the places of freed ones. Call `moved(from, to)` with the handles of
-  /// each for its properties.
+  /// Let the last elements take the places of freed ones. Call `moved(from, to)` with the handles
+  /// of each for its properties.
   template <class Moved>
   void take_out(FreedElements freed, Moved moved);
 
@@ -95,12 +95,12 @@ struct Separation {
 /// Two triangles are glued where one has the edge (a,b) and the other (b,a), and only if no third
 /// triangle has that edge; else the edge stays open on both. Where the triangles at a vertex do not
 /// form one fan (surfaces touch there, or edges were left open), each fan but the first gets a copy
-/// of the vertex. Edges are numbered by their twins, in the order of the triangles, the others after
-/// them by their vertices.
+/// of the vertex. Edges are numbered by their twins, in the order of the triangles, the others
+/// after them by their vertices.
 ///
 /// `twins` tells what is known already: of each side, 3 × triangle + corner at its origin, the side
-/// it is glued to, which has the same two vertices and names it in turn, or -1 where vertices are to
-/// tell; empty for nothing.
+/// it is glued to, which has the same two vertices and names it in turn, or -1 where vertices are
+/// to tell; empty for nothing.
 ///
 /// Cost     O(n) for sides with twins; O(n log n) for others
 /// Pre      mesh without elements; indices in [0, vertex_count), three different ones a triangle
@@ -175,8 +175,8 @@ void ElementPool::take_out(FreedElements freed, Moved moved) {
 /// Merge the origin of a halfedge, an inner vertex, into its tip. The two triangles at the edge go;
 /// of each the side at the tip stays, with its properties.
 ///
-/// Pre      the new triangles are valid: no vertex around the origin but the two apexes is joined to
-///          the tip
+/// Pre      the new triangles are valid: no vertex around the origin but the two apexes is joined
+///          to the tip
 /// Returns  the elements to be taken out (see ElementPool::take_out)
 FreedElements collapse(TriMesh& mesh, HalfedgeHandle heh);
 

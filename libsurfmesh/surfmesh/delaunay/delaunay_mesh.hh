@@ -114,8 +114,8 @@ class DelaunayMesh {
 
   void flip(EdgeHandle eh) { surfmesh::flip(mesh_, eh); }
 
-  /// Merge the origin of a halfedge, an inner vertex, into its tip. The last vertex, edges and faces
-  /// take the numbers of those that go, so handles of the last ones change.
+  /// Merge the origin of a halfedge, an inner vertex, into its tip. The last vertex, edges and
+  /// faces take the numbers of those that go, so handles of the last ones change.
   /// Pre      the tip sees all triangles around the origin that do not have it as a corner
   void collapse(HalfedgeHandle heh);
 

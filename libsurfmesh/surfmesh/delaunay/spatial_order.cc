@@ -57,8 +57,8 @@ class HilbertCells {
   Uv scale_;
 };
 
-/// A round takes seven eighths of what is left, 2^-3 stays for the rounds before: walks within a long
-/// round stay in the cache. A million insertions take 425 ns each, with halves 530.
+/// A round takes seven eighths of what is left, 2^-3 stays for the rounds before: walks within a
+/// long round stay in the cache. A million insertions take 425 ns each, with halves 530.
 constexpr int kLogOfShareBefore = 3;
 
 struct Key {

@@ -83,7 +83,7 @@ class CurveOnSurface : public SpaceCurve {
   int part_count_;
 };
 
-/// The range of the parameter in which its author has written a curve: in messages t is taken there.
+/// The range of the parameter in which its author wrote a curve: in messages t is taken there.
 struct CurveRange {
   double from = 0;
   double to = 1;

@@ -47,8 +47,8 @@ class LengthFit {
     return fast_edge_length(a.uv, a.metric, b.uv, b.metric);
   }
 
-  /// Least quality of the triangles around the origin after its merger with the tip; negative if one
-  /// is inverted or an edge gets too long.
+  /// Least quality of the triangles around the origin after its merger with the tip; negative if
+  /// one is inverted or an edge gets too long.
   double quality_after_collapse(const MetricCorner& tip) const {
     double least = 1;
     const MetricCorner* previous = &star_.ring().back();

@@ -17,8 +17,8 @@ namespace {
 /// Triangles below this quality are repaired.
 constexpr double kBadQuality = 0.85;
 
-/// A further round of collapses and splits, which looks at all edges, is worth while only if the last
-/// one changed more than one edge in so many.
+/// A further round of collapses and splits, which looks at all edges, is worth while only if the
+/// last one changed more than one edge in so many.
 constexpr std::size_t kEdgesPerChange = 2000;
 
 /// Rounds of them: smoothing after a change may undo another one.

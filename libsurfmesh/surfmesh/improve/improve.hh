@@ -33,12 +33,12 @@ struct ImproveReport {
 /// Move inner vertices to where their edges are of unit length, swap edges by quality, collapse or
 /// split edges that are still far from unit length, and repair what is bad after that.
 ///
-/// A change is accepted only if no triangle is inverted and the worst of those around does not become
-/// worse, or stays good. Boundary vertices stay, and keep their numbers.
+/// A change is accepted only if no triangle is inverted and the worst of those around does not
+/// become worse, or stays good. Boundary vertices stay, and keep their numbers.
 ///
 /// Reads    surf:constrained
 /// Writes   surf:uv, surf:metric of moved and new vertices
-/// Cost     about 0.3 µs a triangle and half a metric query a sweep, if the mesh is in spatial order
+/// Cost     about 0.3 µs a triangle and half a metric query a sweep, for a mesh in spatial order
 /// Source   paper, section 2.1, item 4
 ImproveReport improve(DelaunayMesh& delaunay, const MetricField& field,
                       const ImproveOptions& options = {});

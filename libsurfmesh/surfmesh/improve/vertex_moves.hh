@@ -17,15 +17,16 @@ class VertexMoves {
   VertexMoves(DelaunayMesh& delaunay, const MetricField& field)
       : delaunay_(delaunay), field_(field) {}
 
-  /// Move a vertex to where its edges are of unit length, or half the way there, if the worst of its
-  /// triangles does not become worse or stays good.
+  /// Move a vertex to where its edges are of unit length, or half the way there, if the worst of
+  /// its triangles does not become worse or stays good.
   ///
   /// A Gauss-Newton step for Σ (l − 1)² over its edges. A step below a hundredth of a unit is not
   /// worth its metric query.
   void smooth(VertexHandle vh);
 
-  /// Search a better place for the vertex of a bad triangle: eight directions, steps from 0.2 to 0.02
-  /// units, for the best of the least quality less half the excess of edges over the unit range.
+  /// Search a better place for the vertex of a bad triangle, in eight directions, with steps from
+  /// 0.2 to 0.02 units: the one of the greatest value, which is the least quality less half the
+  /// excess of edges over the unit range.
   void search(VertexHandle vh);
 
   MetricCorner at(Uv p) { return {p, field_.at(p, hint_)}; }

@@ -113,7 +113,8 @@ MeshFile mesh_from(FaceSetFile file, const std::string& name) {
   }
   for (std::size_t v = 0; v < result.mesh.n_vertices(); ++v) {
     const std::size_t given =
-        v < set.points.size() ? v : static_cast<std::size_t>(separation.copied[v - set.points.size()]);
+        v < set.points.size() ? v
+                              : static_cast<std::size_t>(separation.copied[v - set.points.size()]);
     result.mesh.set_point(VertexHandle(static_cast<int>(v)), to_openmesh(set.points[given]));
   }
   if (!set.patches.empty()) {

@@ -59,11 +59,11 @@ inline SizeTensor interpolate(const std::array<SizeTensor, 3>& sizes,
           a.h22 + (s1 * (b.h22 - a.h22) + s2 * (c.h22 - a.h22))};
 }
 
-/// Average size tensors at the corners of a triangle, counter-clockwise, linearly; at a point outside
-/// of it those of a point on its rim.
+/// Average size tensors at the corners of a triangle, counter-clockwise, linearly; at a point
+/// outside of it those of a point on its rim.
 ///
-/// Linear in H, so of second order, and continuous over neighbouring triangles. Exact at the corners,
-/// and where all tensors are equal.
+/// Linear in H, so of second order, and continuous over neighbouring triangles. Exact at the
+/// corners, and where all tensors are equal.
 inline SizeTensor interpolate_linearly(const std::array<SizeTensor, 3>& sizes,
                                        const std::array<Uv, 3>& corners, Uv p) {
   const Uv to_a = corners[0] - p, to_b = corners[1] - p, to_c = corners[2] - p;

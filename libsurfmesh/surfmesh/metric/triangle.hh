@@ -12,7 +12,7 @@ namespace surfmesh {
 /// Metric length of an edge from its squared lengths in the metrics of its two ends, without a
 /// logarithm: Simpson's rule with the geometric mean in the middle.
 ///
-/// Error    below 1 % of edge_length() for ratios of the two lengths up to 4 (test FastEdgeLength.*)
+/// Error    below 1 % of edge_length() for ratios of the lengths up to 4 (test FastEdgeLength.*)
 inline double fast_edge_length(double squared0, double squared1) {
   const double l0 = std::sqrt(squared0), l1 = std::sqrt(squared1);
   return (2 * std::sqrt(l0 * l1) + 0.5 * (l0 + l1)) / 3;

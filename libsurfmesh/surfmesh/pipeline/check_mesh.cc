@@ -181,8 +181,9 @@ class Lines {
     add("model", fit.is_projected ? "the mesh has no (u,v), nearest points were taken"
                                   : "by the (u,v) of the mesh");
     if (fit.has_other_sizes) {
-      add("", "sizes without grade, corrections of the sag and interpolation of `at`, which make it "
-              "finer by right");
+      add("",
+          "sizes without grade, corrections of the sag and interpolation of `at`, which make it "
+          "finer by right");
     }
     add("edges", fmt::format("mean {:.3f}, deviation {:.3f}, from {:.3f} to {:.3f}, {:.1f} % in "
                              "[1/√2, √2]",
@@ -248,7 +249,8 @@ ModelFit measure_fit(MeshFile& mesh, const ModelInput& input) {
 
 void add_fit(MeshCheck& check, ModelFit fit) {
   // The comparison knows which duplicates are cuts.
-  std::erase_if(check.faults, [](const MeshFault& fault) { return fault.kind == "duplicate_vertex"; });
+  std::erase_if(check.faults,
+                [](const MeshFault& fault) { return fault.kind == "duplicate_vertex"; });
   for (const auto& faults : {fit.distance.faults, fit.differences}) {
     check.faults.insert(check.faults.end(), faults.begin(), faults.end());
   }

@@ -54,16 +54,16 @@ MeshCheck check_mesh(const FaceSetFile& file);
 /// Throws   InvalidInput for a patch that the model does not have
 ModelFit measure_fit(MeshFile& mesh, const ModelInput& input);
 
-/// Add the fit of a mesh to its check, with its faults; duplicate_vertex is then only what the model
-/// does not promise.
+/// Add the fit of a mesh to its check, with its faults; duplicate_vertex is then only what the
+/// model does not promise.
 void add_fit(MeshCheck& check, ModelFit fit);
 
 /// The check as JSON text. Keys: mesh, model, clean, faults (kind, count, places), warnings, counts
 /// (vertices, edges, triangles, quads, polygons, boundary_edges, boundary_loops, components,
-/// euler), open_edges (count, places), closed, manifold, oriented, angles (min, max, min_face, max_face, histogram),
-/// edge_lengths (min, mean, max), shape (min, mean, below_0.3); with a model fit, else null:
-/// projected, edges (count, mean, stddev, min, max, unit_fraction, histogram), quality (min, mean,
-/// below_0.3), distance (max, mean, max_face, max_at, max_corner).
+/// euler), open_edges (count, places), closed, manifold, oriented, angles (min, max, min_face,
+/// max_face, histogram), edge_lengths (min, mean, max), shape (min, mean, below_0.3); with a model
+/// fit, else null: projected, edges (count, mean, stddev, min, max, unit_fraction, histogram),
+/// quality (min, mean, below_0.3), distance (max, mean, max_face, max_at, max_corner).
 std::string to_json(const MeshCheck& check);
 
 /// The check in some lines for a terminal, with the first faults.

@@ -21,7 +21,7 @@ inline void tell(Observer* observer, std::string_view stage, std::size_t done, s
 }
 
 /// Call `body(index)` for each patch of a model, shared among threads, the patches of the greatest
-/// weight first; tell how far it is, and name the patch in errors, of which the first patch's counts.
+/// weight first; tell how far it is, and name the patch in errors; that of the first patch counts.
 template <class Body>
 void for_each_patch(const Model& model, std::string_view stage, Observer* observer,
                     const std::vector<std::size_t>& weights, Body body) {

@@ -20,7 +20,7 @@ struct PipelineOptions {
   ImproveOptions improve = {};
   PatchKind patches = PatchKind::Auto;  ///< of cages, when a model is loaded; not used in meshing
   int threads = 0;  ///< that work, from 1 to 256; 0 is one for each core. The mesh is the same
-  Observer* observer = nullptr;  ///< told of the progress by one thread at a time; not owned, null for none
+  Observer* observer = nullptr;  ///< told of progress, by one thread at a time; not owned, or null
 };
 
 /// Throws   InvalidOption naming the option, its value and its range

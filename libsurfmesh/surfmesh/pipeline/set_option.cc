@@ -145,7 +145,8 @@ void set_nodes(Options& options, const Text& text) {
   if (text.is("auto")) {
     options.control.nodes.regular = 0;
   } else {
-    options.control.nodes.regular = static_cast<int>(text.integer(4, kMostInt, "auto, or 4 and above"));
+    options.control.nodes.regular =
+        static_cast<int>(text.integer(4, kMostInt, "auto, or 4 and above"));
   }
 }
 
@@ -247,7 +248,8 @@ constexpr auto kOptions = std::to_array<OptionEntry>({
      [](const Options& o) -> OptionValue { return o.control.space.epsilon; }},
     {"blend", false,
      [](Options& o, const Text& t) {
-       o.control.space.blend = t.choice({"linear", "log"}) == 0 ? Blend::Linear : Blend::Logarithmic;
+       o.control.space.blend =
+           t.choice({"linear", "log"}) == 0 ? Blend::Linear : Blend::Logarithmic;
      },
      [](const Options& o) -> OptionValue {
        return std::string(o.control.space.blend == Blend::Linear ? "linear" : "log");

@@ -16,7 +16,8 @@ std::vector<Weights> make_samples() {
     for (int j = 0; j < kSampleSteps && i + j <= kSampleSteps; ++j) {
       const int k = kSampleSteps - i - j;
       if (k == kSampleSteps) continue;
-      samples.push_back({double(i) / kSampleSteps, double(j) / kSampleSteps, double(k) / kSampleSteps});
+      samples.push_back(
+          {double(i) / kSampleSteps, double(j) / kSampleSteps, double(k) / kSampleSteps});
     }
   }
   const auto spread = [](const Weights& w) { return w[0] * w[0] + w[1] * w[1] + w[2] * w[2]; };

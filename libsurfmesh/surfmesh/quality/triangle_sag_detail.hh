@@ -40,8 +40,8 @@ struct SagPlace {
 template <class Distance>
 SagPlace search_sag(SagPlace place, Distance distance);
 
-/// The greatest distance of the surface from the plane of the triangle, over the samples, and around
-/// the greatest one if that is above `searched_from`.
+/// The greatest distance of the surface from the plane of the triangle, over the samples, and
+/// around the greatest one if that is above `searched_from`.
 ///
 /// Unlike the distance from the triangle it does not grow where parameters run unevenly and a
 /// sample lies beyond a side, over the next triangle.

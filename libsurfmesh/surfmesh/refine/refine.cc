@@ -89,8 +89,8 @@ class Refinement {
 
   double predicted_count() const { return metric_area_ / kUnitTriangleArea; }
 
-  /// True if there are far more triangles than the metric area of the mesh asks for: no triangles of
-  /// unit edges follow a metric that turns too fast.
+  /// True if there are far more triangles than the metric area of the mesh asks for: no triangles
+  /// of unit edges follow a metric that turns too fast.
   bool is_astray() const {
     return static_cast<double>(delaunay_.n_faces() - slack_) > kMostTriangles * predicted_count();
   }

@@ -42,16 +42,16 @@ struct RefineReport {
 /// Insert inner nodes until every triangle is small enough in the metric or cannot be bettered.
 ///
 /// One loop: take the worst triangle of the front, ask the placement for a point, insert it if it
-/// keeps its distance from nodes and boundary, else try the circumcentre if the metric there conforms
-/// with the triangle's, else leave the triangle as it is. A run that makes three times as many
-/// triangles as the metric area of the mesh asks for is given up.
+/// keeps its distance from nodes and boundary, else try the circumcentre if the metric there
+/// conforms with the triangle's, else leave the triangle as it is. A run that makes three times as
+/// many triangles as the metric area of the mesh asks for is given up.
 ///
-/// At the end elements are renumbered in spatial order, but for the vertices that were there before.
+/// In the end elements are renumbered in spatial order, but for vertices that were there before.
 ///
 /// Reads    surf:constrained
 /// Writes   surf:uv, surf:metric of new vertices
-/// Cost     O(n) queue, 0.6 µs a triangle, at a million 1 µs, and two metric queries a node (one with
-///          Circumcentre)
+/// Cost     O(n) queue, 0.6 µs a triangle, at a million 1 µs, and two metric queries a node (one
+///          with Circumcentre)
 /// Throws   Limit if there are more than max_elements
 /// Source   paper, section 2.1, item 3; frontal placement: Rebay, Efficient unstructured mesh
 ///          generation by means of Delaunay triangulation and Bowyer-Watson algorithm (1993)
