@@ -102,7 +102,8 @@ TEST(BicubicParts, LeaveOutTheSmallestSquaresThatAreNone) {
 TEST(BicubicParts, LeaveDerivativesAboveTheOrderUnset) {
   const BicubicParts parts = parts_of(kinked);
   EXPECT_TRUE(parts.find({0.1, 0.1})->evaluate({0.1, 0.1}, Order::First).duu.array().isNaN().all());
-  EXPECT_TRUE(parts.find({0.1, 0.1})->evaluate({0.1, 0.1}, Order::Position).du.array().isNaN().all());
+  EXPECT_TRUE(
+      parts.find({0.1, 0.1})->evaluate({0.1, 0.1}, Order::Position).du.array().isNaN().all());
 }
 
 }  // namespace

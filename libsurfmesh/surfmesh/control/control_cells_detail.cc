@@ -28,8 +28,8 @@ constexpr double kShiftAlongU = 0.017, kShiftAlongV = 0.013;
 constexpr double kMiddleShare =
     (kSampleShares[1] - kSampleShares[0]) / (kSampleShares[2] - kSampleShares[0]);
 
-/// What is missed at most along a line of a cell for each that it changes between the samples in that
-/// line: 1.8 for a field of second order.
+/// What is missed at most along a line of a cell for each that it changes between the samples in
+/// that line: 1.8 for a field of second order.
 constexpr double kErrorPerChange = 2;
 
 /// A change below this share of that along the other direction comes from the shifts of the rows.
@@ -38,8 +38,8 @@ constexpr double kCrossTalk = 0.25;
 /// Changes below this share of what is missed tell no direction.
 constexpr double kEvenShare = 0.1;
 
-/// Nodes for each unit of metric area, of which an element takes 0.43, and beside these, from which on
-/// no cell is halved. Smooth fields take less than one a unit, creased patches of a few elements
+/// Nodes for each unit of metric area, of which an element takes 0.43, and beside these, from which
+/// on no cell is halved. Smooth fields take less than one a unit, creased patches of a few elements
 /// hundreds in all.
 constexpr double kMostNodesPerUnit = 16;
 constexpr double kFreeNodes = 20'000;
@@ -50,9 +50,7 @@ constexpr double kUsualPrecision = 0.1;
 /// Nodes in all: far more than sizes that elements can follow ever need in one patch.
 constexpr double kMostNodes = 4e6;
 
-bool is_long(double squared_length) {
-  return squared_length > kLeastCellLength * kLeastCellLength;
-}
+bool is_long(double squared_length) { return squared_length > kLeastCellLength * kLeastCellLength; }
 
 }  // namespace
 
@@ -147,7 +145,8 @@ ControlCells::CellSamples ControlCells::sample(const Cell& cell) const {
   return samples;
 }
 
-/// Metric area of a cell by the mean of its samples, which take the place of what its parent showed.
+/// Metric area of a cell by the mean of its samples, which take the place of what its parent
+/// showed.
 void ControlCells::measure(Cell& cell, const CellSamples& samples) {
   double density = 0;
   for (const auto& row : samples.field) {
@@ -225,10 +224,10 @@ double ControlCells::error_at(const Cell& cell, Uv uv, const SizeField::Sample& 
   return log_conformity(exact.size, interpolate(sizes, distances));
 }
 
-/// How much there is to mend along a direction: the greatest change, between the samples in a line, of
-/// what is missed, or how far the middle one is from linear between the others, where that is more: of
-/// a field that turns fast all samples miss the same. By distance, which does not follow even a linear
-/// field, the change of the field from each to the next.
+/// How much there is to mend along a direction: the greatest change, between the samples in a line,
+/// of what is missed, or how far the middle one is from linear between the others, where that is
+/// more: of a field that turns fast all samples miss the same. By distance, which does not follow
+/// even a linear field, the change of the field from each to the next.
 double ControlCells::change(const Table<double>& errors, const CellSamples& samples,
                             bool along_u) const {
   double greatest = 0;
@@ -240,8 +239,8 @@ double ControlCells::change(const Table<double>& errors, const CellSamples& samp
       return in_line(samples.field, k).size;
     };
     if (by_distance_) {
-      greatest = std::max({greatest, log_conformity(size(0), size(1)),
-                           log_conformity(size(1), size(2))});
+      greatest =
+          std::max({greatest, log_conformity(size(0), size(1)), log_conformity(size(1), size(2))});
       continue;
     }
     const auto [least, most] =
@@ -285,10 +284,8 @@ void ControlCells::take_places(Cell& cell, const std::vector<std::size_t>& place
 }
 
 bool ControlCells::is_full(double precision) const {
-  const double finer =
-      by_distance_ ? std::max(1.0, std::pow(kUsualPrecision / precision, 2)) : 1.0;
-  const double most =
-      std::min(kMostNodes, finer * (kFreeNodes + kMostNodesPerUnit * metric_area_));
+  const double finer = by_distance_ ? std::max(1.0, std::pow(kUsualPrecision / precision, 2)) : 1.0;
+  const double most = std::min(kMostNodes, finer * (kFreeNodes + kMostNodesPerUnit * metric_area_));
   return static_cast<double>(nodes_.size()) > most;
 }
 

@@ -15,20 +15,20 @@ namespace surfmesh::detail {
 /// Cells that cover a domain, and control nodes at their corners.
 ///
 /// A cell whose corners do not give the sizes within it is halved, across the direction in which
-/// there is most to mend, unless it is small in that direction against the elements wanted there. It is
-/// sampled at irrational shares, so that a periodic field cannot hide between nodes, and at the places
-/// of sources. What it has been found to miss is kept: a finer precision takes up the cells where they
-/// are, and samples new ones only.
+/// there is most to mend, unless it is small in that direction against the elements wanted there.
+/// It is sampled at irrational shares, so that a periodic field cannot hide between nodes, and at
+/// the places of sources. What it has been found to miss is kept: a finer precision takes up the
+/// cells where they are, and samples new ones only.
 ///
-/// From 20,000 nodes and 16 a unit of metric area on (more by distance with a small precision), four
-/// million at most, no cell is halved any more: elements cannot follow.
+/// From 20,000 nodes and 16 a unit of metric area on (more by distance with a small precision),
+/// four million at most, no cell is halved any more: elements cannot follow.
 class ControlCells {
  public:
   /// The field must outlive the cells. `by_distance` as in ControlNodeOptions.
   ControlCells(const SizeField& field, bool by_distance);
 
-  /// Halve cells until all of them conform to the precision. Returns whether they do, or are as fine
-  /// as elements can follow; false if there were too many.
+  /// Halve cells until all of them conform to the precision. Returns whether they do, or are as
+  /// fine as elements can follow; false if there were too many.
   ///
   /// Cost     ten samples of the field a cell that is made
   /// Pre      precision above 0

@@ -61,8 +61,8 @@ SizeField::SizeField(const Surface& surface, const Sizing& sizing, const PatchSo
   take_discs();
 }
 
-/// A disc reaches over the cells around its vertex: farther cells that are near in space, as those of
-/// the other side of a sheet, do not see it.
+/// A disc reaches over the cells around its vertex: farther cells that are near in space, as those
+/// of the other side of a sheet, do not see it.
 void SizeField::take_discs() {
   const CellCount cells = surface_.cells();
   const auto count = [](int n) { return static_cast<std::size_t>(n); };
@@ -70,7 +70,8 @@ void SizeField::take_discs() {
   for (const SingularPoint& singular : surface_.singular_points()) {
     const Disc disc = make_disc(singular);
     const Uv at = in_cells(singular.at);
-    const int column = static_cast<int>(std::lround(at.u)), row = static_cast<int>(std::lround(at.v));
+    const int column = static_cast<int>(std::lround(at.u)),
+              row = static_cast<int>(std::lround(at.v));
     for (int j = std::max(row - 1, 0); j <= std::min(row, cells.v - 1); ++j) {
       for (int i = std::max(column - 1, 0); i <= std::min(column, cells.u - 1); ++i) {
         discs_[count(j) * count(cells.u) + count(i)].push_back(disc);
@@ -107,8 +108,8 @@ void SizeField::take_sources(const PatchSources& sources, const Sizing& sizing, 
         interpolate_table(source, surface_, bounds_, precision)));
   }
   for (const TableSource& source : sources.sag) {
-    tables_.push_back(std::make_shared<NodeInterpolation>(
-        surface_, table_nodes(source, surface_, bounds_)));
+    tables_.push_back(
+        std::make_shared<NodeInterpolation>(surface_, table_nodes(source, surface_, bounds_)));
   }
   std::vector<PlacedSize> placed;
   for (const InsideSource& source : sources.inside) {

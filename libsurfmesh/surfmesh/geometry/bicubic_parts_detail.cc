@@ -11,8 +11,8 @@ namespace {
 /// Points of a square at which a polynomial is compared with the surface, in shares of its side.
 constexpr std::array<Uv, 2> kProbes = {Uv{0.381, 0.274}, Uv{0.653, 0.797}};
 
-/// Greatest distance of the two that is rounding: of some ten operations each on coordinates as large
-/// as those of the corners. Pieces that are none differ by 1e-6 of their own size and more.
+/// Greatest distance of the two that is rounding: of some ten operations each on coordinates as
+/// large as those of the corners. Pieces that are none differ by 1e-6 of their own size and more.
 constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
 
 /// Finds the pieces from the whole face downwards.
@@ -61,8 +61,8 @@ class PartFinder {
     const BicubicPolynomial polynomial(corners);
     for (const Uv probe : kProbes) {
       const Uv uv{double(i) / finest_ + side * probe.u, double(j) / finest_ + side * probe.v};
-      const Vec3 difference = polynomial.evaluate(probe, Order::Position).point -
-                              surface_(uv, Order::Position).point;
+      const Vec3 difference =
+          polynomial.evaluate(probe, Order::Position).point - surface_(uv, Order::Position).point;
       if (!(difference.cwiseAbs().maxCoeff() <= kRounding * greatest)) return {};
     }
     return polynomial;

@@ -11,15 +11,16 @@
 
 namespace surfmesh::detail {
 
-/// The squares of an irregular Catmull-Clark face on which its limit surface is one polynomial each.
+/// The squares of an irregular Catmull-Clark face on which its limit surface is one polynomial
+/// each.
 ///
 /// Away from extraordinary corners and semi-sharp sides that surface is made of bicubic pieces over
 /// squares of the sides 1/2, 1/4, 1/8 and so on, which take half the time of the face to evaluate.
-/// A square is such a piece if the polynomial that its corners determine is the surface inside, too;
-/// those of the sides 1 to 1/8 are tried.
+/// A square is such a piece if the polynomial that its corners determine is the surface inside,
+/// too; those of the sides 1 to 1/8 are tried.
 ///
-/// Error    positions to rounding; derivatives of first (second) order in a square of the side 1/n to
-///          3 n (9 n²) roundings of positions (test BicubicParts.*)
+/// Error    positions to rounding; derivatives of first (second) order in a square of the side 1/n
+///          to 3 n (9 n²) roundings of positions (test BicubicParts.*)
 /// Source   Stam, Exact evaluation of Catmull-Clark subdivision surfaces (1998)
 class BicubicParts {
  public:
@@ -40,8 +41,8 @@ class BicubicParts {
 
   /// `surface` evaluates the face; where its derivatives are not finite, no piece is found.
   ///
-  /// Cost     45 evaluations and 6 kB where one corner is extraordinary, 90 and 8 kB where a side is
-  ///          semi-sharp
+  /// Cost     45 evaluations and 6 kB where one corner is extraordinary, 90 and 8 kB where a side
+  ///          is semi-sharp
   explicit BicubicParts(const std::function<Jet(Uv, Order)>& surface);
 
   /// The piece that contains a point of the unit square; null if there is none.

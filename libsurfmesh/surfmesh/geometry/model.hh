@@ -77,8 +77,8 @@ struct Model {
   std::vector<std::string> warnings;  ///< of its construction, in plain English
 };
 
-/// Check the indices, that the diagonal is between 1e-70 and 1e70, and that all loops close in space,
-/// to 1e-6 of the diagonal.
+/// Check the indices, that the diagonal is between 1e-70 and 1e70, and that all loops close in
+/// space, to 1e-6 of the diagonal.
 ///
 /// Throws   InvalidInput or Geometry, naming the patch and the contour
 /// Cost     O(contour uses), two surface evaluations each
