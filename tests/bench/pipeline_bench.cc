@@ -52,8 +52,8 @@ void whole_torus_cage(benchmark::State& state) {
 }
 BENCHMARK(whole_torus_cage)->RangeMultiplier(2)->Range(4, 32)->Unit(benchmark::kMillisecond);
 
-/// Argument: faces around the torus, all of them irregular and in narrow blocks: every other ring is
-/// a semi-sharp crease, whose curvature control nodes have to follow. `control` is its share of the
+/// Argument: faces around the torus, all irregular and in narrow blocks: every other ring is a
+/// semi-sharp crease, whose curvature control nodes have to follow. `control` is its share of the
 /// time.
 void creased_torus_cage(benchmark::State& state) {
   const int rings = static_cast<int>(state.range(0)), sides = rings / 2;
