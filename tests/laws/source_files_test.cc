@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "laws/sources.hh"
@@ -12,14 +11,6 @@ namespace {
 
 using testing::without_comments;
 using testing::without_strings;
-
-/// Files whose lines are not measured, for they are being rewritten.
-constexpr std::array<std::string_view, 5> kRewritten = {
-    "libsurfmesh/surfmesh/control/control_cells_detail.cc",
-    "libsurfmesh/surfmesh/control/control_cells_detail.hh",
-    "libsurfmesh/surfmesh/geometry/bicubic_parts_detail.cc",
-    "libsurfmesh/surfmesh/geometry/bicubic_parts_detail.hh",
-    "tests/geometry/bicubic_parts_test.cc"};
 
 TEST(SourceFiles, AreFound) {
   const auto files = testing::library_sources();
@@ -48,7 +39,6 @@ TEST(SourceFiles, HaveNoLineOfMoreThan100Columns) {
   const auto files = testing::project_sources();
   EXPECT_GT(files.size(), testing::library_sources().size());
   for (const auto& file : files) {
-    if (std::ranges::find(kRewritten, file.path) != kRewritten.end()) continue;
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
       EXPECT_LE(columns(file.lines[i]), 100) << place(file, i);
     }
