@@ -12,6 +12,7 @@
 #include "surfmesh/control/features.hh"
 #include "surfmesh/control/model_sources.hh"
 #include "surfmesh/control/proximity.hh"
+#include "surfmesh/geometry/cage_model.hh"
 
 namespace surfmesh {
 namespace {
@@ -33,6 +34,34 @@ std::vector<PlacedSize> gaps(const Model& model, double hmax, double proximity =
 
 /// Size across a gap in which one row of unit triangles fits.
 constexpr double kOfOneRow = 2 / std::numbers::sqrt3;
+
+/// A tube of 16 × 4 quads whose seam is not joined: its vertices are there twice.
+Model unjoined_tube() {
+  constexpr int columns = 16, rows = 4;
+  Cage cage;
+  for (int j = 0; j <= rows; ++j) {
+    for (int i = 0; i <= columns; ++i) {
+      const double angle = 2 * std::numbers::pi * (i % columns) / columns;
+      cage.points.emplace_back(std::cos(angle), std::sin(angle), j);
+    }
+  }
+  const auto at = [](int i, int j) { return j * (columns + 1) + i; };
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      cage.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return model_from_cage(cage);
+}
+
+// Pieces of sides without a distance were halved to the end, and minutes went by.
+TEST(Proximity, SeesNoGapWhereSidesCoincideThatAreNotJoined) {
+  const Model model = unjoined_tube();
+  const Sizing own = testing::sizing_of(0, 1e-3, 0.5, 2);
+  for (const auto& sizes : proximity_sizes(model, own, SizeBounds(own, model.diagonal))) {
+    EXPECT_TRUE(sizes.empty());
+  }
+}
 
 TEST(Proximity, IsTheSizeOfARowThatFillsAStrip) {
   const auto sizes = gaps(model_of({rectangle(0, 0, 3, 0.1)}), 1);

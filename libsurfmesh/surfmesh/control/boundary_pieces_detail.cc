@@ -67,8 +67,8 @@ struct NearestPoint {
 }  // namespace
 
 BoundaryPieces::BoundaryPieces(const Model& model, const std::vector<int>& patches,
-                               double tolerance, double reach)
-    : model_(model), reach_(reach) {
+                               double tolerance, double least_gap, double reach)
+    : model_(model), least_gap_(least_gap), reach_(reach) {
   for (const int p : patches) {
     at_place(fmt::format("patch {}", patch(p).name), [&] { collect(p, tolerance); });
   }
@@ -159,7 +159,9 @@ std::optional<BoundaryPoint> BoundaryPieces::nearest(const Vec3& p, const Accept
 }
 
 bool BoundaryPieces::are_joined(const BoundaryPiece& piece, const BoundaryPoint& point) const {
-  return way_between(piece, point) <= kLeastWay * point.distance + kSamePlace * piece.whole;
+  const double same_place = kSamePlace * piece.whole;
+  return point.distance <= same_place ||
+         way_between(piece, point) <= kLeastWay * point.distance + same_place;
 }
 
 /// Infinite if the contours have no vertex in common.
@@ -211,7 +213,8 @@ std::vector<char> BoundaryPieces::find_bent() const {
     });
     if (!opposite) continue;
     for (const std::size_t k : {i, static_cast<std::size_t>(opposite->piece)}) {
-      if (pieces_[k].sag > kSagShare * opposite->distance) is_bent[k] = 1;
+      const double gap = std::max(opposite->distance, least_gap_);
+      if (pieces_[k].sag > kSagShare * gap) is_bent[k] = 1;
     }
   }
   return is_bent;

@@ -41,17 +41,18 @@ struct BoundaryPoint {
 };
 
 /// The contours of some patches that are not smooth, in pieces that are straight as seen from the
-/// other side of a gap: nearer to their chords than a twentieth of the distance to any piece within
-/// `reach` that may be opposite.
+/// other side of a gap: nearer to their chords than a twentieth of the distance to the piece that is
+/// nearest opposite of their middle, or of the least gap; after 12 rounds they are taken as they are.
 class BoundaryPieces {
  public:
   /// True if a point of a piece may be an answer.
   using Accepts = std::function<bool(const BoundaryPoint&)>;
 
-  /// Units    tolerance (distance of chords where nothing is near) and reach in model units
+  /// Units    tolerance (distance of chords where nothing is near), the least gap that matters, and
+  ///          the reach, within which pieces are opposite, in model units
   /// Cost     five evaluations a piece, and O(n log n) for n pieces in up to 12 rounds
   BoundaryPieces(const Model& model, const std::vector<int>& patches, double tolerance,
-                 double reach);
+                 double least_gap, double reach);
 
   const std::vector<BoundaryPiece>& all() const { return pieces_; }
   const BoundaryPiece& operator[](int piece) const {
@@ -66,7 +67,7 @@ class BoundaryPieces {
 
   /// True if the boundary leads from the middle of a piece to a point by a way of no more than six
   /// times its distance: around a corner or a bend, that is, along one contour or two that end at
-  /// one vertex.
+  /// one vertex. Also true at the same place: where sides coincide that are not joined is no gap.
   bool are_joined(const BoundaryPiece& piece, const BoundaryPoint& point) const;
 
  private:
@@ -83,6 +84,7 @@ class BoundaryPieces {
   double way_between(const BoundaryPiece& piece, const BoundaryPoint& point) const;
 
   const Model& model_;
+  double least_gap_;
   double reach_;
   std::vector<BoundaryPiece> pieces_;
   Eigen::KdBVH<double, 3, int> tree_;  ///< of the indices of pieces_

@@ -46,7 +46,8 @@ class GapSearch {
             const SizeBounds& bounds, std::vector<std::vector<PlacedSize>>& sizes)
       : bounds_(bounds),
         rows_height_(sizing.proximity * kRowHeight),
-        pieces_(model, patches, kChordShare * bounds.hmax, rows_height_ * bounds.hmax),
+        pieces_(model, patches, kChordShare * bounds.hmax, rows_height_ * bounds.hmin,
+                rows_height_ * bounds.hmax),
         sizes_(sizes) {}
 
   void run() {
@@ -57,7 +58,7 @@ class GapSearch {
   bool are_facing(const BoundaryPiece& piece, const BoundaryPoint& point) const {
     const Vec3& inward = pieces_[point.piece].inward;
     const Vec3 step = point.point - piece.middle;
-    return point.distance > 0 && piece.inward.dot(inward) <= -kFacing &&
+    return piece.inward.dot(inward) <= -kFacing &&
            step.dot(piece.inward) >= kFacing * point.distance &&
            -step.dot(inward) >= kFacing * point.distance && !pieces_.are_joined(piece, point);
   }

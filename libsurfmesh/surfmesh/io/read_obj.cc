@@ -322,7 +322,8 @@ void ObjReader::drop_creases_without_edge() {
   std::unordered_set<std::uint64_t> edges;
   for (const std::vector<int>& face : cage_.faces) {
     for (std::size_t i = 0; i < face.size(); ++i) {
-      edges.insert(edge_key(face[i], face[(i + 1) % face.size()]));
+      const int a = face[i], b = face[(i + 1) % face.size()];
+      if (a != b) edges.insert(edge_key(a, b));
     }
   }
   std::vector<Cage::Crease> kept;
