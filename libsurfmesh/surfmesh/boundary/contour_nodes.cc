@@ -393,11 +393,12 @@ class Uncrossing {
     for (const auto& division : divisions_) {
       before.push_back(division ? division->parameters() : ContourDivision::Parameters{});
     }
-    std::set<ContourSegment> segments = crossing();
+    std::set<ContourSegment> segments = crossing_or_beside_poles();
     for (int round = 0; round < kMostUncrossings && uncross(segments); ++round) {
-      segments = crossing();
+      segments = crossing_or_beside_poles();
     }
-    if (segments.empty()) return;
+    // A ring without room may be meshed all the same.
+    if (segments.empty() || crossing().empty()) return;
     for (std::size_t c = 0; c < divisions_.size(); ++c) {
       if (divisions_[c]) divisions_[c]->set_parameters(std::move(before[c]));
     }
@@ -425,6 +426,15 @@ class Uncrossing {
   }
 
   std::set<ContourSegment> crossing() const {
+    std::set<ContourSegment> segments;
+    for (const Patch& patch : model_.patches) {
+      collect(loops_of(patch), segments);
+    }
+    return segments;
+  }
+
+  /// Those that cross, and those next to poles whose rings have no room.
+  std::set<ContourSegment> crossing_or_beside_poles() const {
     std::set<ContourSegment> segments;
     for (const Patch& patch : model_.patches) {
       const Loops loops = loops_of(patch);

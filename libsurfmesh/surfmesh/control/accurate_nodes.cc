@@ -40,12 +40,20 @@ double root_of_determinant(const FirstFormFactor& form, const SizeTensor& size) 
   return form.l11 * form.l22 / determinant(size);
 }
 
+/// Point i, from 1, of a sequence that covers the rectangle of a domain evenly: the additive one of
+/// the plastic number, which has no period.
+/// Source   Roberts, The unreasonable effectiveness of quasirandom sequences (2018)
+Uv even_place(const Domain& domain, int i) {
+  constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
+  double whole = 0;
+  return domain.at(std::modf(i * first, &whole), std::modf(i * second, &whole));
+}
+
+/// True if a point of the rectangle lies in the domain, which may be a triangle.
+bool is_in(const Domain& domain, Uv uv) { return domain.fold(uv) == uv; }
+
 /// Points that cover the domain of a field evenly, and the exact field at them: as many as have
 /// been asked for.
-///
-/// The additive sequence of the plastic number, which has no period; for a triangular domain those
-/// of its rectangle that lie in it.
-/// Source   Roberts, The unreasonable effectiveness of quasirandom sequences (2018)
 class EvenSample {
  public:
   struct Point {
@@ -57,14 +65,10 @@ class EvenSample {
 
   /// The points among the first `count` of the rectangle that lie in the domain.
   std::span<const Point> first(int count) {
-    constexpr double first_share = 0.7548776662466927, second_share = 0.5698402909980532;
     const Domain domain = field_.surface().domain();
     while (std::ssize(sizes_) < count) {
-      const auto i = static_cast<double>(sizes_.size() + 1);
-      double whole = 0;
-      const Uv uv =
-          domain.at(std::modf(i * first_share, &whole), std::modf(i * second_share, &whole));
-      if (domain.fold(uv) == uv) points_.push_back({uv, field_.at(uv)});
+      const Uv uv = even_place(domain, static_cast<int>(sizes_.size()) + 1);
+      if (is_in(domain, uv)) points_.push_back({uv, field_.at(uv)});
       sizes_.push_back(points_.size());
     }
     return std::span(points_).first(count > 0 ? sizes_[static_cast<std::size_t>(count) - 1] : 0);
@@ -98,14 +102,17 @@ bool holds(const ControlGrid& grid, const SizeField& field, int side, double pre
   const Uv u_step{(domain.u1 - domain.u0) / (side - 1), 0};
   const Uv v_step{0, (domain.v1 - domain.v0) / (side - 1)};
   ControlSpace::Hint hint;
-  EvenSample sample(field);
-  return std::ranges::all_of(sample.first(2 * side * side), [&](const EvenSample::Point& point) {
-    const auto& [uv, exact] = point;
+  for (int i = 1; i <= 2 * side * side; ++i) {
+    const Uv uv = even_place(domain, i);
+    if (!is_in(domain, uv)) continue;
+    const SizeField::Sample exact = field.at(uv);
     const Metric metric = metric_from_size(exact.form, exact.size);
     const double cell = std::max(squared_length(metric, u_step), squared_length(metric, v_step));
-    return cell < kLeastCellLength * kLeastCellLength ||
-           log_conformity(exact.size, grid.size({uv, exact.point, exact.form}, hint)) <= precision;
-  });
+    if (cell < kLeastCellLength * kLeastCellLength) continue;
+    const SizeTensor size = grid.size({uv, exact.point, exact.form}, hint);
+    if (!(log_conformity(exact.size, size) <= precision)) return false;
+  }
+  return true;
 }
 
 }  // namespace
