@@ -41,8 +41,9 @@ struct BoundaryPoint {
 };
 
 /// The contours of some patches that are not smooth, in pieces that are straight as seen from the
-/// other side of a gap: nearer to their chords than a twentieth of the distance to the piece that is
-/// nearest opposite of their middle, or of the least gap; after 12 rounds they are taken as they are.
+/// other side of a gap: nearer to their chords than a twentieth of the distance to the piece that
+/// is nearest opposite of their middle, or of the least gap; after 12 rounds they are taken as they
+/// are.
 class BoundaryPieces {
  public:
   /// True if a point of a piece may be an answer.
