@@ -127,6 +127,16 @@ TEST(LoopInside, KnowsItsPoints) {
   EXPECT_FALSE(is_inside(circle(0, 0, 1), {0.8, 0.8}));
 }
 
+TEST(LoopInside, LetsNoRayThroughWhereALoopCloses) {
+  // The circle ends at v = -2.4e-16, not at 0 where it begins.
+  for (const double v : {0.0, -1e-17, -1.1e-16, -2e-16, 1e-16}) {
+    EXPECT_TRUE(is_inside(circle(0, 0, 1), {-0.9, v})) << v;
+    EXPECT_TRUE(is_inside(circle(0, 0, 1), {0.999, v})) << v;
+    EXPECT_FALSE(is_inside(circle(0, 0, 1), {-2, v})) << v;
+    EXPECT_FALSE(is_inside(circle(0, 0, 1), {2, v})) << v;
+  }
+}
+
 TEST(LoopInside, KnowsPointsBetweenTheCurveAndItsChords) {
   // The chords of 64 samples are off by 1e-3 of the radius.
   for (int i = 0; i < 100; ++i) {

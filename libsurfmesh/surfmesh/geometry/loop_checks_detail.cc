@@ -221,8 +221,11 @@ std::optional<SegmentPair> near_pair(const Scale& scale, const Segment& p, const
 bool meets_ray(const Scale& scale, const Segment& segment, Uv point, int divisions) {
   const double distance = scale.length(scale.foot(point, segment) - point);
   if (divisions > 0 && distance < kBulge * scale.length(segment)) {
+    std::vector<Segment> parts = segments_of(*segment.curve, segment.s0, segment.s1, kParts);
+    parts.front().a = segment.a;
+    parts.back().b = segment.b;
     bool result = false;
-    for (const Segment& part : segments_of(*segment.curve, segment.s0, segment.s1, kParts)) {
+    for (const Segment& part : parts) {
       if (meets_ray(scale, part, point, divisions - 1)) result = !result;
     }
     return result;
@@ -311,7 +314,11 @@ std::vector<NearParts> near_parts(const std::vector<LoopCurves>& loops, double s
 }
 
 bool is_inside(const LoopCurves& loop, Uv point) {
-  const std::vector<Segment> segments = segments_of(loop);
+  std::vector<Segment> segments = segments_of(loop);
+  // Curves meet up to rounding only: a ray must not pass between their ends.
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    segments[i].a = segments[i == 0 ? segments.size() - 1 : i - 1].b;
+  }
   const Scale scale(segments);
   bool result = false;
   for (const Segment& segment : segments) {
