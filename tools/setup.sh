@@ -3,7 +3,7 @@
 set -euo pipefail
 
 required=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libosd-dev nlohmann-json3-dev
-  libcli11-dev libfmt-dev libtbb-dev libboost-dev libgtest-dev libbenchmark-dev)
+  libcli11-dev libfmt-dev libtbb-dev libboost-dev libgtest-dev libbenchmark-dev clang-format-14)
 # Only makes building again faster: installed along with the others where the system has it.
 optional=(ccache)
 

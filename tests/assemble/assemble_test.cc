@@ -208,10 +208,10 @@ TEST(Assemble, CutsAnEdgeOfThreePatchesAtEqualPositions) {
 }
 
 TEST(Assemble, TakesApartPatchesThatMeetInAVertexOnlyWithAWarning) {
-  const Assembled result = assemble_with_size(
-      testing::model_of({testing::plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
-                         testing::plane({1, 1, 0}, {1, 0, 0}, {0, 1, 0})}),
-      0.2);
+  const Assembled result =
+      assemble_with_size(testing::model_of({testing::plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                                            testing::plane({1, 1, 0}, {1, 0, 0}, {0, 1, 0})}),
+                         0.2);
   testing::expect_valid(result.mesh);
   EXPECT_EQ(repeated_positions(result.mesh), std::vector<std::size_t>{2});
   ASSERT_EQ(result.report.warnings.size(), 1u);

@@ -142,7 +142,8 @@ void make_whole_control(benchmark::State& state) {
   std::size_t count = 0;
   for (auto _ : state) {
     count = make_control(collect_control_input(*surface, testing::paper_sizing(), {}, 1, {}))
-                ->mesh().n_vertices();
+                ->mesh()
+                .n_vertices();
   }
   state.counters["nodes"] = static_cast<double>(count);
 }

@@ -95,8 +95,7 @@ BENCHMARK(torus_cage_within_sag)
     ->Unit(benchmark::kMillisecond);
 
 /// Argument: the share of the sizes of a strong metric.
-void strong_metric(benchmark::State& state,
-                   testing::MetricFormulas (*formulas)(double scale)) {
+void strong_metric(benchmark::State& state, testing::MetricFormulas (*formulas)(double scale)) {
   const double scale = 1 / static_cast<double>(state.range(0));
   const auto path = std::filesystem::temp_directory_path() / "surfmesh_pipeline_bench.json";
   std::ofstream(path) << testing::model_text(formulas(scale));
@@ -109,11 +108,17 @@ void strong_metric(benchmark::State& state,
   count_triangles(state, triangles);
 }
 BENCHMARK_CAPTURE(strong_metric, shock, testing::shock_formulas)
-    ->RangeMultiplier(2)->Range(1, 8)->Unit(benchmark::kMillisecond);
+    ->RangeMultiplier(2)
+    ->Range(1, 8)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(strong_metric, ring, testing::ring_formulas)
-    ->RangeMultiplier(2)->Range(1, 4)->Unit(benchmark::kMillisecond);
+    ->RangeMultiplier(2)
+    ->Range(1, 4)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(strong_metric, jump, testing::jump_formulas)
-    ->RangeMultiplier(2)->Range(1, 4)->Unit(benchmark::kMillisecond);
+    ->RangeMultiplier(2)
+    ->Range(1, 4)
+    ->Unit(benchmark::kMillisecond);
 
 /// Argument: the number of threads. `UseRealTime`, for what counts is the clock.
 void torus_cage_by_threads(benchmark::State& state) {

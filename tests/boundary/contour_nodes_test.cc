@@ -17,8 +17,8 @@ namespace {
 
 using std::numbers::pi;
 using testing::contour_index;
-using testing::model_of;
 using testing::isotropic_field;
+using testing::model_of;
 using testing::UniformSizes;
 
 /// The error of a MetricArc, of two of them.
@@ -162,8 +162,8 @@ TEST(ContourNodes, MakeLoopsThatDoNotCrossWhereTheirCurvesDoNot) {
       const auto& outer = nodes_of(model, nodes, "outer").uv[0];
       const auto& inner = nodes_of(model, nodes, "hole").uv[0];
       EXPECT_EQ((outer.size() - 1) % static_cast<std::size_t>(multiple), 0u);
-      EXPECT_TRUE(detail::crossing_segments({{outer.begin(), outer.end() - 1},
-                                             {inner.begin(), inner.end() - 1}})
+      EXPECT_TRUE(detail::crossing_segments(
+                      {{outer.begin(), outer.end() - 1}, {inner.begin(), inner.end() - 1}})
                       .empty())
           << gap;
       EXPECT_LT(static_cast<double>(outer.size()), 6 + 20 / std::sqrt(gap));
@@ -323,8 +323,9 @@ TEST(ContourNodes, AreAsManyAsTheSagTakes) {
 
 TEST(ContourNodes, RefuseASagThatIsNone) {
   const Model model = testing::unit_square();
-  EXPECT_NE(error_of([&] { place_contour_nodes(model, UniformSizes(model, 1), {1, 0.0}); })
-                .find("sag = 0"),
+  EXPECT_NE(error_of([&] {
+              place_contour_nodes(model, UniformSizes(model, 1), {1, 0.0});
+            }).find("sag = 0"),
             std::string::npos);
 }
 

@@ -13,8 +13,8 @@ namespace surfmesh {
 namespace {
 
 using std::numbers::pi;
-using testing::FunctionField;
 using testing::constant_field;
+using testing::FunctionField;
 using testing::isotropic_field;
 
 /// The bound that the header tells.

@@ -97,9 +97,9 @@ TEST(ContourGradation, IsOffWithoutGrade) {
 
 TEST(ContourGradation, CarriesDirectionsThroughTurnedParameters) {
   // The second square's u runs along y: the same tensor has its angle turned there.
-  const Model model = testing::model_of(
-      {testing::rectangle(0, 0, 1, 1),
-       testing::plane(Vec3(2, 0, 0), Vec3(0, 1, 0), Vec3(-1, 0, 0))});
+  const Model model =
+      testing::model_of({testing::rectangle(0, 0, 1, 1),
+                         testing::plane(Vec3(2, 0, 0), Vec3(0, 1, 0), Vec3(-1, 0, 0))});
   const double angle = 0.4;
   const Controls controls = graded_controls(model, {size_of(0.3, 0.05, angle), size_of(5, 5)});
   const SizeTensor expected = size_tensor(0.3, 0.05, angle - std::numbers::pi / 2);
@@ -108,9 +108,9 @@ TEST(ContourGradation, CarriesDirectionsThroughTurnedParameters) {
 
 TEST(ContourGradation, CarriesDirectionsToAPatchOfTheOtherOrientation) {
   // The second square's normal points down: v runs along -y.
-  const Model model = testing::model_of(
-      {testing::rectangle(0, 0, 1, 1),
-       testing::plane(Vec3(1, 1, 0), Vec3(1, 0, 0), Vec3(0, -1, 0))});
+  const Model model =
+      testing::model_of({testing::rectangle(0, 0, 1, 1),
+                         testing::plane(Vec3(1, 1, 0), Vec3(1, 0, 0), Vec3(0, -1, 0))});
   const double angle = 0.4;
   const Controls controls = graded_controls(model, {size_of(0.3, 0.05, angle), size_of(5, 5)});
   EXPECT_LT(log_conformity(size_at(controls, 1, {0, 0.5}), size_tensor(0.3, 0.05, -angle)), 0.25);
@@ -127,9 +127,8 @@ TEST(ContourGradation, ReachesThePoleAtTheEndOfAContour) {
   const auto half = [](double from) -> testing::Shape {
     return std::make_shared<test::Cone>(1, Domain{from, from + std::numbers::pi, 0, 1});
   };
-  const Controls controls =
-      graded_controls(testing::model_of({half(0), half(std::numbers::pi)}),
-                      {size_of(0.05, 0.05), size_of(1, 1)});
+  const Controls controls = graded_controls(testing::model_of({half(0), half(std::numbers::pi)}),
+                                            {size_of(0.05, 0.05), size_of(1, 1)});
   // The pole's own node has no tangent plane to compare in, and shows half a unit around it.
   EXPECT_LT(size_at(controls, 1, {std::numbers::pi, 0.02}).h11, 0.1);
   for (const double v : {0.1, 0.3, 0.9}) {
@@ -146,8 +145,8 @@ TEST(ContourGradation, JoinsTheTwoSidesOfASeam) {
   for (const double u : {0.0, 2 * std::numbers::pi}) {
     for (const double v : {0.0, 1.0}) {
       const Jet jet = model.patches[0].surface->evaluate({u, v}, Order::First);
-      controls.inputs[0].nodes.push_back({{u, v}, jet.point, first_form_factor(jet.du, jet.dv),
-                                          isotropic(u == 0 ? 0.05 : 1)});
+      controls.inputs[0].nodes.push_back(
+          {{u, v}, jet.point, first_form_factor(jet.du, jet.dv), isotropic(u == 0 ? 0.05 : 1)});
     }
   }
   controls.spaces.push_back(make_control(controls.inputs[0]));

@@ -49,12 +49,13 @@ TEST(ControlGrid, ReproducesALinearField) {
 
 TEST(ControlGrid, ConvergesAtSecondOrderAndInverseDistancesAtFirst) {
   const auto coarse = testing::grid({}, 11, smooth), fine = testing::grid({}, 41, smooth);
-  const double grid_order =
-      std::log2(error_of_control(ControlGrid({}, coarse, {}, {})) /
-                error_of_control(ControlGrid({}, fine, {}, {}))) / 2;
+  const double grid_order = std::log2(error_of_control(ControlGrid({}, coarse, {}, {})) /
+                                      error_of_control(ControlGrid({}, fine, {}, {}))) /
+                            2;
   const ControlSpaceOptions by_distance = {.interpolation = Interpolation::Triangle};
   const double mesh_order = std::log2(error_of_control(ControlMesh({}, coarse, by_distance)) /
-                                      error_of_control(ControlMesh({}, fine, by_distance))) / 2;
+                                      error_of_control(ControlMesh({}, fine, by_distance))) /
+                            2;
   EXPECT_NEAR(grid_order, 2, 0.2);
   EXPECT_NEAR(mesh_order, 1, 0.2);
 }
@@ -102,8 +103,9 @@ TEST(ControlGrid, RefusesWhatIsNoSquareGrid) {
 
 TEST(ControlGrid, RefusesANodeOutsideByItsPlace) {
   const auto nodes = testing::grid({}, 3, smooth);
-  const std::string error = error_of(
-      [&] { ControlGrid({}, nodes, {testing::node({0.5, 1.25}, isotropic(1))}, {}); });
+  const std::string error = error_of([&] {
+    ControlGrid({}, nodes, {testing::node({0.5, 1.25}, isotropic(1))}, {});
+  });
   EXPECT_NE(error.find("(0.5, 1.25)"), std::string::npos) << error;
 }
 

@@ -80,9 +80,9 @@ TEST(ControlMesh, StaysWithinTheSizesOfItsNodes) {
 
 TEST(ControlMesh, WeighsByTheInverseSquaresOfDistances) {
   const Domain domain{};
-  const ControlMesh control(
-      domain, with_corners(domain, isotropic(1), {node({0.5, 0.5}, isotropic(2))}),
-      {.interpolation = Interpolation::Triangle});
+  const ControlMesh control(domain,
+                            with_corners(domain, isotropic(1), {node({0.5, 0.5}, isotropic(2))}),
+                            {.interpolation = Interpolation::Triangle});
   // From (0.5, 0.25): 1/16 to the middle, 5/16 to the corners below, in any triangle that holds it.
   const double expected = (16 * 2 + 2 * 3.2 * 1) / (16 + 2 * 3.2);
   EXPECT_NEAR(query(control, {0.5, 0.25}).h11, expected, 1e-14);
@@ -90,9 +90,9 @@ TEST(ControlMesh, WeighsByTheInverseSquaresOfDistances) {
 
 TEST(ControlMesh, TakesDistancesThroughTheFirstForm) {
   const Domain domain{};
-  const ControlMesh control(
-      domain, with_corners(domain, isotropic(1), {node({0.5, 0.5}, isotropic(2))}),
-      {.interpolation = Interpolation::Triangle});
+  const ControlMesh control(domain,
+                            with_corners(domain, isotropic(1), {node({0.5, 0.5}, isotropic(2))}),
+                            {.interpolation = Interpolation::Triangle});
   // u counts ten times: 1/16 to the middle, 25 + 1/16 to the corners below.
   const double expected = (16 * 2 + 2 / 25.0625) / (16 + 2 / 25.0625);
   EXPECT_NEAR(query(control, {0.5, 0.25}, {10, 0, 1}).h11, expected, 1e-14);

@@ -94,8 +94,8 @@ TEST(ExtendedNode, IsSeenOnlyFromItsOwnTrianglesInThePaper) {
 TEST(ExtendedNode, SeenFromItsTrianglesMeetsSmallerSizesToo) {
   std::vector<ControlNode> nodes = testing::grid({}, 11, [](Uv) { return isotropic(0.03); });
   nodes.push_back(with_disc({0.52, 0.53}, isotropic(0.2), kRadius));
-  const ControlMesh control(
-      {}, nodes, {.lookup = DiscLookup::Vertices, .discs_meet_area_sources = true});
+  const ControlMesh control({}, nodes,
+                            {.lookup = DiscLookup::Vertices, .discs_meet_area_sources = true});
   EXPECT_LT(query(control, {0.53, 0.54}).h11, 0.2);
   const ControlMesh alone({}, nodes, {.lookup = DiscLookup::Vertices});
   EXPECT_EQ(query(alone, {0.53, 0.54}), isotropic(0.2));

@@ -82,9 +82,9 @@ TEST(SingleInterpolation, GivesTheSizeOfAVertexOfTheTriangle) {
   const auto size = require(control.mesh(), keys::vertex_size);
   for (const Uv uv : random_points({}, 200)) {
     const SizeTensor answer = query(control, uv);
-    const bool is_node = std::any_of(
-        control.mesh().vertices_begin(), control.mesh().vertices_end(),
-        [&](VertexHandle vh) { return control.mesh().property(size, vh) == answer; });
+    const bool is_node =
+        std::any_of(control.mesh().vertices_begin(), control.mesh().vertices_end(),
+                    [&](VertexHandle vh) { return control.mesh().property(size, vh) == answer; });
     ASSERT_TRUE(is_node) << uv.u << " " << uv.v;
   }
 }
@@ -196,8 +196,8 @@ std::array<Uv, 4> probes(const ControlMesh& control, FaceHandle fh) {
 }
 
 /// The greatest conformity between V_o and what a triangle's class gives at its probes.
-double worst_conformity(const ControlMesh& all_circles, const ControlMesh& control,
-                        FaceHandle fh, Interpolation interpolation) {
+double worst_conformity(const ControlMesh& all_circles, const ControlMesh& control, FaceHandle fh,
+                        Interpolation interpolation) {
   const auto uv = require(control.mesh(), keys::vertex_uv);
   const auto size = require(control.mesh(), keys::vertex_size);
   double worst = 0;
@@ -286,8 +286,7 @@ TEST(Reuse, TakesTheFormOfThePointItself) {
   ControlSpace::Hint hint;
   control.metric(place({0.5, 0.5}), hint);
   const FirstFormFactor form{2, 0, 1};
-  EXPECT_EQ(control.metric(place({0.5, 0.5}, form), hint),
-            metric_from_size(form, isotropic(0.1)));
+  EXPECT_EQ(control.metric(place({0.5, 0.5}, form), hint), metric_from_size(form, isotropic(0.1)));
 }
 
 TEST(Reuse, IsOffAtZero) {

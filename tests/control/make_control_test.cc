@@ -300,8 +300,9 @@ TEST(MakeControl, SeesASmallSourceInAWidePatch) {
 
 TEST(MakeControl, RefusesMoreNodesThanItCanHold) {
   const auto surface = plane();
-  const std::string error = error_of(
-      [&] { control_of(surface, sizing_of(0.25, 0.01, 1, 2), {}, {.nodes = {2147483647, 0.1}}); });
+  const std::string error = error_of([&] {
+    control_of(surface, sizing_of(0.25, 0.01, 1, 2), {}, {.nodes = {2147483647, 0.1}});
+  });
   EXPECT_EQ(error.rfind(name(ErrorCode::Limit), 0), 0U) << error;
 }
 

@@ -93,9 +93,7 @@ class CountingPlane : public Surface {
   mutable int evaluations = 0;
 };
 
-double noise(std::size_t i) {
-  return 0.5 + 0.5 * std::sin(12.9898 * double(i) * double(i % 1013));
-}
+double noise(std::size_t i) { return 0.5 + 0.5 * std::sin(12.9898 * double(i) * double(i % 1013)); }
 
 TEST(ThinNodes, TakesFewRoundsForManyNodesAtOnePlace) {
   auto nodes = grid(5, [](Uv) { return isotropic(0.2); });

@@ -227,8 +227,8 @@ TEST_F(FillCavity, SplitsABoundaryEdgeAndKeepsItsConstraintOnBothParts) {
 }
 
 /// A hexagon with two vertices inside, 6 and 7, both joined to 0 and 3.
-const Triangles kHexagon = {{0, 1, 6}, {1, 2, 6}, {2, 3, 6}, {0, 6, 7}, {6, 3, 7},
-                            {3, 4, 7}, {4, 5, 7}, {5, 0, 7}};
+const Triangles kHexagon = {{0, 1, 6}, {1, 2, 6}, {2, 3, 6}, {0, 6, 7},
+                            {6, 3, 7}, {3, 4, 7}, {4, 5, 7}, {5, 0, 7}};
 
 class Collapse : public testing::Test {
  protected:

@@ -80,7 +80,9 @@ TEST(ReadModel, ReadsSizesAroundPlaces) {
 TEST(ReadModel, ReadsFields) {
   const Sources sources = read(model(R"("sources": [
       {"field": {"size": "a*u+v+x+10*y+z"}, "precision": 0.2},
-      {"field": {"m11": "1", "m12": "u", "m22": "v"}}])", R"("constants": {"a": 3})")).sources;
+      {"field": {"m11": "1", "m12": "u", "m22": "v"}}])",
+                                     R"("constants": {"a": 3})"))
+                              .sources;
   ASSERT_EQ(sources.fields.size(), 2u);
   EXPECT_EQ(sources.fields[0].size({1, 2}, {4, 5, 6}), 3 + 2 + 4 + 50 + 6);
   EXPECT_EQ(sources.fields[0].precision, 0.2);

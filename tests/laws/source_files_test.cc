@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <string>
 #include <string_view>
 
 #include "laws/sources.hh"
@@ -50,6 +52,33 @@ TEST(SourceFiles, BeginWithTheLicence) {
     ASSERT_FALSE(file.lines.empty()) << file.path;
     EXPECT_EQ(file.lines[0], "// SPDX-License-Identifier: BSD-3-Clause") << file.path;
   }
+}
+
+/// clang-format differs between versions; this is Debian 12's, which tools/setup.sh installs.
+constexpr const char* kFormatter = "clang-format-14";
+
+int run(const std::string& command) { return std::system((command + " >&2").c_str()); }
+
+bool has_formatter() { return run(std::string(kFormatter) + " --version") == 0; }
+
+/// Check the formatting of files, or of standard input. Returns 0 if nothing is to be changed.
+int check_format(const std::string& before, const std::string& arguments) {
+  return run(before + kFormatter + " --dry-run --Werror " + arguments);
+}
+
+TEST(SourceFiles, AreFormatted) {
+  if (!has_formatter()) GTEST_SKIP() << kFormatter << " is not installed";
+  std::string paths;
+  for (const auto& file : testing::project_sources()) paths += " '" + file.path + "'";
+  EXPECT_EQ(check_format("cd '" SURFMESH_SOURCE_DIR "' && ", paths), 0)
+      << "run " << kFormatter << " -i on the files named above";
+}
+
+TEST(SourceFiles, AreSeenWhereTheyAreNotFormatted) {
+  if (!has_formatter()) GTEST_SKIP() << kFormatter << " is not installed";
+  const std::string name = "--assume-filename=test.cc";
+  EXPECT_EQ(check_format("printf 'int f();\\n' | ", name), 0);
+  EXPECT_NE(check_format("printf 'int  f ();\\n' | ", name), 0);
 }
 
 }  // namespace

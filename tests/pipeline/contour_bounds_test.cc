@@ -110,13 +110,12 @@ std::vector<Case> cases() {
   return result;
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, ContourBounds, ::testing::ValuesIn(cases()),
-                         [](const auto& test) {
-                           std::string name = test.param.name;
-                           std::replace(name.begin(), name.end(), '.', '_');
-                           name += test.param.grade > 0 ? "_graded" : "";
-                           return name + (test.param.has_sources ? "_with_sources" : "");
-                         });
+INSTANTIATE_TEST_SUITE_P(Models, ContourBounds, ::testing::ValuesIn(cases()), [](const auto& test) {
+  std::string name = test.param.name;
+  std::replace(name.begin(), name.end(), '.', '_');
+  name += test.param.grade > 0 ? "_graded" : "";
+  return name + (test.param.has_sources ? "_with_sources" : "");
+});
 
 }  // namespace
 }  // namespace surfmesh

@@ -135,7 +135,7 @@ std::string strip_cage(int turns) {
     for (const double v : {-0.4, 0.4}) {
       const double radius = 1.5 + v * std::cos(turns * angle / 2);
       text += vertex_line(radius * std::cos(angle), radius * std::sin(angle),
-                         v * std::sin(turns * angle / 2));
+                          v * std::sin(turns * angle / 2));
     }
   }
   for (int i = 0; i < kFaces; ++i) {

@@ -152,7 +152,8 @@ TEST(LoadModel, FindsTheSidesThatSizesAreAlong) {
     write_text(folder / "a.json",
                R"({"patches": [{"name": "p", "surface": {"z": "0"},
                    "domain": {"u": [0, 1], "v": [0, 2]},
-                   "sources": [{"along": ")" + name + R"(", "size": 0.1}]}]})");
+                   "sources": [{"along": ")" +
+                   name + R"(", "size": 0.1}]}]})");
     return load_model(folder / "a.json").sources.along;
   };
   const auto along = load("p:v1");

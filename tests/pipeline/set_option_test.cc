@@ -98,8 +98,8 @@ TEST(SetOption, LeavesTheCurvatureThatIsGivenBesideTheSag) {
 }
 
 TEST(SetOption, AcceptsTheOffValuesOfWhatIsNotBuilt) {
-  const std::vector<std::pair<std::string, std::string>> cases = {
-      {"quads", "false"}, {"smoothing", "best"}};
+  const std::vector<std::pair<std::string, std::string>> cases = {{"quads", "false"},
+                                                                  {"smoothing", "best"}};
   for (const auto& [name, value] : cases) EXPECT_EQ(fault(name, value), "no error") << name;
 }
 

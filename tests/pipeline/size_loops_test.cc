@@ -106,8 +106,8 @@ double quality_in_space(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 struct Findings {
-  std::size_t turned = 0;    ///< triangles that face another way than most of their patch
-  double pole_quality = 1;   ///< least of the triangles at the model's point-like contours
+  std::size_t turned = 0;   ///< triangles that face another way than most of their patch
+  double pole_quality = 1;  ///< least of the triangles at the model's point-like contours
 };
 
 class Inspector {

@@ -55,15 +55,16 @@ TEST_P(Threads, MakeTheSameFileInAnyNumber) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, Threads, ::testing::ValuesIn(std::vector<Case>{
-    {"BlocksOfACage", "knob.obj", {{"hmax", "3%"}}},
-    {"FacesOfACage", "torus.obj", {{"patches", "faces"}}},
-    {"CageWithinASag", "vault.obj", {{"sag", "0.2%"}}},
-    {"TrimmedPatches", "perforated.json", {}},
-    {"PartsThatJoin", "knob_on_plate.json", {}},
-    {"SourcesOfSizes", "sizes.json", {}},
-    {"Grids", "pipes.json", {{"control", "grid"}}}}),
-    [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Models, Threads,
+                         ::testing::ValuesIn(std::vector<Case>{
+                             {"BlocksOfACage", "knob.obj", {{"hmax", "3%"}}},
+                             {"FacesOfACage", "torus.obj", {{"patches", "faces"}}},
+                             {"CageWithinASag", "vault.obj", {{"sag", "0.2%"}}},
+                             {"TrimmedPatches", "perforated.json", {}},
+                             {"PartsThatJoin", "knob_on_plate.json", {}},
+                             {"SourcesOfSizes", "sizes.json", {}},
+                             {"Grids", "pipes.json", {{"control", "grid"}}}}),
+                         [](const auto& test) { return test.param.name; });
 
 /// A square at a place of a row.
 testing::Shape flat_square(int place) {

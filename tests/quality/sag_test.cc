@@ -78,8 +78,9 @@ T narrow_bend(T v) {
 }
 
 TEST(PlaneSag, SeesABendBetweenTheSamples) {
-  const auto surface = make_callable_surface(
-      {0, 1, 0, 1}, [](auto u, auto v) { return std::array{u, v, 0.0 * u + narrow_bend(v)}; });
+  const auto surface = make_callable_surface({0, 1, 0, 1}, [](auto u, auto v) {
+    return std::array{u, v, 0.0 * u + narrow_bend(v)};
+  });
   const double end = narrow_bend(1.0), at = std::log(40.0) / 40;
   const double greatest = (narrow_bend(at) - at * end) / std::hypot(1, end);
   const detail::SurfaceTriangle triangle = {{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, end)},

@@ -25,10 +25,9 @@ inline MetricFormulas directed_formulas(const std::string& name, const std::stri
 
 /// An oblique shock: elements 3e-4 across it, 0.3 along it, growing with the distance.
 inline MetricFormulas shock_formulas(double scale = 1) {
-  return directed_formulas(
-      "Shock1000", "0.6", "0.8",
-      fmt::format("sqrt(({}*3e-4)^2+(0.15*(0.6*u+0.8*v-0.7))^2)", scale),
-      fmt::format("{}*0.3", scale));
+  return directed_formulas("Shock1000", "0.6", "0.8",
+                           fmt::format("sqrt(({}*3e-4)^2+(0.15*(0.6*u+0.8*v-0.7))^2)", scale),
+                           fmt::format("{}*0.3", scale));
 }
 
 /// A circular layer 2e-4 thick. Along it elements are no longer than their sagitta, 0.05 of the
@@ -36,9 +35,9 @@ inline MetricFormulas shock_formulas(double scale = 1) {
 inline MetricFormulas ring_formulas(double scale = 1) {
   const std::string r = "hypot(u-0.5,v-0.5+1e-9)";
   const std::string across = fmt::format("sqrt(({}*2e-4)^2+(0.15*({}-0.3))^2)", scale, r);
-  return directed_formulas(
-      "ThinRing", fmt::format("(u-0.5)/{}", r), fmt::format("(v-0.5+1e-9)/{}", r), across,
-      fmt::format("max({0},min(0.1,sqrt(0.4*{1}*{0})))", across, r));
+  return directed_formulas("ThinRing", fmt::format("(u-0.5)/{}", r),
+                           fmt::format("(v-0.5+1e-9)/{}", r), across,
+                           fmt::format("max({0},min(0.1,sqrt(0.4*{1}*{0})))", across, r));
 }
 
 /// Sizes that jump by a factor of 19 across a wavy line.

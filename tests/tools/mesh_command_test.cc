@@ -181,8 +181,9 @@ TEST_F(MeshProgram, BeatsTheModelFileByTheCommandLine) {
 }
 
 TEST_F(MeshProgram, TakesTheOptionsOfTheControlSpace) {
-  EXPECT_EQ(mesh("torus.json", "--control mesh --interpolation s --epsilon 0.2 --inner-nodes "
-                               "--reuse 0.1 --report report.json"),
+  EXPECT_EQ(mesh("torus.json",
+                 "--control mesh --interpolation s --epsilon 0.2 --inner-nodes "
+                 "--reuse 0.1 --report report.json"),
             0)
       << err_;
   const Json options = report()["options"];
@@ -209,9 +210,9 @@ TEST_F(MeshProgram, TellsWhatItDidNotReach) {
       "sizing": {"curvature": 0, "hmin": 3, "hmax": 3}
 })json");
   EXPECT_EQ(run("mesh bellows.json -o out.obj --report report.json --quiet"), 3) << err_;
-EXPECT_NE(err_.find("not reached: "), std::string::npos) << err_;
-EXPECT_FALSE(report()["warnings"].empty());
-EXPECT_TRUE(std::filesystem::exists(folder_ / "out.obj"));
+  EXPECT_NE(err_.find("not reached: "), std::string::npos) << err_;
+  EXPECT_FALSE(report()["warnings"].empty());
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out.obj"));
 }
 
 TEST_F(MeshProgram, TellsWrongUsage) {

@@ -42,7 +42,10 @@ class UseEnds {
 class Gluing {
  public:
   Gluing(const Model& model, const PromisedTopology& promise)
-      : model_(model), promise_(promise), ends_(model), fans_(ends_.count()),
+      : model_(model),
+        promise_(promise),
+        ends_(model),
+        fans_(ends_.count()),
         sheets_(model.patches.size()) {
     for (const Patch& patch : model.patches) {
       for (const PatchLoop& loop : patch.loops) join_corners(loop);

@@ -14,8 +14,8 @@ bool is_turned(const PatchMesh& patch, const TriangleVertices& triangle) {
   const auto index = [&](std::size_t k) { return static_cast<std::size_t>(triangle[k].idx()); };
   const Vec3& a = patch.points[index(0)];
   const Vec3 normal = (patch.points[index(1)] - a).cross(patch.points[index(2)] - a);
-  return normal.dot(patch.normals[index(0)] + patch.normals[index(1)] +
-                    patch.normals[index(2)]) <= 0;
+  return normal.dot(patch.normals[index(0)] + patch.normals[index(1)] + patch.normals[index(2)]) <=
+         0;
 }
 
 std::vector<FaceHandle> turned_faces(const PatchMesh& patch) {

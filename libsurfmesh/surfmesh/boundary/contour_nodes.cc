@@ -66,9 +66,9 @@ class LeastSegments {
   int operator()(const Contour& contour) const {
     const bool starts_at_pole = poles_[static_cast<std::size_t>(contour.start)];
     const bool ends_at_pole = poles_[static_cast<std::size_t>(contour.end)];
-    int least = contour.start == contour.end                                   ? 3
+    int least = contour.start == contour.end                             ? 3
                 : count_.at(std::minmax(contour.start, contour.end)) > 1 ? 2
-                                                                               : 1;
+                                                                         : 1;
     return std::max(least, 1 + (starts_at_pole ? 1 : 0) + (ends_at_pole ? 1 : 0));
   }
 
@@ -97,11 +97,12 @@ class ContourDivision {
     const int multiple = options.multiple;
     const int wanted = static_cast<int>(std::lround(length / multiple)) * multiple;
     const int rounded_least = rounded_up(least, multiple);
-    const int count = options.sag ? count_for_sag(rounded_least, options)
-                                  : std::max(wanted, rounded_least);
+    const int count =
+        options.sag ? count_for_sag(rounded_least, options) : std::max(wanted, rounded_least);
     for (int i = 0; i <= count; ++i) {
-      const double t = i == 0 ? 0.0 : i == count ? 1.0
-                                                 : arcs_[selected_].parameter(i * length / count);
+      const double t = i == 0       ? 0.0
+                       : i == count ? 1.0
+                                    : arcs_[selected_].parameter(i * length / count);
       for (std::size_t use = 0; use < parameters_.size(); ++use) {
         parameters_[use].push_back(on_use(use, t));
       }
@@ -127,8 +128,8 @@ class ContourDivision {
     const std::size_t count = parameters_[selected_].size() - 1;
     std::vector<double> sums = {0};
     for (std::size_t i = 0; i < count; ++i) sums.push_back(sums.back() + longest(i));
-    const long wanted = std::max<long>(rounded_up(least, multiple),
-                                       multiple * std::lround(sums.back() / multiple));
+    const long wanted =
+        std::max<long>(rounded_up(least, multiple), multiple * std::lround(sums.back() / multiple));
     if (wanted >= static_cast<long>(count)) return;
     const auto before = parameters_;
     spread(sums, wanted);
@@ -199,10 +200,10 @@ class ContourDivision {
     for (std::size_t use = 0; use < contour_.uses.size(); ++use) result.uv[use] = uvs(use);
     for (std::size_t i = 0; i <= last; ++i) {
       const Surface& surface = *patch_of(model_, owner).surface;
-      result.points.push_back(i == 0      ? vertex(contour_.start)
-                              : i == last ? vertex(contour_.end)
-                                          : surface.evaluate(result.uv[selected_][i],
-                                                             Order::Position).point);
+      result.points.push_back(
+          i == 0      ? vertex(contour_.start)
+          : i == last ? vertex(contour_.end)
+                      : surface.evaluate(result.uv[selected_][i], Order::Position).point);
     }
     return result;
   }
@@ -283,9 +284,7 @@ class ContourDivision {
 
   Vec3 point_at(double t) const {
     const ContourUse& use = contour_.uses[selected_];
-    return patch_of(model_, use)
-        .surface->evaluate(use.curve->evaluate(t), Order::Position)
-        .point;
+    return patch_of(model_, use).surface->evaluate(use.curve->evaluate(t), Order::Position).point;
   }
 
   /// The t on a use of the point at t of the selected use.
@@ -460,8 +459,8 @@ class Uncrossing {
     const auto& division = divisions_[static_cast<std::size_t>(entry.contour)];
     const auto use = static_cast<std::size_t>(entry.use);
     const Curve& curve = *contour.uses[use].curve;
-    std::vector<Uv> uvs = division ? division->uvs(use)
-                                   : std::vector<Uv>{curve.evaluate(0), curve.evaluate(1)};
+    std::vector<Uv> uvs =
+        division ? division->uvs(use) : std::vector<Uv>{curve.evaluate(0), curve.evaluate(1)};
     const bool is_forward = contour.uses[use].is_forward;
     if (!is_forward) std::reverse(uvs.begin(), uvs.end());
     const std::size_t count = uvs.size() - 1;
@@ -556,8 +555,7 @@ void check(const BoundaryOptions& options) {
   }
 }
 
-BoundaryNodes place_contour_nodes(const Model& model,
-                                  const std::vector<const MetricField*>& fields,
+BoundaryNodes place_contour_nodes(const Model& model, const std::vector<const MetricField*>& fields,
                                   const BoundaryOptions& options) {
   check(options);
   const LeastSegments least(model);

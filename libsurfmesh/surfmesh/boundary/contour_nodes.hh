@@ -56,8 +56,7 @@ struct BoundaryNodes {
 /// `fields` holds the metric of each patch.
 /// Cost     four to eight metric queries a segment and use
 /// Source   paper, section 2.1, item 1
-BoundaryNodes place_contour_nodes(const Model& model,
-                                  const std::vector<const MetricField*>& fields,
+BoundaryNodes place_contour_nodes(const Model& model, const std::vector<const MetricField*>& fields,
                                   const BoundaryOptions& options = {});
 
 }  // namespace surfmesh

@@ -217,8 +217,7 @@ class ContourGradation {
 
   /// False if the patch has got such a size at this place before. That the control space gives
   /// another one is then interpolation, which further nodes at one place do not change.
-  bool is_news(const ComparedContour& compared, std::size_t use, double t,
-               const SizeTensor& size) {
+  bool is_news(const ComparedContour& compared, std::size_t use, double t, const SizeTensor& size) {
     auto& given = given_[index(compared.contour())];
     const auto [entry, is_first] = given.try_emplace({use, t}, size);
     if (is_first) return true;
@@ -233,8 +232,8 @@ class ContourGradation {
   }
 
   void add(const Contour& contour, int patch, const Side& side, const SizeTensor& size) {
-    added_[index(contour)].push_back({static_cast<std::size_t>(patch),
-                                      {side.at.uv, side.at.point, side.at.form, size}});
+    added_[index(contour)].push_back(
+        {static_cast<std::size_t>(patch), {side.at.uv, side.at.point, side.at.form, size}});
   }
 
   /// Give the nodes of all contours to their patches, in the order of the contours.
@@ -257,9 +256,8 @@ class ContourGradation {
     for (std::size_t p = 0; p < spaces_.size(); ++p) {
       if (is_changed_[p]) changed.push_back(p);
     }
-    share_indices(changed.size(), [&](std::size_t i) {
-      spaces_[changed[i]] = make_control(inputs_[changed[i]]);
-    });
+    share_indices(changed.size(),
+                  [&](std::size_t i) { spaces_[changed[i]] = make_control(inputs_[changed[i]]); });
     report_.spaces += changed.size();
     return !changed.empty();
   }

@@ -46,8 +46,7 @@ NodeNeighbours neighbours_in_grid(int side) {
 }  // namespace
 
 ControlGrid::ControlGrid(const Domain& domain, std::vector<ControlNode> regular,
-                         const std::vector<ControlNode>& others,
-                         const ControlSpaceOptions& options)
+                         const std::vector<ControlNode>& others, const ControlSpaceOptions& options)
     : ControlSpace(options, others),
       domain_(domain),
       side_(side_of(regular)),
@@ -68,9 +67,9 @@ ControlGrid::ControlGrid(const Domain& domain, std::vector<ControlNode> regular,
 void ControlGrid::lower_cell(std::vector<ControlNode>& nodes, const ControlNode& other) const {
   const Uv uv = other.uv;
   if (!(uv.u >= domain_.u0 && uv.u <= domain_.u1 && uv.v >= domain_.v0 && uv.v <= domain_.v1)) {
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("a control node at (u,v) = ({}, {}) lies outside the domain", uv.u,
-                            uv.v));
+    throw Error(
+        ErrorCode::InvalidInput,
+        fmt::format("a control node at (u,v) = ({}, {}) lies outside the domain", uv.u, uv.v));
   }
   for (const std::size_t i : corners_of(place_of(uv))) {
     nodes[i].size = minimum(nodes[i].size, other.size);
@@ -96,8 +95,8 @@ SizeTensor ControlGrid::interpolate(const SurfacePoint& at, Hint& hint) const {
   ++hint.answers.grid;
   const Place place = place_of(at.uv);
   const auto [a, b, c, d] = corners_of(place);
-  const SizeTensor value = lerp(lerp(values_[a], values_[b], place.s),
-                                lerp(values_[c], values_[d], place.s), place.t);
+  const SizeTensor value =
+      lerp(lerp(values_[a], values_[b], place.s), lerp(values_[c], values_[d], place.s), place.t);
   return options().blend == Blend::Logarithmic ? exp_size(value) : value;
 }
 

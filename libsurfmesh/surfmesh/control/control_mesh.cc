@@ -175,11 +175,10 @@ Interpolation ControlMesh::classify(int index, const std::array<FirstFormFactor,
                                     Hint& hint) const {
   const Triangle& t = triangle(index);
   const std::array<Uv, 3> at = {node(t.nodes[0]).uv, node(t.nodes[1]).uv, node(t.nodes[2]).uv};
-  const std::array<Probe, 4> probes = {
-      Probe{(1.0 / 3.0) * (at[0] + at[1] + at[2]), mean_of(forms)},
-      Probe{lerp(at[0], at[1], 0.5), mean_of(forms[0], forms[1])},
-      Probe{lerp(at[1], at[2], 0.5), mean_of(forms[1], forms[2])},
-      Probe{lerp(at[2], at[0], 0.5), mean_of(forms[2], forms[0])}};
+  const std::array<Probe, 4> probes = {Probe{(1.0 / 3.0) * (at[0] + at[1] + at[2]), mean_of(forms)},
+                                       Probe{lerp(at[0], at[1], 0.5), mean_of(forms[0], forms[1])},
+                                       Probe{lerp(at[1], at[2], 0.5), mean_of(forms[1], forms[2])},
+                                       Probe{lerp(at[2], at[0], 0.5), mean_of(forms[2], forms[0])}};
   for (const Probe& probe : probes) {
     const SizeTensor h_o = from_circles(index, probe.uv, probe.form, hint);
     const SizeTensor h_t = from_vertices(t, probe.uv, probe.form);
@@ -268,8 +267,7 @@ int ControlMesh::walk(Uv uv, int start, RandomBits& random) const {
 
 void ControlMesh::locate(Uv uv, Hint& hint) const {
   const bool is_known = static_cast<std::size_t>(hint.triangle) < triangles_.size();
-  const bool is_near =
-      is_known && seeds_.are_near(node(triangle(hint.triangle).nodes[0]).uv, uv);
+  const bool is_near = is_known && seeds_.are_near(node(triangle(hint.triangle).nodes[0]).uv, uv);
   const int start = is_near ? hint.triangle : seeds_.triangles[seeds_.cell(uv)];
   hint.triangle = walk(uv, start, hint.random);
 }
@@ -311,8 +309,7 @@ std::optional<SizeTensor> ControlMesh::extended_size_by_vertices(const SurfacePo
   return least;
 }
 
-SizeTensor ControlMesh::from_vertices(const Triangle& t, Uv uv,
-                                      const FirstFormFactor& form) const {
+SizeTensor ControlMesh::from_vertices(const Triangle& t, Uv uv, const FirstFormFactor& form) const {
   const Node &a = node(t.nodes[0]), &b = node(t.nodes[1]), &c = node(t.nodes[2]);
   return size_of(surfmesh::interpolate(
       std::array{a.value, b.value, c.value},

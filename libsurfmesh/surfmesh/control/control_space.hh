@@ -80,7 +80,7 @@ class ControlSpace {
   struct Hint {
     int triangle = -1;  ///< where the last point was found: near points are found fast
     RandomBits random;
-    Uv last_uv;          ///< where the last answer was computed
+    Uv last_uv;  ///< where the last answer was computed
     SizeTensor last_size;
     Metric last_metric;
     QueryCounts answers;

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "surfmesh/control/control_nodes.hh"
 #include "surfmesh/control/control_mesh.hh"
+#include "surfmesh/control/control_nodes.hh"
 #include "surfmesh/geometry/surface.hh"
 
 namespace surfmesh {

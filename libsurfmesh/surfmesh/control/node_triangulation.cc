@@ -84,12 +84,11 @@ void NodeTriangulation::insert(const ControlNode& node) {
   const Location location = delaunay_.locate(node.uv, hint_);
   if (location.kind == Location::Kind::Outside) {
     throw Error(ErrorCode::InvalidInput,
-                fmt::format("a control node at (u,v) = ({}, {}) lies outside the domain",
-                            node.uv.u, node.uv.v));
+                fmt::format("a control node at (u,v) = ({}, {}) lies outside the domain", node.uv.u,
+                            node.uv.v));
   }
   hint_ = location.face;
-  const bool is_at_corner =
-      location.kind == Location::Kind::OnVertex && location.vertex.idx() < 4;
+  const bool is_at_corner = location.kind == Location::Kind::OnVertex && location.vertex.idx() < 4;
   if (!is_at_corner && merge_with_neighbour(node, location.face)) return;
   const Metric spacing = std::isfinite(node.spacing.m11) ? node.spacing : around(location.face);
   const VertexHandle vh = delaunay_.insert(node.uv, location.face, rule_);

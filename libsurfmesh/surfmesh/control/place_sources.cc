@@ -76,8 +76,7 @@ Uv inside_domain(const Surface& surface, Uv uv) {
 
 void add_at(const AtSource& source, const Surface& surface, const SizeBounds& bounds,
             std::vector<PlacedSize>& sizes) {
-  const Vec3 point =
-      surface.evaluate(inside_domain(surface, source.at), Order::Position).point;
+  const Vec3 point = surface.evaluate(inside_domain(surface, source.at), Order::Position).point;
   add_segment(wish_of({source.size, source.radius, source.outer}, bounds), point, point, sizes);
 }
 

@@ -110,7 +110,7 @@ class SizeField {
   std::vector<std::shared_ptr<const SourceTree>> trees_;
   std::vector<Ring> rings_;
   std::vector<Uv> places_;
-  bool has_wishes_ = false;  ///< for more than the curvature
+  bool has_wishes_ = false;               ///< for more than the curvature
   std::vector<std::vector<Disc>> discs_;  ///< by cell of the surface, rows along u
 };
 

@@ -63,8 +63,8 @@ std::vector<ControlNode> unbounded_nodes(const TableSource& source, const Surfac
     const Jet jet = surface.evaluate(uv, Order::First);
     const FirstFormFactor form = first_form_factor(jet.du, jet.dv);
     const bool is_size = std::isnan(node.metric.m11);
-    const SizeTensor size = is_size ? bounds.tensor(node.size)
-                                    : size_from_metric_at(surface, uv, form, node.metric);
+    const SizeTensor size =
+        is_size ? bounds.tensor(node.size) : size_from_metric_at(surface, uv, form, node.metric);
     nodes.push_back({uv, jet.point, form, size, {}});
   }
   leave_out_poles(nodes, source.nodes);

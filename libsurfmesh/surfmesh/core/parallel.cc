@@ -48,7 +48,8 @@ class SharedIndices {
     } else {
       // A thread that waits for the last calls must not begin other work: its clock is running.
       tbb::this_task_arena::isolate([&] {
-        tbb::parallel_for(0, threads, [this](int) { work(); }, tbb::simple_partitioner());
+        tbb::parallel_for(
+            0, threads, [this](int) { work(); }, tbb::simple_partitioner());
       });
     }
     seconds_of_others += seconds_;
@@ -109,8 +110,8 @@ void share_indices(const std::vector<std::size_t>& indices,
                    const std::function<void(std::size_t)>& body) {
   if (indices.empty()) return;
   const int threads = is_in_shared_call ? 1 : tbb::this_task_arena::max_concurrency();
-  SharedIndices(indices, body).run(
-      static_cast<int>(std::min(static_cast<std::size_t>(threads), indices.size())));
+  SharedIndices(indices, body)
+      .run(static_cast<int>(std::min(static_cast<std::size_t>(threads), indices.size())));
 }
 
 void share_indices(std::size_t count, const std::function<void(std::size_t)>& body) {

@@ -75,8 +75,8 @@ void renumber(TriMesh& mesh, const Numbering& numbering) {
         mesh.halfedge_handle(VertexHandle(static_cast<int>(v))), numbering.edge);
   }
   for (std::size_t f = 0; f < of_face.size(); ++f) {
-    of_face[static_cast<std::size_t>(numbering.face[f])] = renumbered_halfedge(
-        mesh.halfedge_handle(FaceHandle(static_cast<int>(f))), numbering.edge);
+    of_face[static_cast<std::size_t>(numbering.face[f])] =
+        renumbered_halfedge(mesh.halfedge_handle(FaceHandle(static_cast<int>(f))), numbering.edge);
   }
   for (std::size_t h = 0; h < links.size(); ++h) {
     const HalfedgeHandle heh(static_cast<int>(h));

@@ -298,10 +298,10 @@ void replace_spoke(TriMesh& mesh, VertexHandle vh, HalfedgeHandle freed, Halfedg
 
 FreedElements collapse(TriMesh& mesh, HalfedgeHandle heh) {
   const HalfedgeHandle back = mesh.opposite_halfedge_handle(heh);
-  const HalfedgeHandle left = mesh.next_halfedge_handle(heh);         // tip to left apex
-  const HalfedgeHandle left_gone = mesh.next_halfedge_handle(left);   // left apex to origin
-  const HalfedgeHandle right_gone = mesh.next_halfedge_handle(back);  // origin to right apex
-  const HalfedgeHandle right = mesh.next_halfedge_handle(right_gone); // right apex to tip
+  const HalfedgeHandle left = mesh.next_halfedge_handle(heh);          // tip to left apex
+  const HalfedgeHandle left_gone = mesh.next_halfedge_handle(left);    // left apex to origin
+  const HalfedgeHandle right_gone = mesh.next_halfedge_handle(back);   // origin to right apex
+  const HalfedgeHandle right = mesh.next_halfedge_handle(right_gone);  // right apex to tip
   const VertexHandle origin = mesh.to_vertex_handle(back), tip = mesh.to_vertex_handle(heh);
   const FreedElements freed = {
       origin,

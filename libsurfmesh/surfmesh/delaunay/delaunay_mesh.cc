@@ -15,8 +15,8 @@
 namespace surfmesh {
 
 DelaunayMesh::DelaunayMesh(Uv lower, Uv upper)
-    : DelaunayMesh({lower, {upper.u, lower.v}, upper, {lower.u, upper.v}},
-                   {{0, 1, 2}, {0, 2, 3}}) {}
+    : DelaunayMesh({lower, {upper.u, lower.v}, upper, {lower.u, upper.v}}, {{0, 1, 2}, {0, 2, 3}}) {
+}
 
 DelaunayMesh::DelaunayMesh(const std::vector<Uv>& points,
                            const std::vector<std::array<int, 3>>& triangles)

@@ -38,10 +38,10 @@ struct Cage {
   std::vector<std::vector<int>> faces;  ///< vertices from 0, at least three different ones each
   std::vector<Crease> creases;
   std::vector<Corner> corners;
-  std::vector<int> holes;          ///< faces that are left out
-  std::vector<FaceGroup> groups;   ///< in the order of their first face; a face may be in several
+  std::vector<int> holes;         ///< faces that are left out
+  std::vector<FaceGroup> groups;  ///< in the order of their first face; a face may be in several
   BoundaryRule boundary = BoundaryRule::EdgeOnly;
-  bool is_chaikin = false;         ///< crease method
+  bool is_chaikin = false;  ///< crease method
   bool is_smooth_triangles = false;
   std::vector<std::string> warnings;  ///< of reading, with file and line
 };

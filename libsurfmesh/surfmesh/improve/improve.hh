@@ -21,11 +21,11 @@ struct ImproveOptions {
 void check(const ImproveOptions& options);
 
 struct ImproveReport {
-  std::size_t moved = 0;    ///< vertex moves accepted
+  std::size_t moved = 0;      ///< vertex moves accepted
   std::size_t swapped = 0;    ///< edges
   std::size_t collapsed = 0;  ///< edges
   std::size_t split = 0;      ///< edges
-  QueryCounts queries;  ///< of the metric field
+  QueryCounts queries;        ///< of the metric field
 
   friend bool operator==(const ImproveReport&, const ImproveReport&) = default;
 };

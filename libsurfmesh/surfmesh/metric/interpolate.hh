@@ -73,8 +73,8 @@ inline SizeTensor interpolate_linearly(const std::array<SizeTensor, 3>& sizes,
   const double total = areas[0] + areas[1] + areas[2];
   if (!(total > 0)) return sizes[0];
   // Differences from the corner that weighs most.
-  const std::size_t i = areas[1] > areas[0] ? (areas[2] > areas[1] ? 2 : 1)
-                                            : (areas[2] > areas[0] ? 2 : 0);
+  const std::size_t i =
+      areas[1] > areas[0] ? (areas[2] > areas[1] ? 2 : 1) : (areas[2] > areas[0] ? 2 : 0);
   const std::size_t j = i == 2 ? 0 : i + 1, k = j == 2 ? 0 : j + 1;
   const double s = areas[j] / total, t = areas[k] / total;
   const SizeTensor &a = sizes[i], &b = sizes[j], &c = sizes[k];

@@ -226,8 +226,9 @@ MeshCheck check_mesh(const FaceSetFile& file) {
   check.warnings = file.warnings;
   check.faults = check.faces.faults;
   for (const std::size_t face : file.degenerate_faces) {
-    fault_of_kind(check.faults, "degenerate_face")
-        .add([&] { return fmt::format("triangle {} of the file has two equal corners", face); });
+    fault_of_kind(check.faults, "degenerate_face").add([&] {
+      return fmt::format("triangle {} of the file has two equal corners", face);
+    });
   }
   return check;
 }

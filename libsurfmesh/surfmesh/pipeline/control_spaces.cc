@@ -22,8 +22,8 @@ void check_patches(const Model& model, const Sources& sources) {
       if (source.patch >= 0 && static_cast<std::size_t>(source.patch) < model.patches.size()) {
         continue;
       }
-      throw Error(ErrorCode::InvalidInput, fmt::format("a source names patch {} of {}",
-                                                       source.patch, model.patches.size()));
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("a source names patch {} of {}", source.patch, model.patches.size()));
     }
   };
   check_all(sources.everywhere);
@@ -78,8 +78,8 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
   std::vector<ControlInput> inputs(model.patches.size());
   result.spaces.resize(model.patches.size());
   for_each_patch(model, "control", options.observer, cells_of_patches(model), [&](std::size_t p) {
-    inputs[p] = collect_control_input(*model.patches[p].surface, options.sizing,
-                                      patch_sources[p], model.diagonal, options.control);
+    inputs[p] = collect_control_input(*model.patches[p].surface, options.sizing, patch_sources[p],
+                                      model.diagonal, options.control);
     result.spaces[p] = make_control(inputs[p]);
   });
   std::vector<char> is_coarse;

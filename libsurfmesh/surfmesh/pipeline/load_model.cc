@@ -72,7 +72,7 @@ void append_cages(const ModelFile& file, const std::string& name, const CageOpti
     const CageOptions options = options_of(input, given, result.options.patches);
     Model cage;
     at_file(fmt::format("{}: {}/file", name, input.origin),
-             [&] { cage = load_cage(input.file, options).model; });
+            [&] { cage = load_cage(input.file, options).model; });
     Group& whole = cage.groups.emplace_back();
     whole.name = input.name;
     for (std::size_t p = 0; p < cage.patches.size(); ++p)
@@ -160,7 +160,7 @@ ModelInput load_model_file(const std::filesystem::path& path, const CageOptions&
   input.options.sizing = file.sizing;
   for (const auto& [key, value] : file.options) {
     at_file(fmt::format("{}: /options/{}", name, key),
-             [&, k = key, v = value] { set_file_option(input.options, k, v); });
+            [&, k = key, v = value] { set_file_option(input.options, k, v); });
   }
   if (!file.patches.empty()) {
     at_file(name, [&] { input.model = model_from_patches(file.patches, file.contours); });

@@ -92,10 +92,17 @@ class Run {
     Report::Classes& classes = report_.control.classes;
     for (const FaceHandle fh : mesh.faces()) {
       switch (static_cast<Interpolation>(mesh.property(handle, fh))) {
-        case Interpolation::Single: ++classes.single; break;
-        case Interpolation::Triangle: ++classes.triangle; break;
-        case Interpolation::Linear: ++classes.linear; break;
-        default: ++classes.circles;
+        case Interpolation::Single:
+          ++classes.single;
+          break;
+        case Interpolation::Triangle:
+          ++classes.triangle;
+          break;
+        case Interpolation::Linear:
+          ++classes.linear;
+          break;
+        default:
+          ++classes.circles;
       }
     }
   }
@@ -266,17 +273,15 @@ class Run {
 
   void measure(const PolyMesh& mesh) {
     const MeshTopology topology = measure_topology(mesh);
-    report_.mesh = {topology.vertices, topology.faces, 0, model_.patches.size(),
-                    topology.is_closed, topology.euler};
+    report_.mesh = {topology.vertices,     topology.faces,     0,
+                    model_.patches.size(), topology.is_closed, topology.euler};
     report_.edges = measure_edges(mesh);
     report_.quality = measure_quality(mesh);
     warn_of_flat_triangles(mesh);
     StageSeconds& s = report_.seconds;
-    const double meshing =
-        s.boundary + s.triangulate + s.refine + s.improve + s.quad + s.assemble;
+    const double meshing = s.boundary + s.triangulate + s.refine + s.improve + s.quad + s.assemble;
     s.total = meshing + s.control;
-    report_.triangles_per_second =
-        meshing > 0 ? static_cast<double>(topology.faces) / meshing : 0;
+    report_.triangles_per_second = meshing > 0 ? static_cast<double>(topology.faces) / meshing : 0;
   }
 
   void warn_of_flat_triangles(const PolyMesh& mesh) {
@@ -314,12 +319,12 @@ void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOpt
     Run(model, sources, options).mesh(result);
     return;
   }
-  result = detail::reach_sag(
-      model, sources, options, [&](const Sources& corrected, std::optional<double> corrected_sag) {
-        MeshResult once;
-        Run(model, corrected, options, corrected_sag).mesh(once);
-        return once;
-      });
+  result = detail::reach_sag(model, sources, options,
+                             [&](const Sources& corrected, std::optional<double> corrected_sag) {
+                               MeshResult once;
+                               Run(model, corrected, options, corrected_sag).mesh(once);
+                               return once;
+                             });
 }
 
 /// The same, with an observer that all threads may tell and ask.

@@ -134,8 +134,8 @@ std::string to_text(const Report& report) {
   line("quality", fmt::format("mean {:.3f}, least {:.3f}, {:.2f} % below 0.3", report.quality.mean,
                               report.quality.min, 100 * report.quality.below_0_3));
   if (report.sag.asked && report.sag.reached) {
-    line("sag", fmt::format("{:.4g} reached, {:.4g} asked for", *report.sag.reached,
-                            *report.sag.asked));
+    line("sag",
+         fmt::format("{:.4g} reached, {:.4g} asked for", *report.sag.reached, *report.sag.asked));
   }
   line("control",
        fmt::format("{} nodes, {} triangles", report.control.nodes, report.control.triangles));

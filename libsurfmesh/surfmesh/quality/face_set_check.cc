@@ -175,9 +175,8 @@ class Checker {
     }
     if (end - first == 1) check_.open_edges.add([&] { return edge_text(sides[first]); });
     if (end - first > 2) {
-      edges_.add([&] {
-        return fmt::format("{}, of {} faces", edge_text(sides[first]), end - first);
-      });
+      edges_.add(
+          [&] { return fmt::format("{}, of {} faces", edge_text(sides[first]), end - first); });
     } else if (end - first == 2 && sides[first].is_rising == sides[first + 1].is_rising) {
       turned_.add([&] {
         return fmt::format("faces {} and {}, {}", sides[first].face, sides[first + 1].face,

@@ -45,8 +45,7 @@ SagPlace search_sag(SagPlace place, Distance distance);
 ///
 /// Unlike the distance from the triangle it does not grow where parameters run unevenly and a
 /// sample lies beyond a side, over the next triangle.
-double plane_sag(const Surface& surface, const SurfaceTriangle& triangle,
-                 double searched_from = 0);
+double plane_sag(const Surface& surface, const SurfaceTriangle& triangle, double searched_from = 0);
 
 template <class Distance>
 SagPlace search_sag(SagPlace place, Distance distance) {
