@@ -70,7 +70,7 @@ ControlMesh regular_control(const SizeField& field, std::int64_t nodes,
 
 void ask(benchmark::State& state, const std::vector<SurfacePoint>& queries,
          const ControlSpace& control) {
-  ControlSpace::Hint hint;
+  QueryHint hint;
   for (auto _ : state) {
     for (const SurfacePoint& q : queries) {
       benchmark::DoNotOptimize(control.metric(q, hint));

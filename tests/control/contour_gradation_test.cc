@@ -51,7 +51,7 @@ Model two_squares() {
 
 SizeTensor size_at(const Controls& controls, std::size_t patch, Uv uv) {
   const Jet jet = controls.model.patches[patch].surface->evaluate(uv, Order::First);
-  ControlSpace::Hint hint;
+  QueryHint hint;
   return controls.spaces[patch]->size({uv, jet.point, first_form_factor(jet.du, jet.dv)}, hint);
 }
 

@@ -51,7 +51,7 @@ TEST(ControlMesh, HasAValidMesh) {
 TEST(ControlMesh, ReproducesAConstantFieldExactly) {
   const SizeTensor size = size_tensor(0.3, 0.07, 0.4);
   const ControlMesh control({}, grid({}, 7, [&](Uv) { return size; }), {});
-  ControlSpace::Hint hint;
+  QueryHint hint;
   for (const Uv uv : random_points({}, 1000)) {
     ASSERT_EQ(control.size(place(uv, {2, 0.5, 3}), hint), size);
   }
@@ -100,7 +100,7 @@ TEST(ControlMesh, TakesDistancesThroughTheFirstForm) {
 
 TEST(ControlMesh, TurnsSizesIntoTheMetric) {
   const ControlMesh control = random_space(100);
-  ControlSpace::Hint hint;
+  QueryHint hint;
   const FirstFormFactor form{2, 0.5, 3};
   const Metric expected = metric_from_size(form, query(control, {0.3, 0.6}, form));
   EXPECT_EQ(control.metric(place({0.3, 0.6}, form), hint), expected);
@@ -235,7 +235,7 @@ TEST(Query, FromFourThreadsEqualsTheSerialOneBitByBit) {
   const ControlMesh control = random_space(5000);
   std::array<std::vector<SizeTensor>, 4> parallel, serial;
   const auto ask = [&](std::size_t part, std::vector<SizeTensor>& answers) {
-    ControlSpace::Hint hint;
+    QueryHint hint;
     for (const Uv uv : random_points({}, 5000, static_cast<unsigned>(part))) {
       answers.push_back(control.size(place(uv), hint));
     }
@@ -249,7 +249,7 @@ TEST(Query, FromFourThreadsEqualsTheSerialOneBitByBit) {
 
 TEST(Query, DoesNotDependOnTheHint) {
   const ControlMesh control = random_space(5000);
-  ControlSpace::Hint warm;
+  QueryHint warm;
   for (const Uv uv : random_points({}, 5000)) {
     ASSERT_EQ(control.size(place(uv), warm), query(control, uv));
   }
@@ -258,7 +258,7 @@ TEST(Query, DoesNotDependOnTheHint) {
 TEST(Query, DoesNotDependOnTheOrderOfPoints) {
   const ControlMesh control = random_space(5000);
   std::vector<Uv> points = random_points({}, 3000);
-  ControlSpace::Hint hint;
+  QueryHint hint;
   std::vector<SizeTensor> forth, back;
   for (const Uv uv : points) forth.push_back(control.size(place(uv), hint));
   std::reverse(points.begin(), points.end());

@@ -112,7 +112,7 @@ TEST(ControlNodes, RepresentASmoothFieldToThePrecision) {
     const ControlMesh control(torus.domain(), nodes, {});
     std::mt19937 random(1);
     std::uniform_real_distribution<double> uniform(0, 1);
-    ControlSpace::Hint hint;
+    QueryHint hint;
     int good = 0;
     for (int i = 0; i < 2000; ++i) {
       const double s = uniform(random);

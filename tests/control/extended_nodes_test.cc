@@ -103,7 +103,7 @@ TEST(ExtendedNode, SeenFromItsTrianglesMeetsSmallerSizesToo) {
 
 TEST(ExtendedNode, CountsAsAnAnswerOfItsOwn) {
   const ControlMesh control = mesh_around({with_disc({0.5, 0.5}, kInner, kRadius)});
-  ControlSpace::Hint hint;
+  QueryHint hint;
   control.size(testing::place({0.5, 0.55}), hint);
   control.size(testing::place({0.1, 0.05}), hint);
   EXPECT_EQ(hint.answers.extended, 1U);

@@ -169,7 +169,7 @@ TEST(MakeControl, RepresentsSizesAroundAPlace) {
   PatchSources sources{{{0, size_of(0.3)}}, {{0, {0.5, 0.5}, size_of(0.02), units(0.1)}}};
   const SizeField field = field_of(sources, 1.5);
   const auto control = make_control(collect_control_input(kPlane, sizing(1.5), sources, 1, {}));
-  ControlSpace::Hint hint;
+  QueryHint hint;
   for (double u = 0; u <= 1; u += 0.03) {
     const SizeField::Sample exact = field.at({u, 0.4});
     const double size = control->size({{u, 0.4}, exact.point, exact.form}, hint).h11;

@@ -126,7 +126,7 @@ TEST_P(Interpolations, StayWithinTheSizesOfTheNodes) {
 
 TEST_P(Interpolations, DoNotDependOnTheHint) {
   const ControlMesh control({}, testing::random_nodes(2000), options());
-  ControlSpace::Hint warm;
+  QueryHint warm;
   for (const Uv uv : random_points({}, 2000, 2)) {
     ASSERT_EQ(control.size(place(uv), warm), query(control, uv));
   }
@@ -253,7 +253,7 @@ TEST(AutomaticInterpolation, TakesASingleVertexWhereAllAgree) {
 
 TEST(QueryCounts, TellHowQuestionsWereAnswered) {
   const ControlMesh control = gentle_mesh(Interpolation::Automatic);
-  ControlSpace::Hint hint;
+  QueryHint hint;
   const auto handle = require(control.mesh(), keys::face_class);
   std::array<std::size_t, 3> expected{};
   for (const FaceHandle fh : control.mesh().faces()) {
@@ -271,7 +271,7 @@ TEST(QueryCounts, TellHowQuestionsWereAnswered) {
 TEST(Reuse, GivesTheLastSizesWithinItsMetricDistance) {
   const auto nodes = testing::grid({}, 9, [](Uv uv) { return isotropic(0.1 + 0.1 * uv.u); });
   const ControlMesh control({}, nodes, {.reuse = 0.5});
-  ControlSpace::Hint hint;
+  QueryHint hint;
   const SizeTensor first = control.size(place({0.5, 0.5}), hint);
   // Sizes are 0.15 there: half a unit is 0.075.
   EXPECT_EQ(control.size(place({0.57, 0.5}), hint), first);
@@ -283,7 +283,7 @@ TEST(Reuse, GivesTheLastSizesWithinItsMetricDistance) {
 TEST(Reuse, TakesTheFormOfThePointItself) {
   const auto nodes = testing::grid({}, 9, [](Uv) { return isotropic(0.1); });
   const ControlMesh control({}, nodes, {.reuse = 0.5});
-  ControlSpace::Hint hint;
+  QueryHint hint;
   control.metric(place({0.5, 0.5}), hint);
   const FirstFormFactor form{2, 0, 1};
   EXPECT_EQ(control.metric(place({0.5, 0.5}, form), hint), metric_from_size(form, isotropic(0.1)));
@@ -291,7 +291,7 @@ TEST(Reuse, TakesTheFormOfThePointItself) {
 
 TEST(Reuse, IsOffAtZero) {
   const ControlMesh control = gentle_mesh(Interpolation::Triangle);
-  ControlSpace::Hint hint;
+  QueryHint hint;
   control.size(place({0.5, 0.5}), hint);
   control.size(place({0.5, 0.5}), hint);
   EXPECT_EQ(hint.answers.reused, 0U);

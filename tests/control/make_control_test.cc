@@ -34,7 +34,7 @@ MetricArea stratified_area(const SizeField& field, const ControlSpace& control, 
   std::mt19937_64 random(20240229);
   std::uniform_real_distribution<double> uniform(0, 1);
   const Domain domain = field.surface().domain();
-  ControlSpace::Hint hint;
+  QueryHint hint;
   MetricArea area;
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
@@ -57,7 +57,7 @@ std::unique_ptr<ControlSpace> control_of(const Surface& surface, const Sizing& s
 }
 
 SizeTensor query(const ControlSpace& control, Uv uv) {
-  ControlSpace::Hint hint;
+  QueryHint hint;
   return control.size({uv, Vec3(uv.u, uv.v, 0), {1, 0, 1}}, hint);
 }
 
@@ -141,7 +141,7 @@ std::pair<double, double> misses_of(const Surface& surface, const Sizing& sizing
   const ControlMesh control(surface.domain(), nodes, {});
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(0, 1);
-  ControlSpace::Hint hint;
+  QueryHint hint;
   int once = 0, thrice = 0;
   for (int i = 0; i < samples; ++i) {
     const double s = uniform(random);

@@ -304,10 +304,10 @@ TEST(SizeField, IsIsotropicInTheCellsAroundAnExtraordinaryVertexOnly) {
 TEST(SizeField, HasAPlaceInEachFaceOfABlock) {
   const Model model = model_from_cage(testing::sheet(3, 2));
   const SizeField field = field_of(*model.patches[0].surface, sizing_of(0.25, 0.01, 10, 2));
-  ASSERT_EQ(field.places().size(), 6u);
+  ASSERT_EQ(field.required_points().size(), 6u);
   for (std::size_t k = 0; k < 6; ++k) {
-    EXPECT_EQ(std::floor(field.places()[k].u), static_cast<double>(k % 3));
-    EXPECT_EQ(std::floor(field.places()[k].v), static_cast<double>(k / 3));
+    EXPECT_EQ(std::floor(field.required_points()[k].u), static_cast<double>(k % 3));
+    EXPECT_EQ(std::floor(field.required_points()[k].v), static_cast<double>(k / 3));
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "surfmesh/boundary/contour_nodes.hh"
 #include "surfmesh/boundary/metric_arc.hh"
+#include "surfmesh/control/surface_metric_field.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/load_model.hh"
 

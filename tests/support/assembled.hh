@@ -19,7 +19,7 @@ class SpaceSizeField : public MetricField {
  public:
   SpaceSizeField(const Surface& surface, double size) : surface_(surface), size_(size) {}
 
-  Metric at(Uv uv, Hint&) const override {
+  Metric at(Uv uv, QueryHint&) const override {
     const Jet jet = surface_.evaluate(uv, Order::First);
     const double scale = 1 / (size_ * size_);
     return {scale * jet.du.dot(jet.du), scale * jet.du.dot(jet.dv), scale * jet.dv.dot(jet.dv)};

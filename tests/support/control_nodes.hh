@@ -68,7 +68,7 @@ inline SurfacePoint place(Uv uv, const FirstFormFactor& form = kFlat) {
 
 /// The sizes at a point, asked for by somebody who comes for the first time.
 inline SizeTensor query(const ControlSpace& control, Uv uv, const FirstFormFactor& form = kFlat) {
-  ControlSpace::Hint hint;
+  QueryHint hint;
   return control.size(place(uv, form), hint);
 }
 

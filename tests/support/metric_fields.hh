@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "surfmesh/control/metric_field.hh"
+#include "surfmesh/metric/metric_field.hh"
 
 /// Metrics with a closed form, so that stages are tested without surfaces.
 namespace surfmesh::testing {
@@ -18,7 +18,7 @@ class FunctionField : public MetricField {
  public:
   explicit FunctionField(std::function<Metric(Uv)> function) : function_(std::move(function)) {}
 
-  Metric at(Uv uv, Hint& hint) const override {
+  Metric at(Uv uv, QueryHint& hint) const override {
     ++queries_;
     ++hint.answers.triangle;
     return function_(uv);

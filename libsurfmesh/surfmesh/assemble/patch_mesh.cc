@@ -132,7 +132,7 @@ bool split_chord(PatchMesh& patch, EdgeHandle eh) {
     const Uv apex = delaunay.uv(mesh.to_vertex_handle(mesh.next_halfedge_handle(side)));
     if (orient2d(middle, tip, apex) <= 0 || orient2d(middle, apex, origin) <= 0) return false;
   }
-  MetricField::Hint hint;
+  QueryHint hint;
   const VertexHandle vh = delaunay.split_edge(eh, middle);
   delaunay.metric(vh) = patch.field->at(middle, hint);
   return true;

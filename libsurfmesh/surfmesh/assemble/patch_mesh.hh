@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "surfmesh/boundary/patch_boundary.hh"
-#include "surfmesh/control/metric_field.hh"
 #include "surfmesh/delaunay/delaunay_mesh.hh"
+#include "surfmesh/metric/metric_field.hh"
 
 namespace surfmesh {
 

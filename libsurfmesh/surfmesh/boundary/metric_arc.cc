@@ -96,7 +96,7 @@ class Bisection {
 
   const Curve& curve_;
   const MetricField& field_;
-  MetricField::Hint hint_;
+  QueryHint hint_;
   std::vector<double>& parameters_;
   std::vector<double>& arcs_;
 };

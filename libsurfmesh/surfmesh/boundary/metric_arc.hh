@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "surfmesh/control/metric_field.hh"
 #include "surfmesh/geometry/curve.hh"
+#include "surfmesh/metric/metric_field.hh"
 
 namespace surfmesh {
 

@@ -86,7 +86,7 @@ MetricArea metric_area(EvenSample& sample, const ControlSpace& control, int samp
   const Domain domain = sample.field().surface().domain();
   const double cell = (domain.u1 - domain.u0) * (domain.v1 - domain.v0) / samples;
   MetricArea area;
-  ControlSpace::Hint hint;
+  QueryHint hint;
   for (const auto& [uv, field] : sample.first(samples)) {
     area.exact += cell * root_of_determinant(field.form, field.size);
     area.control +=
@@ -101,7 +101,7 @@ bool holds(const ControlGrid& grid, const SizeField& field, int side, double pre
   const Domain domain = field.surface().domain();
   const Uv u_step{(domain.u1 - domain.u0) / (side - 1), 0};
   const Uv v_step{0, (domain.v1 - domain.v0) / (side - 1)};
-  ControlSpace::Hint hint;
+  QueryHint hint;
   for (int i = 1; i <= 2 * side * side; ++i) {
     const Uv uv = even_place(domain, i);
     if (!is_in(domain, uv)) continue;

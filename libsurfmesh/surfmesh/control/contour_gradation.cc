@@ -188,7 +188,7 @@ class ContourGradation {
   }
 
   SizeTensor size(const ContourUse& use, const Side& side) const {
-    ControlSpace::Hint hint;
+    QueryHint hint;
     return spaces_[static_cast<std::size_t>(use.patch)]->size(side.at, hint);
   }
 

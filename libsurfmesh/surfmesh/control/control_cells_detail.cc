@@ -56,7 +56,7 @@ bool is_long(double squared_length) { return squared_length > kLeastCellLength *
 
 ControlCells::ControlCells(const SizeField& field, bool by_distance)
     : field_(field), domain_(field.surface().domain()), by_distance_(by_distance) {
-  for (const Uv uv : field.places()) places_.push_back(field.at(uv));
+  for (const Uv uv : field.required_points()) places_.push_back(field.at(uv));
   std::vector<std::size_t> all(places_.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   constexpr std::uint32_t step = kGridSize / kFirstCells;
@@ -201,7 +201,7 @@ ControlCells::Halving ControlCells::halving_by_places(const Cell& cell) const {
     const double along_u = squared_length(metric, {size.u, 0});
     const double along_v = squared_length(metric, {0, size.v});
     if (!is_long(std::max(along_u, along_v))) continue;
-    const double error = error_at(cell, field_.places()[place], exact);
+    const double error = error_at(cell, field_.required_points()[place], exact);
     if (error > halving.error) halving = {error, along_u >= along_v};
   }
   return halving;
@@ -276,7 +276,7 @@ void ControlCells::halve(const Cell& cell, std::deque<Cell>& cells) {
 void ControlCells::take_places(Cell& cell, const std::vector<std::size_t>& places) const {
   const Uv lower = at(cell.i0, cell.j0), upper = at(cell.i1, cell.j1);
   for (const std::size_t place : places) {
-    const Uv uv = field_.places()[place];
+    const Uv uv = field_.required_points()[place];
     if (uv.u >= lower.u && uv.u <= upper.u && uv.v >= lower.v && uv.v <= upper.v) {
       cell.places.push_back(place);
     }

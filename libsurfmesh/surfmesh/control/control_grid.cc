@@ -91,7 +91,7 @@ std::array<std::size_t, 4> ControlGrid::corners_of(const Place& place) const {
   return {place.node, place.node + 1, place.node + side_, place.node + side_ + 1};
 }
 
-SizeTensor ControlGrid::interpolate(const SurfacePoint& at, Hint& hint) const {
+SizeTensor ControlGrid::interpolate(const SurfacePoint& at, QueryHint& hint) const {
   ++hint.answers.grid;
   const Place place = place_of(at.uv);
   const auto [a, b, c, d] = corners_of(place);

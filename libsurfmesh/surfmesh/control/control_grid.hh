@@ -27,7 +27,7 @@ class ControlGrid : public ControlSpace {
 
  protected:
   /// Cost     below 20 ns with the metric (tests/bench/control_bench.cc)
-  SizeTensor interpolate(const SurfacePoint& at, Hint& hint) const override;
+  SizeTensor interpolate(const SurfacePoint& at, QueryHint& hint) const override;
 
  private:
   /// A cell by its lower corner's node, and where a point lies in it, each share in [0,1].

@@ -157,7 +157,7 @@ void ControlMesh::collect_circles(const NodeTriangulation& triangulation) {
 // --- classes ---
 
 void ControlMesh::classify(const std::vector<ControlNode>& nodes) {
-  Hint hint;
+  QueryHint hint;
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     std::array<FirstFormFactor, 3> forms;
     HalfedgeHandle heh = mesh_.halfedge_handle(FaceHandle(face_of_[i]));
@@ -172,7 +172,7 @@ void ControlMesh::classify(const std::vector<ControlNode>& nodes) {
 /// Distances are taken through the mean first form of the vertices.
 /// Source   paper, section 4.2
 Interpolation ControlMesh::classify(int index, const std::array<FirstFormFactor, 3>& forms,
-                                    Hint& hint) const {
+                                    QueryHint& hint) const {
   const Triangle& t = triangle(index);
   const std::array<Uv, 3> at = {node(t.nodes[0]).uv, node(t.nodes[1]).uv, node(t.nodes[2]).uv};
   const std::array<Probe, 4> probes = {Probe{(1.0 / 3.0) * (at[0] + at[1] + at[2]), mean_of(forms)},
@@ -265,7 +265,7 @@ int ControlMesh::walk(Uv uv, int start, RandomBits& random) const {
   return at;
 }
 
-void ControlMesh::locate(Uv uv, Hint& hint) const {
+void ControlMesh::locate(Uv uv, QueryHint& hint) const {
   const bool is_known = static_cast<std::size_t>(hint.triangle) < triangles_.size();
   const bool is_near = is_known && seeds_.are_near(node(triangle(hint.triangle).nodes[0]).uv, uv);
   const int start = is_near ? hint.triangle : seeds_.triangles[seeds_.cell(uv)];
@@ -274,7 +274,7 @@ void ControlMesh::locate(Uv uv, Hint& hint) const {
 
 // --- interpolation ---
 
-SizeTensor ControlMesh::interpolate(const SurfacePoint& at, Hint& hint) const {
+SizeTensor ControlMesh::interpolate(const SurfacePoint& at, QueryHint& hint) const {
   const Triangle& t = triangle(hint.triangle);
   switch (t.interpolation) {
     case Interpolation::Single:
@@ -297,7 +297,7 @@ SizeTensor ControlMesh::size_of(const SizeTensor& value) const {
 }
 
 std::optional<SizeTensor> ControlMesh::extended_size_by_vertices(const SurfacePoint& at,
-                                                                 const Hint& hint) const {
+                                                                 const QueryHint& hint) const {
   std::optional<SizeTensor> least;
   if (extended_.empty()) return least;
   for (const int i : triangle(hint.triangle).nodes) {
@@ -323,7 +323,7 @@ SizeTensor ControlMesh::linear(const Triangle& t, Uv uv) const {
 }
 
 SizeTensor ControlMesh::from_circles(int index, Uv uv, const FirstFormFactor& form,
-                                     Hint& hint) const {
+                                     QueryHint& hint) const {
   collect_cavity(index, uv, hint);
   hint.sizes.clear();
   hint.squared_distances.clear();
@@ -342,7 +342,7 @@ bool ControlMesh::is_in_circle(int index, Uv uv) const {
 
 /// Collect the nodes of all triangles around a point whose circumcircles contain it; the containing
 /// triangle counts always.
-void ControlMesh::collect_cavity(int index, Uv uv, Hint& hint) const {
+void ControlMesh::collect_cavity(int index, Uv uv, QueryHint& hint) const {
   std::vector<int>& cavity = hint.cavity;
   std::vector<int>& found = hint.cavity_nodes;
   cavity.assign(1, index);

@@ -28,17 +28,17 @@ class ControlMesh : public ControlSpace {
   const TriMesh& mesh() const override { return mesh_; }
 
  protected:
-  void locate(Uv uv, Hint& hint) const override;
+  void locate(Uv uv, QueryHint& hint) const override;
 
   /// Weights are barycentric, or 1/d² with distances through M_p at the point asked for (paper,
   /// eq. (4), (5)).
   ///
   /// Cost     with 80,000 triangles V_t about 50 ns near the point asked for last, 140 ns
   ///          elsewhere, V_o 140 and 390 ns (tests/bench/control_bench.cc)
-  SizeTensor interpolate(const SurfacePoint& at, Hint& hint) const override;
+  SizeTensor interpolate(const SurfacePoint& at, QueryHint& hint) const override;
 
   std::optional<SizeTensor> extended_size_by_vertices(const SurfacePoint& at,
-                                                      const Hint& hint) const override;
+                                                      const QueryHint& hint) const override;
 
  private:
   /// What a query reads of a node.
@@ -80,7 +80,7 @@ class ControlMesh : public ControlSpace {
   void make_seed_grid(const Domain& domain);
   void classify(const std::vector<ControlNode>& nodes);
   Interpolation classify(int triangle, const std::array<FirstFormFactor, 3>& forms,
-                         Hint& hint) const;
+                         QueryHint& hint) const;
   void write_classes();
 
   const Node& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
@@ -90,9 +90,9 @@ class ControlMesh : public ControlSpace {
   int walk(Uv uv, int start, RandomBits& random) const;
   SizeTensor linear(const Triangle& triangle, Uv uv) const;
   SizeTensor from_vertices(const Triangle& triangle, Uv uv, const FirstFormFactor& form) const;
-  SizeTensor from_circles(int triangle, Uv uv, const FirstFormFactor& form, Hint& hint) const;
+  SizeTensor from_circles(int triangle, Uv uv, const FirstFormFactor& form, QueryHint& hint) const;
   bool is_in_circle(int triangle, Uv uv) const;
-  void collect_cavity(int triangle, Uv uv, Hint& hint) const;
+  void collect_cavity(int triangle, Uv uv, QueryHint& hint) const;
   SizeTensor size_of(const SizeTensor& value) const;
 
   TriMesh mesh_;

@@ -3,27 +3,10 @@
 
 #include <vector>
 
+#include "surfmesh/control/control_node.hh"
 #include "surfmesh/control/size_field.hh"
 
 namespace surfmesh {
-
-/// A point of a control space with the sizes wanted there: (P,M), or in the extended forms (P,M,r)
-/// and (P,M,r,M′,r′).
-/// Source   paper, section 3.1
-struct ControlNode {
-  Uv uv;
-  Vec3 point;
-  FirstFormFactor form;
-  /// What takes part in interpolation: M, in the last form M′.
-  SizeTensor size;
-  /// Metric in which the nodes around are about a unit away; unset for a node that comes alone.
-  Metric spacing = {};
-  /// M, which holds within `radius` of the node in space; unset in the form (P,M).
-  SizeTensor inner = {};
-  double radius = 0;        ///< r, model units
-  SizeTensor outer = {};    ///< M′, `size` itself before it meets other sources
-  double outer_radius = 0;  ///< r′: over so much more `inner` changes to `outer`
-};
 
 /// Cells shorter than this share of the elements wanted there need not be finer: elements cannot
 /// follow finer detail.

@@ -25,17 +25,6 @@ void check(const ControlSpaceOptions& options) {
          "0 (off) or above");
 }
 
-QueryCounts& QueryCounts::operator+=(const QueryCounts& other) {
-  single += other.single;
-  triangle += other.triangle;
-  circles += other.circles;
-  linear += other.linear;
-  grid += other.grid;
-  extended += other.extended;
-  reused += other.reused;
-  return *this;
-}
-
 ControlSpace::ControlSpace(const ControlSpaceOptions& options,
                            const std::vector<ControlNode>& nodes)
     : options_(options),
@@ -43,7 +32,7 @@ ControlSpace::ControlSpace(const ControlSpaceOptions& options,
   check(options);
 }
 
-SizeTensor ControlSpace::size(const SurfacePoint& at, Hint& hint) const {
+SizeTensor ControlSpace::size(const SurfacePoint& at, QueryHint& hint) const {
   if (options_.reuse == 0) return size_anew(at, hint);
   const bool is_near =  // false before the first answer, which is NaN
       squared_length(hint.last_metric, at.uv - hint.last_uv) < options_.reuse * options_.reuse;
@@ -57,7 +46,7 @@ SizeTensor ControlSpace::size(const SurfacePoint& at, Hint& hint) const {
   return hint.last_size;
 }
 
-SizeTensor ControlSpace::size_anew(const SurfacePoint& at, Hint& hint) const {
+SizeTensor ControlSpace::size_anew(const SurfacePoint& at, QueryHint& hint) const {
   const bool by_vertices = options_.lookup == DiscLookup::Vertices;
   if (by_vertices) locate(at.uv, hint);
   const auto extended =
@@ -79,7 +68,7 @@ void ControlSpace::take_node_metrics(const std::vector<ControlNode>& nodes) {
   }
 }
 
-Metric ControlSpace::metric(const SurfacePoint& at, Hint& hint) const {
+Metric ControlSpace::metric(const SurfacePoint& at, QueryHint& hint) const {
   return metric_from_size(at.form, size(at, hint));
 }
 

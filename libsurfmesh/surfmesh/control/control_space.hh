@@ -5,12 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "surfmesh/control/control_nodes.hh"
+#include "surfmesh/control/control_node.hh"
 #include "surfmesh/control/node_discs.hh"
-#include "surfmesh/core/properties.hh"
-#include "surfmesh/delaunay/locate.hh"
+#include "surfmesh/core/mesh.hh"
 #include "surfmesh/geometry/first_form.hh"
-#include "surfmesh/metric/triangle.hh"
+#include "surfmesh/metric/metric_field.hh"
 
 namespace surfmesh {
 
@@ -53,45 +52,12 @@ struct ControlSpaceOptions {
 /// Throws   InvalidOption naming the option, its value and its range
 void check(const ControlSpaceOptions& options);
 
-/// How questions were answered.
-struct QueryCounts {
-  std::size_t single = 0;    ///< by V_s
-  std::size_t triangle = 0;  ///< by V_t
-  std::size_t circles = 0;   ///< by V_o
-  std::size_t linear = 0;    ///< linearly in a triangle
-  std::size_t grid = 0;      ///< by the cell of a grid
-  std::size_t extended = 0;  ///< by an extended node alone
-  std::size_t reused = 0;    ///< by the last answer
-
-  std::size_t total() const {
-    return single + triangle + circles + linear + grid + extended + reused;
-  }
-  QueryCounts& operator+=(const QueryCounts& other);
-  friend bool operator==(const QueryCounts&, const QueryCounts&) = default;
-};
-
 /// The sizes of one patch, asked for anywhere in it.
 ///
 /// Immutable after construction; queries are const and may come from several threads, each with a
 /// hint of its own.
 class ControlSpace {
  public:
-  /// What a caller keeps from one query of a control space to the next.
-  struct Hint {
-    int triangle = -1;  ///< where the last point was found: near points are found fast
-    RandomBits random;
-    Uv last_uv;  ///< where the last answer was computed
-    SizeTensor last_size;
-    Metric last_metric;
-    QueryCounts answers;
-    // Scratch of V_o, here so that a query does not allocate: the triangles around a point, their
-    // nodes, and what is averaged.
-    std::vector<int> cavity;
-    std::vector<int> cavity_nodes;
-    std::vector<SizeTensor> sizes;
-    std::vector<double> squared_distances;
-  };
-
   virtual ~ControlSpace() = default;
 
   /// The sizes wanted at a point of the patch.
@@ -99,10 +65,10 @@ class ControlSpace {
   /// In the order of the paper, section 4: the last sizes if the point is near the last one, then
   /// the extended nodes, then interpolation. A point outside the bounding rectangle gets the sizes
   /// of a point at its rim.
-  SizeTensor size(const SurfacePoint& at, Hint& hint) const;
+  SizeTensor size(const SurfacePoint& at, QueryHint& hint) const;
 
   /// These sizes as the metric at the point.
-  Metric metric(const SurfacePoint& at, Hint& hint) const;
+  Metric metric(const SurfacePoint& at, QueryHint& hint) const;
 
   /// The nodes with surf:uv, surf:size and positions in space, and the triangles between them.
   virtual const TriMesh& mesh() const = 0;
@@ -122,22 +88,22 @@ class ControlSpace {
 
   /// Find the triangle that contains a point, for the questions below, and keep it in the hint; the
   /// cells of a grid need no search.
-  virtual void locate(Uv, Hint&) const {}
+  virtual void locate(Uv, QueryHint&) const {}
 
   /// The sizes of the extended nodes of the triangle that contains a point, in whose discs it lies;
   /// a grid has no such triangles.
   /// Pre      locate() was called last for this point
   virtual std::optional<SizeTensor> extended_size_by_vertices(const SurfacePoint&,
-                                                              const Hint&) const {
+                                                              const QueryHint&) const {
     return std::nullopt;
   }
 
   /// The sizes from the nodes around a point, without any extended form.
   /// Pre      locate() was called last for this point
-  virtual SizeTensor interpolate(const SurfacePoint& at, Hint& hint) const = 0;
+  virtual SizeTensor interpolate(const SurfacePoint& at, QueryHint& hint) const = 0;
 
  private:
-  SizeTensor size_anew(const SurfacePoint& at, Hint& hint) const;
+  SizeTensor size_anew(const SurfacePoint& at, QueryHint& hint) const;
 
   ControlSpaceOptions options_;
   NodeDiscs discs_;

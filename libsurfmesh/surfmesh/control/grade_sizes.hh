@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "surfmesh/control/control_nodes.hh"
+#include "surfmesh/control/control_node.hh"
 
 namespace surfmesh {
 

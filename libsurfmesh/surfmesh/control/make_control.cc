@@ -50,7 +50,7 @@ void add_inner_nodes(const Surface& surface, const ControlSpaceOptions& options,
   NodeTriangulation triangulation(surface.domain(), nodes);
   const ControlMesh control(surface.domain(), nodes,
                             {.interpolation = options.interpolation, .blend = options.blend});
-  ControlSpace::Hint hint;
+  QueryHint hint;
   for (const Uv uv : triangulation.add_inner_nodes()) {
     const Jet jet = surface.evaluate(surface.domain().fold(uv), Order::First);
     const FirstFormFactor form = first_form_factor(jet.du, jet.dv);

@@ -5,7 +5,7 @@
 #include <unsupported/Eigen/BVH>
 #include <vector>
 
-#include "surfmesh/control/control_nodes.hh"
+#include "surfmesh/control/control_node.hh"
 
 namespace surfmesh {
 

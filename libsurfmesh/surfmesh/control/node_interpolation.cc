@@ -48,7 +48,7 @@ NodeInterpolation::NodeInterpolation(const Surface& surface, const std::vector<C
                                              ControlSpaceOptions())) {}
 
 NodeInterpolation::Answer NodeInterpolation::at(const SurfacePoint& at) const {
-  ControlSpace::Hint hint;
+  QueryHint hint;
   const SizeTensor size = control_->size(at, hint);
   return {size, hint.triangle};
 }

@@ -3,8 +3,9 @@
 
 #include <vector>
 
-#include "surfmesh/control/control_nodes.hh"
+#include "surfmesh/control/control_node.hh"
 #include "surfmesh/delaunay/delaunay_mesh.hh"
+#include "surfmesh/geometry/domain.hh"
 
 namespace surfmesh {
 

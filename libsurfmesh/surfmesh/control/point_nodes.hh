@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "surfmesh/control/control_nodes.hh"
+#include "surfmesh/control/control_node.hh"
 #include "surfmesh/control/patch_sources.hh"
 #include "surfmesh/control/size_field.hh"
 

@@ -57,7 +57,7 @@ class SizeField {
 
   /// Points of the domain at the places of `at`, `along` and `inside`, and one in each cell of a
   /// surface of several: what is asked for there may be too small to be seen from far apart.
-  const std::vector<Uv>& places() const { return places_; }
+  const std::vector<Uv>& required_points() const { return places_; }
 
   /// True if some source has a size at every point.
   bool has_area_source() const;

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "surfmesh/delaunay/locate.hh"
+#include "surfmesh/core/random_bits.hh"
 
 namespace surfmesh {
 namespace {

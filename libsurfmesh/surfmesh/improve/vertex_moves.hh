@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "surfmesh/control/metric_field.hh"
 #include "surfmesh/improve/star.hh"
+#include "surfmesh/metric/metric_field.hh"
 
 namespace surfmesh {
 
@@ -42,7 +42,7 @@ class VertexMoves {
 
   DelaunayMesh& delaunay_;
   const MetricField& field_;
-  MetricField::Hint hint_;
+  QueryHint hint_;
   Star star_;
   std::size_t count_ = 0;
 };

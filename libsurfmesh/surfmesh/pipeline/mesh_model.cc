@@ -15,6 +15,7 @@
 #include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/assemble/turned_triangles.hh"
 #include "surfmesh/boundary/patch_boundary.hh"
+#include "surfmesh/control/surface_metric_field.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/validate.hh"

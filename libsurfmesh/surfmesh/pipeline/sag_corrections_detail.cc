@@ -348,7 +348,7 @@ class SagCorrector {
 
   void move(VertexHandle vh, const Corner& to) {
     const auto v = static_cast<std::size_t>(vh.idx());
-    MetricField::Hint hint;
+    QueryHint hint;
     delaunay_.uv(vh) = to.uv;
     delaunay_.metric(vh) = patch_.field->at(to.uv, hint);
     patch_.points[v] = to.point;

@@ -168,7 +168,7 @@ BoundaryTriangulation triangulate_boundary(const std::vector<std::vector<Uv>>& l
   check_loops(loops);
   std::vector<Uv> points;
   std::vector<Metric> metrics;
-  MetricField::Hint hint;
+  QueryHint hint;
   for (const auto& loop : loops) {
     for (const Uv p : loop) {
       points.push_back(p);

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "surfmesh/control/metric_field.hh"
 #include "surfmesh/delaunay/delaunay_mesh.hh"
+#include "surfmesh/metric/metric_field.hh"
 
 namespace surfmesh {
 

@@ -100,7 +100,7 @@ class Refinement {
   bool insert_missed_places() {
     bool is_any = false;
     FaceHandle near(0);
-    for (const MetricCorner& place : field_.places()) {
+    for (const MetricCorner& place : field_.required_points()) {
       if (is_astray()) {
         report_.is_stopped = true;
         return false;
@@ -344,7 +344,7 @@ class Refinement {
   TriangleMetricRule rule_;
   double accepted_size_;
   double least_distance_;
-  MetricField::Hint hint_;
+  QueryHint hint_;
   FrontQueue queue_;
   std::vector<State> states_;
   double metric_area_ = 0;  ///< of all triangles

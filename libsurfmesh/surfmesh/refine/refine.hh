@@ -3,9 +3,9 @@
 
 #include <cstddef>
 
-#include "surfmesh/control/metric_field.hh"
 #include "surfmesh/core/observer.hh"
 #include "surfmesh/delaunay/delaunay_mesh.hh"
+#include "surfmesh/metric/metric_field.hh"
 
 namespace surfmesh {
 

@@ -6,23 +6,9 @@
 #include "surfmesh/control/control_space.hh"
 #include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/geometry/surface.hh"
-#include "surfmesh/metric/tensor.hh"
+#include "surfmesh/metric/metric_field.hh"
 
 namespace surfmesh {
-
-/// The metric of one patch as the meshing stages see it.
-class MetricField {
- public:
-  using Hint = ControlSpace::Hint;
-
-  virtual ~MetricField() = default;
-
-  /// Metric at a point of the domain; `hint` is the caller's own, for points near each other.
-  virtual Metric at(Uv uv, Hint& hint) const = 0;
-
-  /// Places with their metrics that no element may miss, however large those around want to be.
-  virtual std::span<const MetricCorner> places() const { return {}; }
-};
 
 /// Metric from the sizes of a control space and the exact first form of the surface.
 class SurfaceMetricField : public MetricField {
@@ -31,12 +17,12 @@ class SurfaceMetricField : public MetricField {
   SurfaceMetricField(const Surface& surface, const ControlSpace& control)
       : surface_(surface), control_(control) {}
 
-  Metric at(Uv uv, Hint& hint) const override {
+  Metric at(Uv uv, QueryHint& hint) const override {
     const Jet jet = surface_.evaluate(uv, Order::First);
     return control_.metric({uv, jet.point, first_form_factor(jet.du, jet.dv)}, hint);
   }
 
-  std::span<const MetricCorner> places() const override { return control_.node_metrics(); }
+  std::span<const MetricCorner> required_points() const override { return control_.node_metrics(); }
 
  private:
   const Surface& surface_;

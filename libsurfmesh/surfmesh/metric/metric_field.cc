@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/metric/metric_field.hh"
+
+namespace surfmesh {
+
+QueryCounts& QueryCounts::operator+=(const QueryCounts& other) {
+  single += other.single;
+  triangle += other.triangle;
+  circles += other.circles;
+  linear += other.linear;
+  grid += other.grid;
+  extended += other.extended;
+  reused += other.reused;
+  return *this;
+}
+
+}  // namespace surfmesh

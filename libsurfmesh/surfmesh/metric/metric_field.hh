@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "surfmesh/core/random_bits.hh"
+#include "surfmesh/core/values.hh"
+#include "surfmesh/metric/triangle.hh"
+
+namespace surfmesh {
+
+/// How queries of a metric field were answered.
+struct QueryCounts {
+  std::size_t single = 0;    ///< by V_s
+  std::size_t triangle = 0;  ///< by V_t
+  std::size_t circles = 0;   ///< by V_o
+  std::size_t linear = 0;    ///< linearly in a triangle
+  std::size_t grid = 0;      ///< by the cell of a grid
+  std::size_t extended = 0;  ///< by an extended node alone
+  std::size_t reused = 0;    ///< by the last answer
+
+  std::size_t total() const {
+    return single + triangle + circles + linear + grid + extended + reused;
+  }
+  QueryCounts& operator+=(const QueryCounts& other);
+  friend bool operator==(const QueryCounts&, const QueryCounts&) = default;
+};
+
+/// What a caller keeps from one query of a metric field to the next: its own, so that several
+/// threads may ask one field.
+struct QueryHint {
+  int triangle = -1;  ///< where the last point was found: near points are found fast
+  RandomBits random;
+  Uv last_uv;  ///< where the last answer was computed
+  SizeTensor last_size;
+  Metric last_metric;
+  QueryCounts answers;
+  // Scratch of V_o, here so that a query does not allocate: the triangles around a point, their
+  // nodes, and what is averaged.
+  std::vector<int> cavity;
+  std::vector<int> cavity_nodes;
+  std::vector<SizeTensor> sizes;
+  std::vector<double> squared_distances;
+};
+
+/// The metric of one patch as the meshing stages see it.
+///
+/// Queries are const and may come from several threads, each with a hint of its own.
+class MetricField {
+ public:
+  virtual ~MetricField() = default;
+
+  /// Metric at a point of the domain.
+  virtual Metric at(Uv uv, QueryHint& hint) const = 0;
+
+  /// Points that every mesh must resolve, even among large elements, with their metrics.
+  virtual std::span<const MetricCorner> required_points() const { return {}; }
+};
+
+}  // namespace surfmesh
