@@ -25,7 +25,8 @@ surfmesh_add_building_test(PublicHeaders.CompileAlone "package;long"
   ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target all_verify_interface_header_sets)
 
 # The tests of these stages again, under the address and undefined-behaviour sanitizers.
-set(sanitized core geometry metric quality delaunay control boundary refine improve assemble io)
+set(sanitized core io geometry formula model cage metric quality delaunay boundary refine improve
+    control sizes sampling assemble formats model_file)
 get_property(stages GLOBAL PROPERTY surfmesh_test_stages)
 foreach(stage IN LISTS sanitized)
   if(stage IN_LIST stages)

@@ -5,8 +5,8 @@
 
 #include "mesh_command.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/formats/write_mesh.hh"
 #include "surfmesh/io/input_file.hh"
-#include "surfmesh/io/write_mesh.hh"
 #include "surfmesh/pipeline/check_mesh.hh"
 #include "surfmesh/pipeline/set_option.hh"
 

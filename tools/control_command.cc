@@ -7,7 +7,7 @@
 #include "output_paths.hh"
 #include "progress.hh"
 #include "surfmesh/core/error.hh"
-#include "surfmesh/io/write_control.hh"
+#include "surfmesh/formats/write_control.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/set_option.hh"

@@ -6,8 +6,8 @@
 #include "mesh_command.hh"
 #include "output_paths.hh"
 #include "surfmesh/core/error.hh"
-#include "surfmesh/io/read_mesh.hh"
-#include "surfmesh/io/write_mesh.hh"
+#include "surfmesh/formats/read_mesh.hh"
+#include "surfmesh/formats/write_mesh.hh"
 
 namespace surfmesh {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "progress.hh"
 #include "settings.hh"
-#include "surfmesh/geometry/cage.hh"
+#include "surfmesh/cage/cage.hh"
 
 namespace surfmesh {
 

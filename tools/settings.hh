@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "surfmesh/geometry/cage_model.hh"
+#include "surfmesh/cage/cage_model.hh"
 
 namespace surfmesh {
 

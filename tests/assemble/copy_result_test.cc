@@ -8,7 +8,7 @@
 
 #include "support/errors.hh"
 #include "support/meshes.hh"
-#include "surfmesh/geometry/cage_from_mesh.hh"
+#include "surfmesh/cage/cage_from_mesh.hh"
 
 namespace surfmesh {
 namespace {

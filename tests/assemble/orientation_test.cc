@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/cages.hh"
+#include "cage/cages.hh"
 #include "support/models.hh"
-#include "surfmesh/geometry/cage_model.hh"
+#include "surfmesh/cage/cage_model.hh"
 
 namespace surfmesh {
 namespace {

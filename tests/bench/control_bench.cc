@@ -10,7 +10,7 @@
 #include "support/waves.hh"
 #include "surfmesh/control/control_grid.hh"
 #include "surfmesh/control/control_mesh.hh"
-#include "surfmesh/control/make_control.hh"
+#include "surfmesh/sampling/make_control.hh"
 
 namespace surfmesh {
 namespace {

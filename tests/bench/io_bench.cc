@@ -11,8 +11,8 @@
 
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/topology.hh"
-#include "surfmesh/io/read_mesh.hh"
-#include "surfmesh/io/write_mesh.hh"
+#include "surfmesh/formats/read_mesh.hh"
+#include "surfmesh/formats/write_mesh.hh"
 
 namespace surfmesh {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "surfmesh/geometry/cage_model.hh"
-#include "surfmesh/geometry/limit_surface.hh"
-#include "surfmesh/geometry/subdivision_detail.hh"
+#include "surfmesh/cage/cage_model.hh"
+#include "surfmesh/cage/limit_surface.hh"
+#include "surfmesh/cage/subdivision.hh"
 
 namespace surfmesh {
 namespace {

@@ -9,13 +9,13 @@
 #include <filesystem>
 #include <fstream>
 
-#include "geometry/cages.hh"
+#include "cage/cages.hh"
 
 // After cages, for Scheme::Loop of a later header would shadow the Loop of a model.
 #include "support/domain_meshes.hh"
 #include "support/metric_formulas.hh"
 #include "support/models.hh"
-#include "surfmesh/geometry/cage_model.hh"
+#include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/geometry/callable_surface.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"

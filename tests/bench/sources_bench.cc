@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "support/waves.hh"
-#include "surfmesh/control/size_field.hh"
+#include "surfmesh/sizes/size_field.hh"
 
 namespace surfmesh {
 namespace {

@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
+#include "surfmesh/formula/formula_surface.hh"
 #include "surfmesh/geometry/callable_surface.hh"
 #include "surfmesh/geometry/curvature.hh"
-#include "surfmesh/geometry/formula_surface.hh"
 #include "surfmesh/geometry/plane_surface.hh"
 
 namespace surfmesh {

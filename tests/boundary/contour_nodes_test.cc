@@ -9,7 +9,7 @@
 
 #include "support/errors.hh"
 #include "support/models.hh"
-#include "surfmesh/boundary/crossing_segments_detail.hh"
+#include "surfmesh/boundary/crossing_segments.hh"
 #include "surfmesh/boundary/metric_arc.hh"
 
 namespace surfmesh {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surfmesh/boundary/pole_room_detail.hh"
+#include "surfmesh/boundary/pole_room.hh"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <string>
 
+#include "surfmesh/formula/formula_surface.hh"
 #include "surfmesh/geometry/first_form.hh"
-#include "surfmesh/geometry/formula_surface.hh"
 
 namespace surfmesh {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "surfmesh/geometry/formula.hh"
+#include "surfmesh/formula/formula.hh"
 
 namespace surfmesh {
 namespace {

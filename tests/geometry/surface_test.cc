@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/formula/formula_surface.hh"
 #include "surfmesh/geometry/callable_surface.hh"
-#include "surfmesh/geometry/formula_surface.hh"
 #include "surfmesh/geometry/plane_surface.hh"
 
 namespace surfmesh {

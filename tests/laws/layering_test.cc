@@ -13,9 +13,10 @@ namespace surfmesh {
 namespace {
 
 /// The order of the data flow: a folder includes only itself and those before it.
-const std::array<std::string, 13> kFolders = {
-    "core",   "geometry", "metric", "quality",  "delaunay", "control", "boundary",
-    "refine", "improve",  "quad",   "assemble", "io",       "pipeline"};
+const std::array<std::string, 21> kFolders = {
+    "core",    "io",       "geometry", "formula",  "model",   "cage",       "metric",
+    "quality", "delaunay", "boundary", "refine",   "improve", "patch_mesh", "patch",
+    "control", "sizes",    "sampling", "assemble", "formats", "model_file", "pipeline"};
 
 std::optional<std::size_t> rank(const std::string& folder) {
   const auto found = std::find(kFolders.begin(), kFolders.end(), folder);
@@ -61,9 +62,18 @@ TEST(Layering, IncludesItsOwnHeadersByTheirWholePath) {
 
 TEST(Layering, FollowsTheDataFlow) {
   EXPECT_TRUE(may_include("core", "core"));
-  EXPECT_TRUE(may_include("pipeline", "io"));
+  EXPECT_TRUE(may_include("pipeline", "formats"));
   EXPECT_FALSE(may_include("geometry", "metric"));
   EXPECT_FALSE(may_include("core", "elsewhere"));
+}
+
+/// A patch can be meshed where there is no control space: they see a metric field only.
+TEST(Layering, KeepsTheControlSpaceFromTheMeshingStages) {
+  for (const char* stage : {"boundary", "refine", "improve", "patch_mesh", "patch"}) {
+    for (const char* folder : {"control", "sizes", "sampling"}) {
+      EXPECT_FALSE(may_include(stage, folder)) << stage << ", " << folder;
+    }
+  }
 }
 
 TEST(Layering, SeesAnInclude) {

@@ -7,8 +7,8 @@
 #include <exception>
 #include <vector>
 
-#include "surfmesh/geometry/cage_from_mesh.hh"
-#include "surfmesh/geometry/cage_model.hh"
+#include "surfmesh/cage/cage_from_mesh.hh"
+#include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 
 using Cube = OpenMesh::PolyMesh_ArrayKernelT<>;  // its points are three floats

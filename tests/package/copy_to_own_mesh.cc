@@ -5,8 +5,8 @@
 #include <exception>
 
 #include "surfmesh/assemble/copy_result.hh"
-#include "surfmesh/geometry/cage_model.hh"
-#include "surfmesh/io/read_cage.hh"
+#include "surfmesh/cage/cage_model.hh"
+#include "surfmesh/formats/read_cage.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 
 struct OwnTraits : OpenMesh::DefaultTraits {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "surfmesh/geometry/callable_surface.hh"
-#include "surfmesh/geometry/join_sides.hh"
+#include "surfmesh/model/join_sides.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 
 int main() try {

@@ -5,9 +5,9 @@
 #include <exception>
 #include <vector>
 
+#include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/core/properties.hh"
-#include "surfmesh/geometry/cage_model.hh"
-#include "surfmesh/io/read_cage.hh"
+#include "surfmesh/formats/read_cage.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 
 int main(int argc, char** argv) try {

@@ -11,7 +11,7 @@
 #include "support/expect_valid.hh"
 #include "support/folders.hh"
 #include "surfmesh/core/properties.hh"
-#include "surfmesh/io/read_mesh.hh"
+#include "surfmesh/formats/read_mesh.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 #include "surfmesh/pipeline/set_option.hh"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "geometry/cages.hh"
+#include "cage/cages.hh"
 
 // After cages, for Scheme::Loop of a later header would shadow the Loop of a model.
 #include "surfmesh/pipeline/mesh_model.hh"
@@ -12,9 +12,9 @@
 #include "support/errors.hh"
 #include "support/expect_valid.hh"
 #include "support/models.hh"
+#include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/validate.hh"
-#include "surfmesh/geometry/cage_model.hh"
 #include "surfmesh/geometry/callable_surface.hh"
 
 namespace surfmesh {

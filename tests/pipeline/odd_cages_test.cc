@@ -8,10 +8,10 @@
 #include <map>
 #include <string>
 
-#include "geometry/cages.hh"
+#include "cage/cages.hh"
 #include "support/expect_valid.hh"
+#include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/core/validate.hh"
-#include "surfmesh/geometry/cage_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 
 namespace surfmesh {

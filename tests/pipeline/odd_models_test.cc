@@ -11,8 +11,8 @@
 #include "support/expect_valid.hh"
 #include "support/models.hh"
 #include "surfmesh/core/validate.hh"
+#include "surfmesh/formula/formula_surface.hh"
 #include "surfmesh/geometry/callable_surface.hh"
-#include "surfmesh/geometry/formula_surface.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 
 namespace surfmesh {

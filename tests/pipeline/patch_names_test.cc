@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surfmesh/pipeline/patch_names_detail.hh"
+#include "surfmesh/pipeline/patch_names.hh"
 
 #include <gtest/gtest.h>
 

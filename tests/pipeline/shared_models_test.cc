@@ -5,10 +5,10 @@
 #include <map>
 
 #include "support/expect_valid.hh"
+#include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/core/validate.hh"
-#include "surfmesh/geometry/cage_model.hh"
-#include "surfmesh/io/read_cage.hh"
-#include "surfmesh/io/read_model.hh"
+#include "surfmesh/formats/read_cage.hh"
+#include "surfmesh/model_file/read_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 
 namespace surfmesh {

@@ -14,7 +14,7 @@
 #include "support/expect_valid.hh"
 #include "support/models.hh"
 #include "surfmesh/core/properties.hh"
-#include "surfmesh/geometry/formula_surface.hh"
+#include "surfmesh/formula/formula_surface.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 
 namespace surfmesh {

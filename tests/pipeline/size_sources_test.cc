@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lengths of the edges of the final mesh near the places of sources, on flat patches and on cages.
-#include "geometry/cages.hh"
+#include "cage/cages.hh"
 
 // After cages, for Scheme::Loop of a later header would shadow the Loop of a model.
 #include "surfmesh/pipeline/mesh_model.hh"
@@ -13,8 +13,8 @@
 
 #include "support/models.hh"
 #include "support/waves.hh"
-#include "surfmesh/control/tables_from_mesh.hh"
-#include "surfmesh/geometry/cage_model.hh"
+#include "surfmesh/cage/cage_model.hh"
+#include "surfmesh/sizes/tables_from_mesh.hh"
 
 namespace surfmesh {
 namespace {

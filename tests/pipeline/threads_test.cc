@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "geometry/cages.hh"
+#include "cage/cages.hh"
 
 // After cages, for Scheme::Loop of a later header would shadow the Loop of a model.
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@
 #include "support/errors.hh"
 #include "support/folders.hh"
 #include "support/models.hh"
+#include "surfmesh/formats/write_mesh.hh"
 #include "surfmesh/geometry/callable_surface.hh"
-#include "surfmesh/io/write_mesh.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 #include "surfmesh/pipeline/set_option.hh"

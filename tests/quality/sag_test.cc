@@ -10,7 +10,7 @@
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/geometry/callable_surface.hh"
 #include "surfmesh/quality/surface_distance.hh"
-#include "surfmesh/quality/triangle_sag_detail.hh"
+#include "surfmesh/quality/triangle_sag.hh"
 
 namespace surfmesh {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surfmesh/quality/triangle_distance_detail.hh"
+#include "surfmesh/quality/triangle_distance.hh"
 
 #include <gtest/gtest.h>
 

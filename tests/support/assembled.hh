@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "surfmesh/assemble/assemble.hh"
-#include "surfmesh/assemble/turned_triangles.hh"
 #include "surfmesh/improve/improve.hh"
+#include "surfmesh/patch_mesh/turned_triangles.hh"
 #include "surfmesh/refine/boundary_triangulation.hh"
 #include "surfmesh/refine/refine.hh"
 

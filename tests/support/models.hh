@@ -12,7 +12,7 @@
 #include "support/analytic.hh"
 #include "support/metric_fields.hh"
 #include "surfmesh/core/error.hh"
-#include "surfmesh/geometry/join_sides.hh"
+#include "surfmesh/model/join_sides.hh"
 
 /// Models of a few patches: analytic surfaces, in one piece and cut.
 namespace surfmesh::testing {

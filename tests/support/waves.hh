@@ -5,8 +5,8 @@
 #include <memory>
 #include <numbers>
 
-#include "surfmesh/control/sizing.hh"
 #include "surfmesh/geometry/callable_surface.hh"
+#include "surfmesh/sizes/sizing.hh"
 
 /// The wavy surfaces on which control spaces are judged, and sizes for them.
 namespace surfmesh::testing {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "surfmesh/assemble/patch_mesh.hh"
 #include "surfmesh/core/mesh.hh"
+#include "surfmesh/patch_mesh/patch_mesh.hh"
 
 namespace surfmesh {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "surfmesh/geometry/model.hh"
+#include "surfmesh/model/model.hh"
 
 namespace surfmesh {
 

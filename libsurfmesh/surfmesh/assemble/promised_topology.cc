@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "surfmesh/assemble/orientation.hh"
+#include "surfmesh/core/disjoint_sets.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/validate.hh"
-#include "surfmesh/geometry/disjoint_sets_detail.hh"
 
 namespace surfmesh {
 namespace {

@@ -11,14 +11,14 @@
 #include <set>
 #include <utility>
 
-#include "surfmesh/boundary/crossing_segments_detail.hh"
+#include "surfmesh/boundary/crossing_segments.hh"
 #include "surfmesh/boundary/metric_arc.hh"
-#include "surfmesh/boundary/pole_room_detail.hh"
+#include "surfmesh/boundary/pole_room.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
 #include "surfmesh/metric/triangle.hh"
-#include "surfmesh/quality/triangle_distance_detail.hh"
+#include "surfmesh/quality/triangle_distance.hh"
 
 namespace surfmesh {
 namespace {

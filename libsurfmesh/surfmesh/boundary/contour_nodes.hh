@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "surfmesh/geometry/model.hh"
 #include "surfmesh/metric/metric_field.hh"
+#include "surfmesh/model/model.hh"
 
 namespace surfmesh {
 

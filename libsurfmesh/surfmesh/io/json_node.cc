@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surfmesh/io/json_node_detail.hh"
+#include "surfmesh/io/json_node.hh"
 
 #include <fmt/format.h>
 

@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "surfmesh/assemble/promised_topology.hh"
-#include "surfmesh/control/model_sources.hh"
-#include "surfmesh/control/size_field.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/metric/tensor.hh"
+#include "surfmesh/sizes/model_sources.hh"
+#include "surfmesh/sizes/size_field.hh"
 
 namespace surfmesh {
 namespace {

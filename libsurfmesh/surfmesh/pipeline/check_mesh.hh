@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "surfmesh/io/read_mesh.hh"
+#include "surfmesh/formats/read_mesh.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/quality/face_set_check.hh"
 #include "surfmesh/quality/statistics.hh"

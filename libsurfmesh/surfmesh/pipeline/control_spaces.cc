@@ -5,13 +5,13 @@
 
 #include <cmath>
 
-#include "surfmesh/control/contour_gradation.hh"
-#include "surfmesh/control/make_control.hh"
-#include "surfmesh/control/model_sources.hh"
-#include "surfmesh/control/parse_length.hh"
 #include "surfmesh/core/error.hh"
-#include "surfmesh/pipeline/for_each_patch_detail.hh"
-#include "surfmesh/pipeline/patch_names_detail.hh"
+#include "surfmesh/pipeline/for_each_patch.hh"
+#include "surfmesh/pipeline/patch_names.hh"
+#include "surfmesh/sampling/contour_gradation.hh"
+#include "surfmesh/sampling/make_control.hh"
+#include "surfmesh/sizes/length.hh"
+#include "surfmesh/sizes/model_sources.hh"
 
 namespace surfmesh {
 namespace {

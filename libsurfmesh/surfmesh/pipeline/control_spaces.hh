@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "surfmesh/control/control_space.hh"
-#include "surfmesh/control/sizing.hh"
-#include "surfmesh/geometry/model.hh"
+#include "surfmesh/model/model.hh"
 #include "surfmesh/pipeline/options.hh"
+#include "surfmesh/sizes/sizing.hh"
 
 namespace surfmesh {
 

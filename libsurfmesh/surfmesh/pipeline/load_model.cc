@@ -12,12 +12,12 @@
 
 #include "surfmesh/core/at_place.hh"
 #include "surfmesh/core/error.hh"
-#include "surfmesh/geometry/append_model.hh"
-#include "surfmesh/geometry/join_sides.hh"
+#include "surfmesh/formats/read_cage.hh"
 #include "surfmesh/io/input_file.hh"
 #include "surfmesh/io/nearest_word.hh"
-#include "surfmesh/io/read_cage.hh"
-#include "surfmesh/io/read_model.hh"
+#include "surfmesh/model/append_model.hh"
+#include "surfmesh/model/join_sides.hh"
+#include "surfmesh/model_file/read_model.hh"
 #include "surfmesh/pipeline/set_option.hh"
 
 namespace surfmesh {

@@ -3,10 +3,10 @@
 
 #include <filesystem>
 
-#include "surfmesh/control/sizing.hh"
-#include "surfmesh/geometry/cage_model.hh"
-#include "surfmesh/geometry/model.hh"
+#include "surfmesh/cage/cage_model.hh"
+#include "surfmesh/model/model.hh"
 #include "surfmesh/pipeline/options.hh"
+#include "surfmesh/sizes/sizing.hh"
 
 namespace surfmesh {
 

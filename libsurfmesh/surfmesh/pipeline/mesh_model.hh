@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "surfmesh/control/sizing.hh"
 #include "surfmesh/core/mesh.hh"
-#include "surfmesh/geometry/model.hh"
+#include "surfmesh/model/model.hh"
 #include "surfmesh/pipeline/options.hh"
 #include "surfmesh/pipeline/report.hh"
+#include "surfmesh/sizes/sizing.hh"
 
 namespace surfmesh {
 

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "surfmesh/boundary/contour_nodes.hh"
-#include "surfmesh/control/make_control.hh"
-#include "surfmesh/control/sizing.hh"
+#include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/core/observer.hh"
-#include "surfmesh/geometry/cage_model.hh"
 #include "surfmesh/improve/improve.hh"
 #include "surfmesh/refine/refine.hh"
+#include "surfmesh/sampling/make_control.hh"
+#include "surfmesh/sizes/sizing.hh"
 
 namespace surfmesh {
 

@@ -11,10 +11,10 @@
 #include <limits>
 #include <optional>
 
-#include "surfmesh/control/parse_length.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/io/nearest_word.hh"
+#include "surfmesh/sizes/length.hh"
 
 namespace surfmesh {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
-#include "surfmesh/quality/face_corners_detail.hh"
-#include "surfmesh/quality/triangle_distance_detail.hh"
-#include "surfmesh/quality/triangle_sag_detail.hh"
+#include "surfmesh/quality/face_corners.hh"
+#include "surfmesh/quality/triangle_distance.hh"
+#include "surfmesh/quality/triangle_sag.hh"
 
 namespace surfmesh {
 namespace {

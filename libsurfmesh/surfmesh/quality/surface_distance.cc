@@ -10,7 +10,7 @@
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/properties.hh"
-#include "surfmesh/quality/face_corners_detail.hh"
+#include "surfmesh/quality/face_corners.hh"
 
 namespace surfmesh {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "surfmesh/core/mesh.hh"
-#include "surfmesh/geometry/model.hh"
+#include "surfmesh/model/model.hh"
 #include "surfmesh/quality/face_set_check.hh"
 #include "surfmesh/quality/surface_search.hh"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "surfmesh/core/values.hh"
-#include "surfmesh/geometry/model.hh"
 #include "surfmesh/geometry/surface.hh"
+#include "surfmesh/model/model.hh"
 
 namespace surfmesh {
 

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/cage/cage_model.hh"
+
+#include <fmt/format.h>
+#include <opensubdiv/sdc/crease.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "surfmesh/cage/block_surface.hh"
+#include "surfmesh/cage/gather_blocks.hh"
+#include "surfmesh/cage/refine_cage.hh"
+#include "surfmesh/cage/subdivision.hh"
+#include "surfmesh/core/error.hh"
+
+namespace surfmesh {
+namespace {
+
+namespace Far = OpenSubdiv::Far;
+
+/// The uses of a contour are the same points up to rounding: this share of the diagonal.
+constexpr double kContourGap = 1e-9;
+
+using Level = Far::TopologyLevel;
+using Surfaces = std::vector<std::shared_ptr<const Surface>>;
+
+/// An edge of the cage on the border of a block, with the block on its left: its vertices and its
+/// ends in the block's parameters.
+struct BorderEdge {
+  int edge = -1;
+  int from = -1;
+  int to = -1;
+  Uv from_uv;
+  Uv to_uv;
+  bool starts_side = false;
+};
+
+using Border = std::vector<BorderEdge>;
+
+/// The place of the i-th face along a side of a block, counter-clockwise.
+std::array<int, 2> place_on_side(const Block& block, int side, int i) {
+  switch (side) {
+    case 0:
+      return {i, 0};
+    case 1:
+      return {block.columns - 1, i};
+    case 2:
+      return {block.columns - 1 - i, block.rows - 1};
+    default:
+      return {0, block.rows - 1 - i};
+  }
+}
+
+/// The edges around a block, counter-clockwise from its lower left.
+Border border_of(const Level& level, const Block& block) {
+  Domain cell;
+  const int corners = level.GetFaceVertices(block.faces[0].face).size();
+  if (corners == 3) cell.shape = Domain::Shape::Triangle;
+  Border border;
+  for (int side = 0; side < corners; ++side) {
+    const int count = side % 2 == 0 ? block.columns : block.rows;
+    for (int i = 0; i < count; ++i) {
+      const auto [column, row] = place_on_side(block, side, i);
+      const BlockFace& f = block.faces[static_cast<std::size_t>(row * block.columns + column)];
+      const int from = (f.rotation + side) % corners, to = (from + 1) % corners;
+      const Far::ConstIndexArray vertices = level.GetFaceVertices(f.face);
+      const Uv place{static_cast<double>(column), static_cast<double>(row)};
+      border.push_back({level.GetFaceEdges(f.face)[from], vertices[from], vertices[to],
+                        place + cell.corner(side), place + cell.corner((side + 1) % corners),
+                        i == 0});
+    }
+  }
+  return border;
+}
+
+/// Tells where contours end: at the corners of blocks, and where more or other borders meet than
+/// two that go on into each other.
+class ContourEnds {
+ public:
+  ContourEnds(const Level& level, const std::vector<Border>& borders)
+      : level_(level), vertices_(static_cast<std::size_t>(level.GetNumVertices())) {
+    std::vector<char> is_known(static_cast<std::size_t>(level.GetNumEdges()), 0);
+    for (const Border& border : borders) {
+      for (const BorderEdge& edge : border) {
+        if (edge.starts_side) vertices_[static_cast<std::size_t>(edge.from)].is_end = true;
+        if (!std::exchange(is_known[static_cast<std::size_t>(edge.edge)], char{1})) meet(edge);
+      }
+    }
+  }
+
+  bool contains(int vertex) const {
+    const Vertex& v = vertices_[static_cast<std::size_t>(vertex)];
+    return v.is_end || v.edges != 2 || level_.GetVertexSharpness(vertex) > 0;
+  }
+
+ private:
+  struct Vertex {
+    int edges = 0;         ///< of borders
+    float sharpness = -1;  ///< of the first of them
+    bool is_end = false;
+  };
+
+  void meet(const BorderEdge& edge) {
+    const float sharpness = level_.GetEdgeSharpness(edge.edge);
+    for (const int end : {edge.from, edge.to}) {
+      Vertex& v = vertices_[static_cast<std::size_t>(end)];
+      if (++v.edges == 1) v.sharpness = sharpness;
+      v.is_end |= edge.from == edge.to || v.sharpness != sharpness;
+    }
+  }
+
+  const Level& level_;
+  std::vector<Vertex> vertices_;
+};
+
+/// Builds the model of a cage of regular face sizes, block by block.
+class ModelBuilder {
+ public:
+  ModelBuilder(const Level& level, Scheme scheme, const std::vector<Block>& blocks)
+      : level_(level),
+        scheme_(scheme),
+        borders_(borders_of(level, blocks)),
+        ends_(level, borders_),
+        vertex_of_(static_cast<std::size_t>(level.GetNumVertices()), -1),
+        contour_of_(static_cast<std::size_t>(level.GetNumEdges()), -1) {}
+
+  /// Add the patch of the next block.
+  void add_patch(Patch patch) {
+    const int patch_index = static_cast<int>(model.patches.size());
+    const Border& border = borders_[model.patches.size()];
+    for (const BorderEdge& edge : border) {
+      if (ends_.contains(edge.from)) add_vertex(edge.from, *patch.surface, edge.from_uv);
+    }
+    PatchLoop loop;
+    for (auto first = border.begin(); first != border.end();) {
+      const auto last = std::find_if(
+          first, border.end(), [this](const BorderEdge& edge) { return ends_.contains(edge.to); });
+      loop.push_back(add_use({first, last + 1}, patch_index));
+      first = last + 1;
+    }
+    patch.loops.push_back(std::move(loop));
+    model.patches.push_back(std::move(patch));
+  }
+
+  /// A contour that in the end has one use only is a true boundary, unless it is a point.
+  void finish() {
+    for (Contour& contour : model.contours) {
+      contour.is_degenerate = contour.start == contour.end && contour.part_count == 1;
+      if (contour.uses.size() == 1) contour.is_smooth = false;
+    }
+  }
+
+  Model model;
+
+ private:
+  /// Edges of a border between two ends of contours.
+  using Chain = std::span<const BorderEdge>;
+
+  static std::vector<Border> borders_of(const Level& level, const std::vector<Block>& blocks) {
+    std::vector<Border> borders;
+    for (const Block& block : blocks) borders.push_back(border_of(level, block));
+    return borders;
+  }
+
+  void add_vertex(int vertex, const Surface& surface, Uv uv) {
+    int& index = vertex_of_[static_cast<std::size_t>(vertex)];
+    if (index >= 0) return;
+    index = static_cast<int>(model.vertices.size());
+    model.vertices.push_back({surface.evaluate(uv, Order::Position).point});
+  }
+
+  LoopEntry add_use(Chain chain, int patch) {
+    const int known = contour_of_[static_cast<std::size_t>(chain[0].edge)];
+    const int index = known >= 0 ? known : add_contour(chain);
+    Contour& contour = model.contours[static_cast<std::size_t>(index)];
+    const int from = vertex_of_[static_cast<std::size_t>(chain[0].from)];
+    const Uv from_uv = chain.front().from_uv, to_uv = chain.back().to_uv;
+    ContourUse use;
+    use.patch = patch;
+    // Around a closed contour its first edge tells the direction.
+    use.is_forward =
+        contour.start == from && first_edge_[static_cast<std::size_t>(index)] == chain[0].edge;
+    use.curve = use.is_forward ? std::make_shared<SegmentCurve>(from_uv, to_uv)
+                               : std::make_shared<SegmentCurve>(to_uv, from_uv);
+    contour.uses.push_back(std::move(use));
+    return {index, static_cast<int>(contour.uses.size()) - 1};
+  }
+
+  int add_contour(Chain chain) {
+    const int index = static_cast<int>(model.contours.size());
+    Contour contour;
+    contour.name = fmt::format("e{}-{}", chain[0].from, chain[0].to);
+    if (chain.size() > 1) contour.name += fmt::format("..{}", chain.back().to);
+    contour.start = vertex_of_[static_cast<std::size_t>(chain.front().from)];
+    contour.end = vertex_of_[static_cast<std::size_t>(chain.back().to)];
+    contour.part_count = static_cast<int>(chain.size());
+    contour.is_smooth = scheme_ != Scheme::Bilinear && !OpenSubdiv::Sdc::Crease::IsInfinite(
+                                                           level_.GetEdgeSharpness(chain[0].edge));
+    model.contours.push_back(std::move(contour));
+    first_edge_.push_back(chain[0].edge);
+    for (const BorderEdge& edge : chain) contour_of_[static_cast<std::size_t>(edge.edge)] = index;
+    return index;
+  }
+
+  const Level& level_;
+  Scheme scheme_;
+  std::vector<Border> borders_;  ///< by block
+  ContourEnds ends_;
+  std::vector<int> vertex_of_;   ///< model vertex of a cage vertex, -1 if it has none
+  std::vector<int> contour_of_;  ///< contour of an edge, -1 if it has none
+  std::vector<int> first_edge_;  ///< of each contour
+};
+
+void add_groups(const Cage& cage, Model& model) {
+  std::vector<std::vector<int>> patches_of(cage.faces.size());
+  for (std::size_t p = 0; p < model.patches.size(); ++p) {
+    for (const int face : model.patches[p].cage_faces) {
+      patches_of[static_cast<std::size_t>(face)].push_back(static_cast<int>(p));
+    }
+  }
+  for (const Cage::FaceGroup& group : cage.groups) {
+    Group set{group.name, {}};
+    std::vector<char> is_in(model.patches.size(), 0);
+    for (int face : group.faces) {
+      if (face < 0 || static_cast<std::size_t>(face) >= patches_of.size()) {
+        model.warnings.push_back(
+            fmt::format("group {} names face {}, which does not exist", group.name, face));
+        continue;
+      }
+      for (const int patch : patches_of[static_cast<std::size_t>(face)]) {
+        if (!std::exchange(is_in[static_cast<std::size_t>(patch)], char{1})) {
+          set.patches.push_back(patch);
+        }
+      }
+    }
+    model.groups.push_back(std::move(set));
+  }
+}
+
+/// Greatest distance between the uses of a contour, or between one and a vertex at its ends.
+double gap_of(const Model& model, const Contour& contour) {
+  const auto point_of = [&](const ContourUse& use, double t) {
+    const Surface& surface = *model.patches[static_cast<std::size_t>(use.patch)].surface;
+    return surface.evaluate(use.curve->evaluate(t), Order::Position).point;
+  };
+  const auto vertex_at = [&](int v) {
+    return model.vertices[static_cast<std::size_t>(v)].position;
+  };
+  double gap = 0;
+  const int count = 4 * contour.part_count;
+  for (int i = 0; i <= count; ++i) {
+    const double t = static_cast<double>(i) / count;
+    const Vec3 wanted = t == 0   ? vertex_at(contour.start)
+                        : t == 1 ? vertex_at(contour.end)
+                                 : point_of(contour.uses[0], t);
+    for (const ContourUse& use : contour.uses) {
+      gap = std::max(gap, (point_of(use, t) - wanted).norm());
+    }
+  }
+  return gap;
+}
+
+/// Bfr 3.5.0 sees one ring of faces, too little to know Chaikin creases after a step of
+/// subdivision where their sharpness changes along them: its surfaces then differ at a contour.
+void warn_of_gaps(Model& model) {
+  double gap = 0;
+  for (const Contour& contour : model.contours) gap = std::max(gap, gap_of(model, contour));
+  if (gap <= kContourGap * model.diagonal) return;
+  model.warnings.push_back(
+      fmt::format("Chaikin creases of changing sharpness: surfaces of neighbouring faces differ by "
+                  "{:.2g} where they meet",
+                  gap));
+}
+
+/// By face a number that tells the groups it is in; -1 for faces without a surface.
+std::vector<int> group_sets(const Cage& cage, const Surfaces& surfaces) {
+  std::vector<std::vector<int>> groups_of(cage.faces.size());
+  for (std::size_t g = 0; g < cage.groups.size(); ++g) {
+    for (const int face : cage.groups[g].faces) {
+      if (face < 0 || static_cast<std::size_t>(face) >= groups_of.size()) continue;
+      groups_of[static_cast<std::size_t>(face)].push_back(static_cast<int>(g));
+    }
+  }
+  std::map<std::vector<int>, int> numbers;
+  std::vector<int> sets;
+  for (std::size_t f = 0; f < groups_of.size(); ++f) {
+    const int next = static_cast<int>(numbers.size());
+    sets.push_back(surfaces[f] ? numbers.try_emplace(groups_of[f], next).first->second : -1);
+  }
+  return sets;
+}
+
+std::shared_ptr<const Surface> surface_of(const Block& block, const Surfaces& surfaces) {
+  if (block.faces.size() == 1) return surfaces[static_cast<std::size_t>(block.faces[0].face)];
+  std::vector<BlockCell> cells;
+  for (const BlockFace& f : block.faces) {
+    cells.push_back({surfaces[static_cast<std::size_t>(f.face)], f.rotation});
+  }
+  return std::make_shared<BlockSurface>(block.columns, std::move(cells));
+}
+
+/// f<face>, or f<face>.<part> if the faces are parts of those of the cage.
+std::string name_of(int face, const RefinedCage& regular) {
+  const auto parent = [&](int f) { return regular.parent_faces[static_cast<std::size_t>(f)]; };
+  if (!regular.is_refined) return fmt::format("f{}", parent(face));
+  // The parts of a face follow each other.
+  int part = 0;
+  while (face > part && parent(face - part - 1) == parent(face)) ++part;
+  return fmt::format("f{}.{}", parent(face), part);
+}
+
+std::vector<int> cage_faces_of(const Block& block, const RefinedCage& regular) {
+  std::vector<int> faces;
+  for (const BlockFace& f : block.faces) {
+    faces.push_back(regular.parent_faces[static_cast<std::size_t>(f.face)]);
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+/// Under bilinear subdivision every edge is a crease, so there faces are all that blocks can be.
+bool has_blocks(PatchKind kind, Scheme scheme) {
+  return kind != PatchKind::Faces && scheme == Scheme::CatmullClark;
+}
+
+Model model_of_blocks(const RefinedCage& regular, Scheme scheme, const CageOptions& options) {
+  const CageTopology topology = make_topology(regular.cage, scheme);
+  const Surfaces surfaces = make_limit_surfaces(*topology.refiner, regular.cage.points,
+                                                {options.approximation_level, true});
+  const Level level = topology.refiner->GetLevel(0);
+  const std::vector<int> sets = group_sets(regular.cage, surfaces);
+  const std::vector<Block> blocks = has_blocks(options.patches, scheme)
+                                        ? gather_blocks(*topology.refiner, sets)
+                                        : single_faces(sets);
+  ModelBuilder builder(level, scheme, blocks);
+  for (const Block& block : blocks) {
+    Patch patch;
+    patch.name = name_of(first_face(block), regular);
+    patch.surface = surface_of(block, surfaces);
+    patch.cage_faces = cage_faces_of(block, regular);
+    builder.add_patch(std::move(patch));
+  }
+  builder.finish();
+  builder.model.warnings = regular.warnings;
+  builder.model.warnings.insert(builder.model.warnings.end(), topology.warnings.begin(),
+                                topology.warnings.end());
+  return std::move(builder.model);
+}
+
+/// Throws   Geometry if the points of the cage, and so its surface, lie on a line
+void check_area(const Model& model, const Cage& cage) {
+  const Vec3& origin = cage.points.front();
+  Vec3 axis = Vec3::Zero();
+  for (const Vec3& point : cage.points) {
+    if ((point - origin).norm() > axis.norm()) axis = point - origin;
+  }
+  axis.normalize();
+  for (const Vec3& point : cage.points) {
+    if ((point - origin).cross(axis).norm() > kContourGap * model.diagonal) return;
+  }
+  throw Error(ErrorCode::Geometry, "the points of the cage lie on a line: its surface has no area");
+}
+
+}  // namespace
+
+Model model_from_cage(const Cage& cage, const CageOptions& options) {
+  const Scheme scheme = resolve_scheme(cage, options.scheme);
+  Model model = model_of_blocks(make_regular(cage, scheme), scheme, options);
+  if (model.patches.empty()) {
+    throw Error(ErrorCode::InvalidInput,
+                "no face of the cage has a limit surface: all are holes or, by the boundary rule "
+                "none, at the boundary");
+  }
+  for (const Vec3& point : cage.points) model.box.extend(point);
+  model.diagonal = diagonal(cage);
+  if (model.diagonal > 0 && std::isfinite(model.diagonal)) check_area(model, cage);
+  if (cage.is_chaikin) warn_of_gaps(model);
+  add_groups(cage, model);
+  return model;
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/cage/limit_surface.hh"
+
+#include <fmt/format.h>
+#include <opensubdiv/bfr/refinerSurfaceFactory.h>
+#include <opensubdiv/bfr/surface.h>
+#include <opensubdiv/sdc/crease.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "surfmesh/cage/bicubic_parts.hh"
+#include "surfmesh/cage/bicubic_patch.hh"
+#include "surfmesh/cage/subdivision.hh"
+#include "surfmesh/core/error.hh"
+
+namespace surfmesh {
+namespace {
+
+namespace Bfr = OpenSubdiv::Bfr;
+namespace Far = OpenSubdiv::Far;
+namespace Sdc = OpenSubdiv::Sdc;
+
+using BfrSurface = Bfr::Surface<double>;
+
+/// Three coordinates, one after the other.
+const BfrSurface::PointDescriptor kXyz(3);
+
+/// Parameter step that tells the sign of a second derivative: small beside the distance to a
+/// singular corner (2^-9 and more), large beside the rounding of first derivatives.
+constexpr double kSignStep = 1.0 / 16384;
+
+/// A semi-sharp crease of this sharpness and more counts as an edge for sizes: its rounding, about
+/// 2^(1 - sharpness) of a face wide, would ask for elements far smaller than the faces beside it.
+constexpr double kCreaseSharpness = 4;
+
+/// A side of the domain along which the surface is a narrowly rounded edge: a semi-sharp crease.
+struct RoundedSide {
+  int side = 0;  ///< from corner `side` of the domain to the next
+  /// Share of the domain's width or height within which the curvature is that of the rounding.
+  double reach = 0;
+};
+
+/// A Vec3 array is handed to OpenSubdiv as doubles.
+static_assert(sizeof(Vec3) == 3 * sizeof(double));
+
+/// The limit surface over one face. OpenSubdiv's surface holds all it needs, so neither the
+/// topology nor the factory has to live on.
+class LimitSurface : public Surface {
+ public:
+  LimitSurface(const BfrSurface& surface, const std::vector<Vec3>& cage_points, Domain domain,
+               std::vector<SingularPoint> singular_points, std::vector<RoundedSide> rounded_sides,
+               bool has_parts)
+      : surface_(surface),
+        points_(static_cast<std::size_t>(surface.GetNumPatchPoints())),
+        domain_(domain),
+        is_sign_in_doubt_(domain.shape == Domain::Shape::Triangle && !surface.IsRegular()),
+        singular_points_(std::move(singular_points)),
+        rounded_sides_(std::move(rounded_sides)) {
+    surface_.PreparePatchPoints(cage_points[0].data(), kXyz, points_[0].data(), kXyz);
+    if (has_parts) parts_.emplace([this](Uv uv, Order order) { return evaluate_bfr(uv, order); });
+  }
+
+  Jet evaluate(Uv uv, Order order) const override {
+    Jet jet;
+    if (std::isfinite(uv.u) && std::isfinite(uv.v)) {
+      const Uv in_face = inside(uv);
+      if (const auto* part = parts_ ? parts_->find(in_face) : nullptr) {
+        return part->evaluate(in_face, order);
+      }
+      jet = evaluate_unchecked(in_face, order);
+    }
+    if (!is_finite(jet, order)) {
+      throw Error(ErrorCode::Geometry,
+                  fmt::format("the limit surface is not finite at ({}, {})", uv.u, uv.v));
+    }
+    return jet;
+  }
+
+  Domain domain() const override { return domain_; }
+
+  std::vector<SingularPoint> singular_points() const override { return singular_points_; }
+
+  /// Points in a rounding move towards the far corner of the domain.
+  Uv beside_roundings(Uv uv) const override {
+    for (const RoundedSide& rounded : rounded_sides_) {
+      const Uv a = domain_.corner(rounded.side);
+      const Uv b = domain_.corner((rounded.side + 1) % domain_.corner_count());
+      // The step that leads from the side to the far end of the domain.
+      const Uv opposite = domain_.corner((rounded.side + 2) % domain_.corner_count());
+      const double distance = cross(b - a, uv - a) / cross(b - a, opposite - a);
+      if (distance >= rounded.reach) continue;
+      uv = lerp(uv, opposite, (rounded.reach - distance) / (1 - distance));
+    }
+    return uv;
+  }
+
+ private:
+  /// Bfr looks for the sub-patch of a point and does not say what it does outside of the face.
+  static Uv inside(Uv uv) { return {std::clamp(uv.u, 0.0, 1.0), std::clamp(uv.v, 0.0, 1.0)}; }
+
+  static bool is_finite(const Jet& jet, Order order) {
+    double sum = jet.point.sum();
+    if (order >= Order::First) sum += jet.du.sum() + jet.dv.sum();
+    if (order >= Order::Second) sum += jet.duu.sum() + jet.duv.sum() + jet.dvv.sum();
+    return std::isfinite(sum);
+  }
+
+  Jet evaluate_unchecked(Uv uv, Order order) const {
+    if (order == Order::Position) return evaluate_bfr(uv, order);
+    const Uv usable = outside_of_reach(uv);
+    Jet jet = evaluate_bfr(usable, order);
+    if (order == Order::Second && is_sign_in_doubt_) correct_sign(usable, jet);
+    if (!(usable == uv)) jet.point = evaluate_bfr(uv, Order::Position).point;
+    return jet;
+  }
+
+  /// The point itself, or the nearest one in the same direction from a singular corner at which
+  /// derivatives are those of the surface.
+  Uv outside_of_reach(Uv uv) const {
+    for (const SingularPoint& singular : singular_points_) {
+      Uv step = uv - singular.at;
+      if (step.u * step.u + step.v * step.v >= singular.reach * singular.reach) continue;
+      double length = std::hypot(step.u, step.v);
+      if (length == 0) {
+        step = {singular.at.u > 0 ? -1.0 : 1.0, singular.at.v > 0 ? -1.0 : 1.0};
+        if (domain_.shape == Domain::Shape::Triangle) step = to_middle_of_triangle(singular.at);
+        length = std::hypot(step.u, step.v);
+      }
+      return inside(singular.at + singular.reach / length * step);
+    }
+    return uv;
+  }
+
+  static Uv to_middle_of_triangle(Uv corner) { return Uv{1.0 / 3, 1.0 / 3} - corner; }
+
+  /// Turn second derivatives that have the wrong sign.
+  ///
+  /// Bfr 3.5.0 splits an irregular triangle into smaller ones, and where such a one is turned by
+  /// 180 degrees gives all second derivatives with the opposite sign. It does not tell where; so
+  /// a difference of first derivatives decides, in the direction in which they change most. Next
+  /// to zeros of the second derivatives it may decide wrongly, where they are below
+  /// kSignStep times the third ones.
+  void correct_sign(Uv uv, Jet& jet) const {
+    const double along_u = jet.duu.squaredNorm() + jet.duv.squaredNorm();
+    const double along_v = jet.duv.squaredNorm() + jet.dvv.squaredNorm();
+    const bool is_along_u = along_u >= along_v;
+    const double h = (is_along_u ? uv.u : uv.v) >= kSignStep ? -kSignStep : kSignStep;
+    const Jet other = evaluate_bfr(uv + (is_along_u ? Uv{h, 0} : Uv{0, h}), Order::First);
+    const double agreement = (other.du - jet.du).dot(is_along_u ? jet.duu : jet.duv) +
+                             (other.dv - jet.dv).dot(is_along_u ? jet.duv : jet.dvv);
+    if (agreement * h >= 0) return;
+    jet.duu = -jet.duu;
+    jet.duv = -jet.duv;
+    jet.dvv = -jet.dvv;
+  }
+
+  Jet evaluate_bfr(Uv uv, Order order) const {
+    const std::array<double, 2> at = {uv.u, uv.v};
+    const double* points = points_[0].data();
+    Jet jet;
+    switch (order) {
+      case Order::Position:
+        surface_.Evaluate(at.data(), points, kXyz, jet.point.data());
+        break;
+      case Order::First:
+        surface_.Evaluate(at.data(), points, kXyz, jet.point.data(), jet.du.data(), jet.dv.data());
+        break;
+      case Order::Second:
+        surface_.Evaluate(at.data(), points, kXyz, jet.point.data(), jet.du.data(), jet.dv.data(),
+                          jet.duu.data(), jet.duv.data(), jet.dvv.data());
+        break;
+    }
+    return jet;
+  }
+
+  BfrSurface surface_;
+  std::vector<Vec3> points_;
+  Domain domain_;
+  bool is_sign_in_doubt_;
+  std::vector<SingularPoint> singular_points_;
+  std::vector<RoundedSide> rounded_sides_;
+  std::optional<detail::BicubicParts> parts_;
+};
+
+/// Tells the corners of faces at which a limit surface is not one polynomial.
+class CornerClassifier {
+ public:
+  CornerClassifier(const Far::TopologyLevel& level, Sdc::SchemeType scheme)
+      : level_(level), scheme_(scheme) {}
+
+  bool is_singular(int face, int corner) const {
+    if (scheme_ == Sdc::SCHEME_BILINEAR) return false;
+    const int vertex = level_.GetFaceVertices(face)[corner];
+    if (has_semi_sharp(vertex)) return true;
+    const bool is_sharp = Sdc::Crease::IsInfinite(level_.GetVertexSharpness(vertex));
+    const int cuts = cut_count(vertex);
+    const Sector sector = sector_at(face, corner);
+    if (sector.is_whole) return is_sharp || cuts > 0 || sector.faces != regular_valence();
+    if (is_sharp || cuts > 2) return sector.faces != 1;
+    return cuts != 2 || sector.faces != regular_valence() / 2;
+  }
+
+ private:
+  /// Faces around a vertex that can be reached from one of them without crossing a sharp edge.
+  struct Sector {
+    int faces = 1;
+    bool is_whole = false;  ///< no sharp edge was met on the way around
+  };
+
+  int regular_valence() const { return scheme_ == Sdc::SCHEME_LOOP ? 6 : 4; }
+
+  /// True for edges across which the two faces do not see each other: also true boundaries.
+  bool is_cut(int edge) const {
+    return Sdc::Crease::IsInfinite(level_.GetEdgeSharpness(edge)) ||
+           level_.GetEdgeFaces(edge).size() != 2;
+  }
+
+  int cut_count(int vertex) const {
+    const Far::ConstIndexArray edges = level_.GetVertexEdges(vertex);
+    return static_cast<int>(
+        std::count_if(edges.begin(), edges.end(), [this](int edge) { return is_cut(edge); }));
+  }
+
+  bool has_semi_sharp(int vertex) const {
+    const Far::ConstIndexArray edges = level_.GetVertexEdges(vertex);
+    return Sdc::Crease::IsSemiSharp(level_.GetVertexSharpness(vertex)) ||
+           std::any_of(edges.begin(), edges.end(), [this](int edge) {
+             return Sdc::Crease::IsSemiSharp(level_.GetEdgeSharpness(edge));
+           });
+  }
+
+  /// The two edges of a face at one of its corners: of the side before and of the side after it.
+  std::array<int, 2> edges_at(int face, int corner) const {
+    const Far::ConstIndexArray edges = level_.GetFaceEdges(face);
+    return {edges[corner == 0 ? edges.size() - 1 : corner - 1], edges[corner]};
+  }
+
+  Sector sector_at(int face, int corner) const {
+    Sector sector;
+    const int vertex = level_.GetFaceVertices(face)[corner];
+    // A face that passes the vertex twice could lead in a circle that leaves it out.
+    const int face_count = level_.GetVertexFaces(vertex).size();
+    for (int edge : edges_at(face, corner)) {
+      int current = face;
+      while (!is_cut(edge) && sector.faces <= face_count) {
+        const Far::ConstIndexArray faces = level_.GetEdgeFaces(edge);
+        current = faces[0] == current ? faces[1] : faces[0];
+        if (current == face) return {sector.faces, true};
+        ++sector.faces;
+        const auto [before, after] =
+            edges_at(current, level_.GetFaceVertices(current).FindIndex(vertex));
+        edge = edge == before ? after : before;
+      }
+    }
+    return sector;
+  }
+
+  const Far::TopologyLevel& level_;
+  Sdc::SchemeType scheme_;
+};
+
+/// Makes the surfaces of one cage, in one thread: the factory keeps a cache.
+class SurfaceMaker {
+ public:
+  SurfaceMaker(const Far::TopologyRefiner& refiner, const std::vector<Vec3>& points,
+               const LimitSurfaceOptions& options)
+      : points_(points),
+        options_(options),
+        level_(refiner.GetLevel(0)),
+        scheme_(refiner.GetSchemeType()),
+        factory_(refiner, factory_options(level_, options)) {}
+
+  std::shared_ptr<const Surface> make(int face) const {
+    if (!factory_.FaceHasLimitSurface(face)) return nullptr;
+    BfrSurface surface;
+    if (!factory_.InitVertexSurface(face, &surface)) return nullptr;
+    Domain domain;
+    if (scheme_ == Sdc::SCHEME_LOOP) domain.shape = Domain::Shape::Triangle;
+    if (surface.GetFaceSize() != domain.corner_count()) {
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("face {} has {} vertices: refine the cage once before taking limit "
+                              "surfaces of its faces",
+                              face, surface.GetFaceSize()));
+    }
+    const bool is_bicubic = surface.IsRegular() && scheme_ == Sdc::SCHEME_CATMARK;
+    if (is_bicubic && options_.is_regular_by_hand) {
+      return as_bicubic(LimitSurface(surface, points_, domain, {}, {}, false));
+    }
+    std::vector<SingularPoint> singular;
+    if (!surface.IsRegular()) singular = singular_points(face, domain);
+    const bool has_parts = !surface.IsRegular() && scheme_ == Sdc::SCHEME_CATMARK;
+    return std::make_shared<LimitSurface>(surface, points_, domain, std::move(singular),
+                                          rounded_sides(face),
+                                          has_parts && options_.is_regular_by_hand);
+  }
+
+ private:
+  static Bfr::SurfaceFactory::Options factory_options(const Far::TopologyLevel& level,
+                                                      const LimitSurfaceOptions& options) {
+    Bfr::SurfaceFactory::Options result;
+    result.SetApproxLevelSmooth(options.approximation_level);
+    result.SetApproxLevelSharp(options.approximation_level);
+    // Bfr 3.5.0 overwrites memory at interior vertices of valence 2 when patches are shared
+    // through its cache.
+    result.EnableCaching(!has_valence_two(level));
+    return result;
+  }
+
+  static bool has_valence_two(const Far::TopologyLevel& level) {
+    for (int v = 0; v < level.GetNumVertices(); ++v) {
+      if (level.GetVertexFaces(v).size() == 2 && level.GetVertexEdges(v).size() == 2) return true;
+    }
+    return false;
+  }
+
+  static std::shared_ptr<const Surface> as_bicubic(const LimitSurface& surface) {
+    std::array<Jet, 4> corners;
+    for (int i = 0; i < 4; ++i) {
+      corners[static_cast<std::size_t>(i)] =
+          surface.evaluate(surface.domain().corner(i), Order::Second);
+    }
+    return make_bicubic_patch(corners);
+  }
+
+  std::vector<SingularPoint> singular_points(int face, const Domain& domain) const {
+    const CornerClassifier classifier(level_, scheme_);
+    const double reach = std::ldexp(1.0, 1 - options_.approximation_level);
+    std::vector<SingularPoint> result;
+    for (int i = 0; i < domain.corner_count(); ++i) {
+      if (classifier.is_singular(face, i)) result.push_back({domain.corner(i), reach});
+    }
+    return result;
+  }
+
+  std::vector<RoundedSide> rounded_sides(int face) const {
+    std::vector<RoundedSide> result;
+    const Far::ConstIndexArray edges = level_.GetFaceEdges(face);
+    for (int i = 0; i < edges.size(); ++i) {
+      const double sharpness = level_.GetEdgeSharpness(edges[i]);
+      if (sharpness < kCreaseSharpness || level_.GetEdgeFaces(edges[i]).size() != 2 ||
+          Sdc::Crease::IsInfinite(static_cast<float>(sharpness))) {
+        continue;
+      }
+      result.push_back({i, std::exp2(1 - sharpness)});
+    }
+    return result;
+  }
+
+  const std::vector<Vec3>& points_;
+  LimitSurfaceOptions options_;
+  Far::TopologyLevel level_;
+  Sdc::SchemeType scheme_;
+  Bfr::RefinerSurfaceFactory<> factory_;
+};
+
+}  // namespace
+
+std::vector<std::shared_ptr<const Surface>> make_limit_surfaces(
+    const Far::TopologyRefiner& refiner, const std::vector<Vec3>& points,
+    const LimitSurfaceOptions& options) {
+  if (options.approximation_level < 1 || options.approximation_level > 10) {
+    throw Error(ErrorCode::InvalidOption, fmt::format("approximation level {} is not in 1 to 10",
+                                                      options.approximation_level));
+  }
+  const SurfaceMaker maker(refiner, points, options);
+  std::vector<std::shared_ptr<const Surface>> surfaces;
+  const int face_count = refiner.GetLevel(0).GetNumFaces();
+  surfaces.reserve(static_cast<std::size_t>(face_count));
+  for (int face = 0; face < face_count; ++face) surfaces.push_back(maker.make(face));
+  return surfaces;
+}
+
+std::vector<std::shared_ptr<const Surface>> make_limit_surfaces(const Cage& cage, Scheme scheme,
+                                                                int approximation_level) {
+  const CageTopology topology = make_topology(cage, resolve_scheme(cage, scheme));
+  return make_limit_surfaces(*topology.refiner, cage.points, {approximation_level, true});
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/cage/refine_cage.hh"
+
+#include <fmt/format.h>
+#include <opensubdiv/far/primvarRefiner.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "surfmesh/cage/subdivision.hh"
+#include "surfmesh/core/error.hh"
+
+namespace surfmesh {
+namespace {
+
+namespace Far = OpenSubdiv::Far;
+
+/// Mark of a face that is left out, no index that a tag could have.
+constexpr int kLeftOut = std::numeric_limits<int>::min();
+
+/// A point as OpenSubdiv's interpolation wants it.
+struct Primvar {
+  Vec3 point = Vec3::Zero();
+
+  void Clear() { point.setZero(); }
+  void AddWithWeight(const Primvar& other, double weight) { point += weight * other.point; }
+};
+
+std::vector<Vec3> refine_points(const Far::TopologyRefiner& refiner,
+                                const std::vector<Vec3>& points) {
+  std::vector<Primvar> coarse(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) coarse[i].point = points[i];
+  std::vector<Primvar> fine(static_cast<std::size_t>(refiner.GetLevel(1).GetNumVertices()));
+  Far::PrimvarRefinerReal<double>(refiner).Interpolate(1, coarse, fine);
+  std::vector<Vec3> result;
+  result.reserve(fine.size());
+  for (const Primvar& primvar : fine) result.push_back(primvar.point);
+  return result;
+}
+
+void copy_faces(const Far::TopologyLevel& level, RefinedCage& refined) {
+  for (int f = 0; f < level.GetNumFaces(); ++f) {
+    const Far::ConstIndexArray vertices = level.GetFaceVertices(f);
+    refined.cage.faces.emplace_back(vertices.begin(), vertices.end());
+    refined.parent_faces.push_back(level.GetFaceParentFace(f));
+    if (level.IsFaceHole(f)) refined.cage.holes.push_back(f);
+  }
+}
+
+void copy_sharpness(const Far::TopologyLevel& level, Cage& cage) {
+  for (int e = 0; e < level.GetNumEdges(); ++e) {
+    if (!(level.GetEdgeSharpness(e) > 0)) continue;
+    const Far::ConstIndexArray ends = level.GetEdgeVertices(e);
+    cage.creases.push_back({{ends[0], ends[1]}, level.GetEdgeSharpness(e)});
+  }
+  for (int v = 0; v < level.GetNumVertices(); ++v) {
+    if (level.GetVertexSharpness(v) > 0) cage.corners.push_back({v, level.GetVertexSharpness(v)});
+  }
+}
+
+void copy_groups(const Cage& coarse, RefinedCage& refined) {
+  std::vector<std::vector<int>> children(coarse.faces.size());
+  for (std::size_t f = 0; f < refined.parent_faces.size(); ++f) {
+    children[static_cast<std::size_t>(refined.parent_faces[f])].push_back(static_cast<int>(f));
+  }
+  for (const Cage::FaceGroup& group : coarse.groups) {
+    Cage::FaceGroup fine{group.name, {}};
+    for (int face : group.faces) {
+      if (face < 0 || static_cast<std::size_t>(face) >= children.size()) continue;
+      const std::vector<int>& parts = children[static_cast<std::size_t>(face)];
+      fine.faces.insert(fine.faces.end(), parts.begin(), parts.end());
+    }
+    refined.cage.groups.push_back(std::move(fine));
+  }
+}
+
+/// Leave out the faces that are not simple, and with them their tags and places in groups.
+RefinedCage leave_out_faces(const Cage& cage) {
+  RefinedCage result{cage, {}, false, {}};
+  result.cage.faces.clear();
+  std::vector<int> index(cage.faces.size(), -1);
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
+    if (!is_simple(cage.faces[f])) {
+      result.warnings.push_back(
+          fmt::format("face {} comes back to a vertex, or has fewer than three different ones; it "
+                      "is left out",
+                      f));
+      continue;
+    }
+    index[f] = static_cast<int>(result.cage.faces.size());
+    result.cage.faces.push_back(cage.faces[f]);
+    result.parent_faces.push_back(static_cast<int>(f));
+  }
+  const auto renumber = [&index](std::vector<int>& faces) {
+    // Indices out of range stay so, for others to warn of.
+    for (int& face : faces) {
+      if (face >= 0 && static_cast<std::size_t>(face) < index.size()) {
+        face = index[static_cast<std::size_t>(face)];
+        if (face < 0) face = kLeftOut;
+      }
+    }
+    std::erase(faces, kLeftOut);
+  };
+  renumber(result.cage.holes);
+  for (Cage::FaceGroup& group : result.cage.groups) renumber(group.faces);
+  return result;
+}
+
+/// Leave out of each face the vertices that are the same as the next one.
+void leave_out_sides(RefinedCage& simple) {
+  for (std::size_t f = 0; f < simple.cage.faces.size(); ++f) {
+    std::vector<int> face = without_repeats(simple.cage.faces[f]);
+    if (face.size() == simple.cage.faces[f].size()) continue;
+    simple.warnings.push_back(fmt::format(
+        "face {} has the same vertex twice in a row; once is taken", simple.parent_faces[f]));
+    simple.cage.faces[f] = std::move(face);
+  }
+}
+
+}  // namespace
+
+RefinedCage refine_once(const Cage& cage, Scheme scheme) {
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
+    if (without_repeats(cage.faces[f]).size() == cage.faces[f].size()) continue;
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("face {} has the same vertex twice in a row", f));
+  }
+  CageTopology topology = make_topology(cage, resolve_scheme(cage, scheme));
+  Far::TopologyRefiner::UniformOptions options(1);
+  options.fullTopologyInLastLevel = true;  // else its edges have no vertices
+  topology.refiner->RefineUniform(options);
+  const Far::TopologyLevel& level = topology.refiner->GetLevel(1);
+  RefinedCage refined;
+  refined.cage.points = refine_points(*topology.refiner, cage.points);
+  copy_faces(level, refined);
+  copy_sharpness(level, refined.cage);
+  copy_groups(cage, refined);
+  refined.cage.boundary = cage.boundary;
+  refined.cage.is_chaikin = cage.is_chaikin;
+  refined.cage.is_smooth_triangles = cage.is_smooth_triangles;
+  refined.cage.warnings = cage.warnings;
+  refined.warnings = std::move(topology.warnings);
+  refined.is_refined = true;
+  return refined;
+}
+
+RefinedCage make_regular(const Cage& cage, Scheme scheme) {
+  check_ranges(cage);
+  scheme = resolve_scheme(cage, scheme);
+  RefinedCage simple = leave_out_faces(cage);
+  if (scheme != Scheme::Loop && std::all_of(simple.cage.faces.begin(), simple.cage.faces.end(),
+                                            [](const auto& face) { return face.size() == 4; })) {
+    return simple;
+  }
+  leave_out_sides(simple);
+  if (scheme == Scheme::Loop) return simple;
+  RefinedCage refined = refine_once(simple.cage, scheme);
+  for (int& parent : refined.parent_faces) {
+    parent = simple.parent_faces[static_cast<std::size_t>(parent)];
+  }
+  refined.warnings.insert(refined.warnings.begin(), simple.warnings.begin(), simple.warnings.end());
+  return refined;
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,534 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/formats/ply_file.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "surfmesh/core/properties.hh"
+#include "surfmesh/formats/parse_cage.hh"
+#include "surfmesh/io/byte_scanner.hh"
+#include "surfmesh/io/file_writer.hh"
+
+namespace surfmesh {
+namespace {
+
+enum class Type { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
+
+struct TypeName {
+  std::string_view name;
+  Type type;
+};
+
+constexpr std::array<TypeName, 16> kTypeNames = {{{"char", Type::Int8},
+                                                  {"int8", Type::Int8},
+                                                  {"uchar", Type::Uint8},
+                                                  {"uint8", Type::Uint8},
+                                                  {"short", Type::Int16},
+                                                  {"int16", Type::Int16},
+                                                  {"ushort", Type::Uint16},
+                                                  {"uint16", Type::Uint16},
+                                                  {"int", Type::Int32},
+                                                  {"int32", Type::Int32},
+                                                  {"uint", Type::Uint32},
+                                                  {"uint32", Type::Uint32},
+                                                  {"float", Type::Float32},
+                                                  {"float32", Type::Float32},
+                                                  {"double", Type::Float64},
+                                                  {"float64", Type::Float64}}};
+
+bool is_float(Type type) { return type == Type::Float32 || type == Type::Float64; }
+
+struct Property {
+  std::string name;
+  Type type = Type::Int32;
+  std::optional<Type> count_type;  ///< of a list
+};
+
+struct Element {
+  std::string name;
+  std::size_t count = 0;
+  std::vector<Property> properties;
+};
+
+enum class Format { Ascii, Little, Big };
+
+struct Header {
+  Format format = Format::Ascii;
+  std::vector<Element> elements;
+  std::vector<std::string> patch_names;
+  std::size_t size = 0;  ///< in bytes, with the end of its last line
+  int lines = 0;
+};
+
+/// Numbers of patches in comments above this are not believed.
+constexpr std::size_t kMostNames = 1'000'000;
+
+class HeaderReader {
+ public:
+  HeaderReader(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+
+  Header read();
+
+ private:
+  bool next_line();
+  std::string_view next_word();
+  void read_statement(std::string_view keyword);
+  void read_format();
+  void read_element();
+  void read_property();
+  void read_comment();
+  Type read_type();
+  [[noreturn]] void fail(std::string_view reason) const {
+    throw Error(ErrorCode::InvalidInput, fmt::format("{}:{}: {}", name_, header_.lines, reason));
+  }
+
+  std::string_view bytes_;
+  const std::string& name_;
+  std::string_view line_;
+  bool has_format_ = false;
+  Header header_;
+};
+
+Header HeaderReader::read() {
+  if (bytes_.empty()) throw Error(ErrorCode::InvalidInput, name_ + ": the file is empty");
+  if (!next_line() || next_word() != "ply")
+    fail("this is not a PLY file, it does not begin with ply");
+  for (;;) {
+    if (!next_line()) fail("the file ends in its header");
+    const std::string_view keyword = next_word();
+    if (keyword == "end_header") break;
+    read_statement(keyword);
+  }
+  if (!has_format_) fail("the header has no line with the format");
+  return std::move(header_);
+}
+
+bool HeaderReader::next_line() {
+  ++header_.lines;
+  const std::string_view rest = bytes_.substr(header_.size);
+  const std::size_t end = rest.find_first_of("\r\n");
+  if (end == std::string_view::npos) return false;
+  line_ = rest.substr(0, end);
+  header_.size += end + (rest.substr(end).starts_with("\r\n") ? 2 : 1);
+  return true;
+}
+
+std::string_view HeaderReader::next_word() {
+  line_.remove_prefix(std::min(line_.find_first_not_of(" \t"), line_.size()));
+  const std::string_view word = line_.substr(0, line_.find_first_of(" \t"));
+  line_.remove_prefix(word.size());
+  return word;
+}
+
+void HeaderReader::read_statement(std::string_view keyword) {
+  if (keyword == "format") return read_format();
+  if (keyword == "element") return read_element();
+  if (keyword == "property") return read_property();
+  if (keyword == "comment") return read_comment();
+  if (keyword == "obj_info" || keyword.empty()) return;
+  fail(fmt::format("unknown keyword {} in the header", quoted(keyword)));
+}
+
+void HeaderReader::read_format() {
+  const std::string_view word = next_word();
+  has_format_ = true;
+  if (word == "ascii") {
+    header_.format = Format::Ascii;
+  } else if (word == "binary_little_endian") {
+    header_.format = Format::Little;
+  } else if (word == "binary_big_endian") {
+    header_.format = Format::Big;
+  } else {
+    fail(fmt::format("the format {} is none of ascii, binary_little_endian, binary_big_endian",
+                     quoted(word)));
+  }
+}
+
+void HeaderReader::read_element() {
+  Element element;
+  element.name = next_word();
+  const std::string_view word = next_word();
+  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), element.count);
+  if (error != std::errc() || stop != word.data() + word.size()) {
+    fail(fmt::format("the count of an element is {}", quoted(word)));
+  }
+  if (element.count > std::numeric_limits<int>::max()) {
+    fail(fmt::format("{} elements are more than can be read", element.count));
+  }
+  header_.elements.push_back(std::move(element));
+}
+
+Type HeaderReader::read_type() {
+  const std::string_view word = next_word();
+  for (const auto& [name, type] : kTypeNames) {
+    if (word == name) return type;
+  }
+  fail(fmt::format("{} is not a type of numbers", quoted(word)));
+}
+
+void HeaderReader::read_property() {
+  if (header_.elements.empty()) fail("a property before any element");
+  Property property;
+  const std::string_view line = line_;
+  if (next_word() == "list") {
+    property.count_type = read_type();
+    if (is_float(*property.count_type)) fail("the count of a list is not of an integer type");
+  } else {
+    line_ = line;
+  }
+  property.type = read_type();
+  property.name = next_word();
+  if (property.name.empty()) fail("a property without a name");
+  header_.elements.back().properties.push_back(std::move(property));
+}
+
+/// Ours are `comment patch <number> <name>`.
+void HeaderReader::read_comment() {
+  if (next_word() != "patch") return;
+  const std::string_view word = next_word();
+  std::size_t patch = 0;
+  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), patch);
+  if (error != std::errc() || stop != word.data() + word.size() || patch >= kMostNames) return;
+  if (!line_.empty()) line_.remove_prefix(1);
+  if (header_.patch_names.size() <= patch) header_.patch_names.resize(patch + 1);
+  header_.patch_names[patch] = line_;
+}
+
+/// Values of a binary body.
+class BinaryValues {
+ public:
+  BinaryValues(std::string_view bytes, const Header& header, const std::string& name)
+      : scanner_(bytes, header.size, name,
+                 header.format == Format::Big ? std::endian::big : std::endian::little) {}
+
+  void begin_element(std::string_view, std::size_t, std::size_t) { start_ = scanner_.offset(); }
+
+  double number(Type type, std::string_view what) {
+    const std::size_t place = scanner_.offset();
+    const double value = take(type);
+    if (!std::isfinite(value)) {
+      scanner_.fail_at(place, fmt::format("{} is {}, which is not finite", what, value));
+    }
+    return value;
+  }
+
+  std::int64_t integer(Type type, std::string_view) {
+    return static_cast<std::int64_t>(take(type));
+  }
+  void skip(Type type) { take(type); }
+
+  /// At the beginning of the element.
+  [[noreturn]] void fail(std::string_view reason) const { scanner_.fail_at(start_, reason); }
+
+  void warn(const std::string& text) {
+    if (warnings_.empty() || warnings_.back().second != text)
+      warnings_.emplace_back(1, text);
+    else
+      ++warnings_.back().first;
+  }
+
+  std::vector<std::string> finish() {
+    if (scanner_.rest() > 0) {
+      warnings_.emplace_back(
+          1, fmt::format("{} bytes after the last element are ignored", scanner_.rest()));
+    }
+    std::vector<std::string> texts;
+    for (const auto& [count, text] : warnings_) {
+      const std::string more = count > 1 ? fmt::format(" (and {} more)", count - 1) : "";
+      texts.push_back(fmt::format("{}: {}{}", scanner_.name(), text, more));
+    }
+    return texts;
+  }
+
+  /// Counts may lie: room is made for no more numbers than the file can hold.
+  std::size_t likely(std::size_t count) const { return std::min(count, scanner_.rest()); }
+
+ private:
+  double take(Type type) {
+    switch (type) {
+      case Type::Int8:
+        return scanner_.take<std::int8_t>();
+      case Type::Uint8:
+        return scanner_.take<std::uint8_t>();
+      case Type::Int16:
+        return scanner_.take<std::int16_t>();
+      case Type::Uint16:
+        return scanner_.take<std::uint16_t>();
+      case Type::Int32:
+        return scanner_.take<std::int32_t>();
+      case Type::Uint32:
+        return scanner_.take<std::uint32_t>();
+      case Type::Float32:
+        return static_cast<double>(scanner_.take<float>());
+      case Type::Float64:
+        break;
+    }
+    return scanner_.take<double>();
+  }
+
+  ByteScanner scanner_;
+  std::size_t start_ = 0;
+  std::vector<std::pair<std::size_t, std::string>> warnings_;
+};
+
+/// Values of a body in text, one element a line.
+class TextValues {
+ public:
+  TextValues(std::string_view bytes, const Header& header, const std::string& name)
+      : size_(bytes.size()), scanner_(bytes, name, TextScanner::Joining::Off), warnings_(name) {
+    while (scanner_.line() < header.lines && scanner_.next_line()) {
+    }
+  }
+
+  void begin_element(std::string_view what, std::size_t done, std::size_t count) {
+    if (scanner_.next_line()) return;
+    scanner_.fail(
+        fmt::format("the file ends after {} of {} elements {}", done, count, quoted(what)));
+  }
+
+  double number(Type, std::string_view what) { return scanner_.to_number(next_word(what), what); }
+
+  std::int64_t integer(Type, std::string_view what) {
+    return scanner_.to_integer(next_word(what), what);
+  }
+
+  void skip(Type) { next_word("a value"); }
+
+  [[noreturn]] void fail(std::string_view reason) const { scanner_.fail(reason); }
+  void warn(const std::string& text) { warnings_.add(scanner_.line(), text); }
+
+  std::vector<std::string> finish() {
+    if (scanner_.next_line()) {
+      warnings_.add(scanner_.line(), "the lines after the last element are ignored");
+    }
+    return warnings_.texts();
+  }
+
+  std::size_t likely(std::size_t count) const { return std::min(count, size_); }
+
+ private:
+  std::string_view next_word(std::string_view what) {
+    const std::string_view word = scanner_.next_word();
+    if (word.empty()) scanner_.fail(fmt::format("{} is missing", what));
+    return word;
+  }
+
+  std::size_t size_;
+  TextScanner scanner_;
+  WarningList warnings_;
+};
+
+/// Reads the elements of a body; Values is one of the two above.
+template <class Values>
+class BodyReader {
+ public:
+  BodyReader(const Header& header, Values values) : header_(header), values_(std::move(values)) {}
+
+  FaceSetFile read() {
+    for (const Element& element : header_.elements) {
+      if (element.name == "vertex") vertex_count_ = element.count;
+    }
+    for (const Element& element : header_.elements) {
+      if (element.name == "vertex") {
+        read_vertices(element);
+      } else if (element.name == "face") {
+        read_faces(element);
+      } else {
+        skip_elements(element);
+      }
+    }
+    file_.warnings = values_.finish();
+    return std::move(file_);
+  }
+
+ private:
+  /// The number of the coordinate that a property is; 3 for none.
+  static int axis_of(const Property& property) {
+    if (property.count_type) return 3;
+    return property.name == "x" ? 0 : property.name == "y" ? 1 : property.name == "z" ? 2 : 3;
+  }
+
+  void read_vertices(const Element& element) {
+    std::array<int, 4> seen = {};
+    for (const Property& property : element.properties)
+      ++seen[static_cast<std::size_t>(axis_of(property))];
+    if (seen[0] != 1 || seen[1] != 1 || seen[2] != 1) {
+      values_.fail("the vertices do not have the properties x, y and z once each");
+    }
+    file_.set.points.reserve(values_.likely(element.count));
+    for (std::size_t i = 0; i < element.count; ++i) {
+      values_.begin_element(element.name, i, element.count);
+      Vec3 point;
+      for (const Property& property : element.properties) {
+        const int axis = axis_of(property);
+        if (axis < 3) {
+          point[axis] = values_.number(property.type, "a coordinate");
+        } else {
+          skip_property(property);
+        }
+      }
+      file_.set.points.push_back(point);
+    }
+  }
+
+  static bool has_corners(const Property& property) {
+    return property.count_type && !is_float(property.type) &&
+           (property.name == "vertex_indices" || property.name == "vertex_index");
+  }
+
+  static bool has_patch(const Property& property) {
+    return !property.count_type && !is_float(property.type) && property.name == "patch";
+  }
+
+  void read_faces(const Element& element) {
+    const auto& properties = element.properties;
+    if (std::count_if(properties.begin(), properties.end(), has_corners) != 1) {
+      values_.fail("the faces do not have one list vertex_indices");
+    }
+    if (std::count_if(properties.begin(), properties.end(), has_patch) > 1) {
+      values_.fail("the faces have the property patch twice");
+    }
+    file_.set.faces.reserve(values_.likely(element.count), values_.likely(3 * element.count));
+    for (std::size_t i = 0; i < element.count; ++i) {
+      values_.begin_element(element.name, i, element.count);
+      for (const Property& property : properties) {
+        if (has_corners(property)) {
+          read_corners(property);
+        } else if (has_patch(property)) {
+          read_patch(property);
+        } else {
+          skip_property(property);
+        }
+      }
+      add_face();
+    }
+  }
+
+  void read_corners(const Property& property) {
+    const std::int64_t count = values_.integer(*property.count_type, "the vertex count of a face");
+    if (count < 3) values_.fail("a face has fewer than three different vertices");
+    corners_.clear();
+    for (std::int64_t k = 0; k < count; ++k) {
+      const std::int64_t vertex = values_.integer(property.type, "a vertex index");
+      if (vertex < 0 || vertex >= static_cast<std::int64_t>(vertex_count_)) {
+        values_.fail(fmt::format("vertex index {}, but there are {} vertices, from 0", vertex,
+                                 vertex_count_));
+      }
+      corners_.push_back(static_cast<int>(vertex));
+    }
+  }
+
+  void read_patch(const Property& property) {
+    const std::int64_t patch = values_.integer(property.type, "a patch");
+    if (patch < -1 || patch > std::numeric_limits<int>::max()) {
+      values_.fail(fmt::format("patch {} is not a number from 0, or -1 for none", patch));
+    }
+    file_.set.patches.push_back(static_cast<int>(patch));
+  }
+
+  void add_face() {
+    switch (mend_corners(corners_)) {
+      case CornerFault::TooFew:
+        values_.fail(text_of(CornerFault::TooFew));
+      case CornerFault::Twice:
+        values_.fail(text_of(CornerFault::Twice));
+      case CornerFault::TwiceInARow:
+        values_.warn(text_of(CornerFault::TwiceInARow));
+        break;
+      case CornerFault::None:
+        break;
+    }
+    file_.set.faces.add(corners_);
+  }
+
+  void skip_elements(const Element& element) {
+    if (element.properties.empty()) return;
+    for (std::size_t i = 0; i < element.count; ++i) {
+      values_.begin_element(element.name, i, element.count);
+      for (const Property& property : element.properties) skip_property(property);
+    }
+  }
+
+  void skip_property(const Property& property) {
+    std::int64_t count = 1;
+    if (property.count_type) count = values_.integer(*property.count_type, "the count of a list");
+    for (std::int64_t k = 0; k < count; ++k) values_.skip(property.type);
+  }
+
+  const Header& header_;
+  Values values_;
+  FaceSetFile file_;
+  std::vector<int> corners_;
+  std::size_t vertex_count_ = 0;
+};
+
+FaceSetFile read_body(std::string_view bytes, const Header& header, const std::string& name) {
+  if (header.format == Format::Ascii) {
+    return BodyReader(header, TextValues(bytes, header, name)).read();
+  }
+  return BodyReader(header, BinaryValues(bytes, header, name)).read();
+}
+
+std::size_t most_corners(const PolyMesh& mesh) {
+  std::size_t most = 0;
+  for (const FaceHandle fh : mesh.faces()) most = std::max<std::size_t>(most, mesh.valence(fh));
+  return most;
+}
+
+std::string header_of(const PolyMesh& mesh, const std::vector<std::string>& patch_names,
+                      bool has_patches, bool is_count_small) {
+  std::string text = "ply\nformat binary_little_endian 1.0\ncomment surfmesh\n";
+  for (std::size_t i = 0; has_patches && i < patch_names.size(); ++i) {
+    std::string name = patch_names[i];
+    for (char& c : name) c = c == '\n' || c == '\r' ? ' ' : c;
+    text += fmt::format("comment patch {} {}\n", i, name);
+  }
+  text += fmt::format(
+      "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
+      "element face {}\nproperty list {} int vertex_indices\n",
+      mesh.n_vertices(), mesh.n_faces(), is_count_small ? "uchar" : "int");
+  if (has_patches) text += "property int patch\n";
+  return text + "end_header\n";
+}
+
+}  // namespace
+
+FaceSetFile parse_ply(std::string_view bytes, const std::string& name) {
+  const Header header = HeaderReader(bytes, name).read();
+  FaceSetFile file = read_body(bytes, header, name);
+  if (!file.set.patches.empty()) file.patch_names = header.patch_names;
+  return file;
+}
+
+void write_ply(const PolyMesh& mesh, const std::vector<std::string>& patch_names,
+               OutputFile& file) {
+  const auto patch_of = find(mesh, keys::face_patch);
+  const bool is_count_small = most_corners(mesh) <= std::numeric_limits<std::uint8_t>::max();
+  FileWriter writer(file);
+  writer.text(header_of(mesh, patch_names, patch_of.is_valid(), is_count_small));
+  for (const VertexHandle vh : mesh.vertices()) {
+    const OpenMesh::Vec3d& point = mesh.point(vh);
+    check_finite(point, vh);
+    for (std::size_t k = 0; k < 3; ++k) writer.bytes(point[k]);
+  }
+  for (const FaceHandle fh : mesh.faces()) {
+    const auto count = mesh.valence(fh);
+    if (is_count_small) {
+      writer.bytes(static_cast<std::uint8_t>(count));
+    } else {
+      writer.bytes(static_cast<std::int32_t>(count));
+    }
+    for_each_corner(mesh, fh, [&writer](int vertex) { writer.bytes<std::int32_t>(vertex); });
+    if (patch_of.is_valid()) writer.bytes<std::int32_t>(mesh.property(patch_of, fh));
+  }
+  writer.flush();
+}
+
+}  // namespace surfmesh

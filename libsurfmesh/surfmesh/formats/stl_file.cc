@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/formats/stl_file.hh"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "surfmesh/io/byte_scanner.hh"
+#include "surfmesh/io/file_writer.hh"
+#include "surfmesh/io/text_scanner.hh"
+
+namespace surfmesh {
+namespace {
+
+constexpr std::size_t kHeaderSize = 80;
+constexpr std::size_t kTriangleSize = 50;  // twelve floats and two bytes
+
+/// Gives points their numbers: equal coordinates are one vertex. Open addressing with linear
+/// steps, at most half full.
+class PointTable {
+ public:
+  explicit PointTable(std::vector<Vec3>& points) : points_(points), slots_(kFirstSize, -1) {}
+
+  int number_of(Vec3 point) {
+    point += Vec3::Zero();  // -0 is 0
+    if (2 * (points_.size() + 1) > slots_.size()) grow();
+    int& slot = slot_of(point);
+    if (slot < 0) {
+      slot = static_cast<int>(points_.size());
+      points_.push_back(point);
+    }
+    return slot;
+  }
+
+ private:
+  static constexpr std::size_t kFirstSize = 1024;
+
+  static std::uint64_t hash(const Vec3& point) {
+    std::uint64_t h = 0;
+    for (int k = 0; k < 3; ++k) {
+      h = (h ^ std::bit_cast<std::uint64_t>(point[k])) * 0x9E3779B97F4A7C15u;
+      h ^= h >> 32;
+    }
+    return h;
+  }
+
+  int& slot_of(const Vec3& point) {
+    std::size_t i = hash(point) & (slots_.size() - 1);
+    while (slots_[i] >= 0 && points_[static_cast<std::size_t>(slots_[i])] != point) {
+      i = (i + 1) & (slots_.size() - 1);
+    }
+    return slots_[i];
+  }
+
+  void grow() {
+    slots_.assign(2 * slots_.size(), -1);
+    for (std::size_t v = 0; v < points_.size(); ++v) slot_of(points_[v]) = static_cast<int>(v);
+  }
+
+  std::vector<Vec3>& points_;
+  std::vector<int> slots_;
+};
+
+/// Makes faces of triangles, whichever way they are written.
+class TriangleCollector {
+ public:
+  void add(const std::array<Vec3, 3>& points) {
+    std::array<int, 3> t;
+    for (std::size_t k = 0; k < 3; ++k) t[k] = table_.number_of(points[k]);
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
+      file_.degenerate_faces.push_back(count_);
+    } else {
+      file_.set.faces.add(t);
+      file_.set.patches.push_back(static_cast<int>(file_.patch_names.size()) - 1);
+    }
+    ++count_;
+  }
+
+  void begin_solid(std::string name) { file_.patch_names.push_back(std::move(name)); }
+
+  FaceSetFile finish() {
+    if (file_.patch_names.size() < 2) {
+      file_.patch_names.clear();
+      file_.set.patches.clear();
+    }
+    return std::move(file_);
+  }
+
+ private:
+  FaceSetFile file_;
+  PointTable table_{file_.set.points};
+  std::size_t count_ = 0;
+};
+
+FaceSetFile parse_binary(std::string_view bytes, const std::string& name) {
+  ByteScanner scanner(bytes, std::min(kHeaderSize, bytes.size()), name);
+  const auto count = scanner.take<std::uint32_t>();
+  if (scanner.rest() / kTriangleSize < count) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("{}: the file ends after {} of {} triangles (byte {}), or it is not an "
+                            "STL file",
+                            name, scanner.rest() / kTriangleSize, count, bytes.size()));
+  }
+  TriangleCollector triangles;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    scanner.skip(3 * sizeof(float));
+    std::array<Vec3, 3> points;
+    for (Vec3& point : points) {
+      for (int k = 0; k < 3; ++k) {
+        const std::size_t place = scanner.offset();
+        point[k] = static_cast<double>(scanner.take<float>());
+        if (!std::isfinite(point[k])) {
+          scanner.fail_at(place, fmt::format("a coordinate is {}, which is not finite", point[k]));
+        }
+      }
+    }
+    scanner.skip(sizeof(std::uint16_t));
+    triangles.add(points);
+  }
+  FaceSetFile file = triangles.finish();
+  if (scanner.rest() > 0) {
+    file.warnings.push_back(
+        fmt::format("{}: {} bytes after the last triangle are ignored", name, scanner.rest()));
+  }
+  return file;
+}
+
+std::string lower_case(std::string_view word) {
+  std::string text(word);
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+class TextReader {
+ public:
+  TextReader(std::string_view text, const std::string& name)
+      : scanner_(text, name, TextScanner::Joining::Off) {}
+
+  FaceSetFile read() {
+    while (scanner_.next_line()) {
+      const std::string word = lower_case(scanner_.next_word());
+      if (word == "solid" && !is_in_solid_) {
+        begin_solid();
+      } else if (word == "endsolid" && is_in_solid_) {
+        is_in_solid_ = false;
+      } else if (word == "facet" && is_in_solid_) {
+        read_facet();
+      } else {
+        scanner_.fail(
+            fmt::format("{} is not what comes next in an STL file", surfmesh::quoted(word)));
+      }
+    }
+    if (is_in_solid_) scanner_.fail("the file ends before endsolid");
+    return triangles_.finish();
+  }
+
+ private:
+  void begin_solid() {
+    is_in_solid_ = true;
+    triangles_.begin_solid(std::string(scanner_.next_word()));
+  }
+
+  void expect_line(std::string_view keyword) {
+    if (!scanner_.next_line()) scanner_.fail("the file ends in a triangle");
+    const std::string_view word = scanner_.next_word();
+    if (lower_case(word) != keyword) {
+      scanner_.fail(fmt::format("{} instead of {}", quoted(word), keyword));
+    }
+  }
+
+  void read_facet() {
+    expect_line("outer");
+    std::array<Vec3, 3> points;
+    for (Vec3& point : points) {
+      expect_line("vertex");
+      for (int k = 0; k < 3; ++k) {
+        const std::string_view word = scanner_.next_word();
+        if (word.empty()) scanner_.fail("a vertex needs three coordinates");
+        point[k] = scanner_.to_number(word, "a coordinate");
+      }
+    }
+    expect_line("endloop");
+    expect_line("endfacet");
+    triangles_.add(points);
+  }
+
+  TextScanner scanner_;
+  TriangleCollector triangles_;
+  bool is_in_solid_ = false;
+};
+
+/// A binary file may begin with "solid", too: its size tells.
+bool is_binary(std::string_view bytes) {
+  if (!bytes.starts_with("solid")) return true;
+  if (bytes.size() < kHeaderSize + sizeof(std::uint32_t)) return false;
+  const auto count = ByteScanner(bytes, kHeaderSize, {}).take<std::uint32_t>();
+  return bytes.size() == kHeaderSize + sizeof(std::uint32_t) + kTriangleSize * std::size_t{count};
+}
+
+using Triangles = std::vector<std::array<int, 3>>;
+
+/// Add the triangles of one face.
+void split_face(const PolyMesh& mesh, const std::vector<int>& face, Triangles& triangles) {
+  const auto distance = [&](std::size_t i, std::size_t j) {
+    return (mesh.point(VertexHandle(face[i])) - mesh.point(VertexHandle(face[j]))).sqrnorm();
+  };
+  if (face.size() == 4 && distance(1, 3) < distance(0, 2)) {
+    triangles.push_back({face[0], face[1], face[3]});
+    triangles.push_back({face[1], face[2], face[3]});
+    return;
+  }
+  for (std::size_t k = 2; k < face.size(); ++k) {
+    triangles.push_back({face[0], face[k - 1], face[k]});
+  }
+}
+
+Triangles triangles_of(const PolyMesh& mesh) {
+  Triangles triangles;
+  triangles.reserve(mesh.n_faces());
+  std::vector<int> face;
+  for (const FaceHandle fh : mesh.faces()) {
+    face.clear();
+    for_each_corner(mesh, fh, [&face](int vertex) { face.push_back(vertex); });
+    split_face(mesh, face, triangles);
+  }
+  return triangles;
+}
+
+void write_vector(const OpenMesh::Vec3d& vector, FileWriter& writer) {
+  for (std::size_t k = 0; k < 3; ++k) writer.bytes(static_cast<float>(vector[k]));
+}
+
+void check_single(const PolyMesh& mesh) {
+  for (const VertexHandle vh : mesh.vertices()) {
+    const OpenMesh::Vec3d& point = mesh.point(vh);
+    check_finite(point, vh);
+    if (point.max_abs() <= static_cast<double>(std::numeric_limits<float>::max())) continue;
+    throw Error(ErrorCode::Geometry,
+                fmt::format("the position of vertex {} is ({}, {}, {}), too large for .stl",
+                            vh.idx(), point[0], point[1], point[2]));
+  }
+}
+
+}  // namespace
+
+FaceSetFile parse_stl(std::string_view bytes, const std::string& name) {
+  if (bytes.empty()) throw Error(ErrorCode::InvalidInput, name + ": the file is empty");
+  return is_binary(bytes) ? parse_binary(bytes, name) : TextReader(bytes, name).read();
+}
+
+void write_stl(const PolyMesh& mesh, OutputFile& file) {
+  check_single(mesh);
+  const Triangles triangles = triangles_of(mesh);
+  FileWriter writer(file);
+  std::string header = "surfmesh";
+  header.resize(kHeaderSize, ' ');
+  writer.text(header);
+  writer.bytes(static_cast<std::uint32_t>(triangles.size()));
+  for (const auto& t : triangles) {
+    const auto& a = mesh.point(VertexHandle(t[0]));
+    const auto& b = mesh.point(VertexHandle(t[1]));
+    const auto& c = mesh.point(VertexHandle(t[2]));
+    OpenMesh::Vec3d normal = OpenMesh::cross(b - a, c - a);
+    const double length = normal.norm();
+    if (length > 0 && std::isfinite(length)) {
+      normal /= length;
+    } else {
+      normal = {0, 0, 0};
+    }
+    for (const auto& vector : {normal, a, b, c}) write_vector(vector, writer);
+    writer.bytes(std::uint16_t{0});
+  }
+  writer.flush();
+}
+
+}  // namespace surfmesh

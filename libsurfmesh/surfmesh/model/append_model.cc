@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/model/append_model.hh"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "surfmesh/model/open_contours.hh"
+
+namespace surfmesh {
+namespace {
+
+void warn_of_open_sides(const Model& model, const Model& added,
+                        std::vector<std::string>& warnings) {
+  const double near = kNearShare * model.box.merged(added.box).diagonal().norm();
+  const std::vector<ContourPair> pairs = contours_along(
+      open_contours(model), open_contours(added, static_cast<int>(model.patches.size())), near);
+  if (pairs.empty()) return;
+  warnings.push_back(fmt::format(
+      "{} pairs of contours run along each other but are not joined, as they belong to different "
+      "cages, or to a cage and formulas: {} and {}{}",
+      pairs.size(), pairs[0].a, pairs[0].b, pairs.size() > 1 ? ", ..." : ""));
+}
+
+void shift(Model& added, const Model& model, const std::string& prefix) {
+  const int vertices = static_cast<int>(model.vertices.size());
+  const int contours = static_cast<int>(model.contours.size());
+  const int patches = static_cast<int>(model.patches.size());
+  for (Contour& contour : added.contours) {
+    contour.name = prefix + contour.name;
+    contour.start += vertices;
+    contour.end += vertices;
+    for (ContourUse& use : contour.uses) use.patch += patches;
+  }
+  for (Patch& patch : added.patches) {
+    patch.name = prefix + patch.name;
+    for (PatchLoop& loop : patch.loops) {
+      for (LoopEntry& entry : loop) entry.contour += contours;
+    }
+  }
+  for (Group& group : added.groups) {
+    for (int& patch : group.patches) patch += patches;
+  }
+  for (std::string& warning : added.warnings) {
+    if (!prefix.empty()) warning = prefix + " " + warning;
+  }
+}
+
+template <class T>
+void move_to_end(std::vector<T>& from, std::vector<T>& to) {
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+}  // namespace
+
+void append(Model& model, Model added, const std::string& prefix) {
+  shift(added, model, prefix);
+  std::vector<std::string> warnings;
+  warn_of_open_sides(model, added, warnings);
+  move_to_end(added.vertices, model.vertices);
+  move_to_end(added.contours, model.contours);
+  move_to_end(added.patches, model.patches);
+  move_to_end(added.groups, model.groups);
+  move_to_end(added.warnings, model.warnings);
+  move_to_end(warnings, model.warnings);
+  model.box.extend(added.box);
+  model.diagonal = model.box.diagonal().norm();
+}
+
+}  // namespace surfmesh

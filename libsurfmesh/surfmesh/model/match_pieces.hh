@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "surfmesh/model/split_sides.hh"
+
+namespace surfmesh {
+
+/// A piece of a side as one of those that coincide.
+struct MatchedPiece {
+  int piece = -1;
+  bool is_reversed = false;  ///< it runs against the first of them
+  bool is_same_speed = true;
+};
+
+/// Pieces that coincide, in their order; the first gives the direction.
+struct MatchedCurve {
+  std::vector<MatchedPiece> pieces;
+  SampledLine first;  ///< the first piece
+};
+
+/// Find the pieces that coincide in space within the tolerance.
+///
+/// Pieces coincide if they have the same end vertices and all samples of each are on the other.
+/// Degenerate sides coincide with nothing.
+///
+/// Returns  the curves in the order of their first pieces
+/// Cost     O(n log n) for n pieces, and O(k²) comparisons of boxes for k pieces that differ but
+///          have the same ends
+std::vector<MatchedCurve> match_pieces(const std::vector<PatchSide>& sides,
+                                       const std::vector<SidePiece>& pieces, double tolerance);
+
+}  // namespace surfmesh

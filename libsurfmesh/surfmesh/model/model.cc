@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/model/model.hh"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "surfmesh/core/error.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Ends of contours that are the same vertex may differ by rounding of the evaluation only.
+constexpr double kLoopGap = 1e-6;
+
+/// Beyond these diagonals the squares of areas and of their inverses, that is the fourth powers of
+/// lengths down to a millionth of it, are no numbers of full precision.
+constexpr double kLeastDiagonal = 1e-70;
+constexpr double kGreatestDiagonal = 1e70;
+
+bool is_index(int i, std::size_t count) { return i >= 0 && static_cast<std::size_t>(i) < count; }
+
+const ContourUse& use_of(const Model& model, std::size_t patch, const LoopEntry& entry) {
+  const std::string& patch_name = model.patches[patch].name;
+  if (!is_index(entry.contour, model.contours.size())) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("patch {}: a loop names contour {} of {}", patch_name, entry.contour,
+                            model.contours.size()));
+  }
+  const Contour& contour = model.contours[static_cast<std::size_t>(entry.contour)];
+  if (!is_index(entry.use, contour.uses.size()) ||
+      contour.uses[static_cast<std::size_t>(entry.use)].patch != static_cast<int>(patch)) {
+    throw Error(
+        ErrorCode::InvalidInput,
+        fmt::format("patch {}: a loop names use {} of contour {}, which is not this patch's",
+                    patch_name, entry.use, contour.name));
+  }
+  return contour.uses[static_cast<std::size_t>(entry.use)];
+}
+
+void check_use(const Model& model, const Contour& contour, const ContourUse& use) {
+  if (!is_index(use.patch, model.patches.size())) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("contour {}: a use names patch {} of {}", contour.name, use.patch,
+                            model.patches.size()));
+  }
+  if (!use.curve) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("contour {}: a use has no curve", contour.name));
+  }
+}
+
+Vec3 end_point(const Patch& patch, const ContourUse& use, bool at_end) {
+  const double t = at_end == use.is_forward ? 1.0 : 0.0;
+  return patch.surface->evaluate(use.curve->evaluate(t), Order::Position).point;
+}
+
+void check_loop(const Model& model, std::size_t patch_index, const PatchLoop& loop) {
+  const Patch& patch = model.patches[patch_index];
+  if (loop.empty()) {
+    throw Error(ErrorCode::InvalidInput, fmt::format("patch {}: a loop is empty", patch.name));
+  }
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const LoopEntry& next = loop[(i + 1) % loop.size()];
+    const Vec3 end = end_point(patch, use_of(model, patch_index, loop[i]), true);
+    const Vec3 start = end_point(patch, use_of(model, patch_index, next), false);
+    const double gap = (end - start).norm();
+    if (!(gap <= kLoopGap * model.diagonal)) {
+      throw Error(
+          ErrorCode::Geometry,
+          fmt::format("patch {}: the loop does not close, the gap between contours {} and {} is {}",
+                      patch.name, model.contours[static_cast<std::size_t>(loop[i].contour)].name,
+                      model.contours[static_cast<std::size_t>(next.contour)].name, gap));
+    }
+  }
+}
+
+void check_extent(double diagonal) {
+  if (diagonal >= kLeastDiagonal && diagonal <= kGreatestDiagonal) return;
+  const char* reason = diagonal > kGreatestDiagonal ? "it is too large"
+                       : diagonal > 0               ? "it is too small"
+                                                    : "it has no extent";
+  throw Error(ErrorCode::InvalidInput,
+              fmt::format("the model's diagonal is {}: {}", diagonal, reason));
+}
+
+}  // namespace
+
+void check(const Model& model) {
+  if (model.patches.empty()) throw Error(ErrorCode::InvalidInput, "the model has no patches");
+  check_extent(model.diagonal);
+  for (const Contour& contour : model.contours) {
+    if (!is_index(contour.start, model.vertices.size()) ||
+        !is_index(contour.end, model.vertices.size())) {
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("contour {}: its end vertices do not exist", contour.name));
+    }
+    if (contour.is_degenerate && contour.start != contour.end) {
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("contour {} is degenerate, but has two vertices", contour.name));
+    }
+    if (contour.uses.empty()) {
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("contour {}: no patch uses it", contour.name));
+    }
+    for (const ContourUse& use : contour.uses) check_use(model, contour, use);
+  }
+  for (std::size_t p = 0; p < model.patches.size(); ++p) {
+    const Patch& patch = model.patches[p];
+    if (!patch.surface) {
+      throw Error(ErrorCode::InvalidInput, fmt::format("patch {} has no surface", patch.name));
+    }
+    if (patch.loops.empty()) {
+      throw Error(ErrorCode::InvalidInput, fmt::format("patch {} has no loop", patch.name));
+    }
+    for (const PatchLoop& loop : patch.loops) check_loop(model, p, loop);
+  }
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/model/near_misses.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+namespace surfmesh {
+namespace {
+
+/// A stretch along another contour is at least this part of the samples: curves that touch or
+/// leave a corner under a small angle are near for less.
+constexpr std::size_t kLeastSamples = kLineSamples / 4;
+
+/// A stretch is longer than this many gaps, or it is short rather than near.
+constexpr double kLengthPerGap = 4;
+
+constexpr std::size_t kMaxWarnings = 20;
+
+double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a;
+  const double square = along.squaredNorm();
+  const double t = square > 0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0;
+  return (a + t * along - p).norm();
+}
+
+/// Smaller than the distance from p to the curve: a smooth curve is within a quarter of the
+/// longest step of the line through its samples (a half circle over one step would be at half).
+double least_distance(const Vec3& p, const SampledLine& curve) {
+  double result = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < curve.points.size(); ++i) {
+    result = std::min(result, distance_to_segment(p, curve.points[i - 1], curve.points[i]));
+  }
+  return result - curve.max_step() / 4;
+}
+
+double distance_to_curve(const Vec3& p, const SampledLine& curve, double t_guess) {
+  return (curve.line.at(curve.line.project(p, t_guess)) - p).norm();
+}
+
+/// Samples first to last - 1 of a curve.
+struct Stretch {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/// The longest run of numbers for which `is_near` holds.
+template <class Predicate>
+Stretch longest_run(std::size_t count, const Predicate& is_near) {
+  Stretch best;
+  Stretch current;
+  for (std::size_t i = 0; i < count; ++i) {
+    current = is_near(i) ? Stretch{current.first, i + 1} : Stretch{i + 1, i + 1};
+    if (current.last - current.first > best.last - best.first) best = current;
+  }
+  return best;
+}
+
+double length(const SampledLine& curve, const Stretch& stretch) {
+  double result = 0;
+  for (std::size_t i = stretch.first + 1; i < stretch.last; ++i) {
+    result += (curve.points[i] - curve.points[i - 1]).norm();
+  }
+  return result;
+}
+
+/// Greatest distance of a stretch of `a` that runs along `b`, or nothing.
+std::optional<double> gap(const SampledLine& a, const SampledLine& b, const JoinLengths& lengths) {
+  const std::size_t count = a.points.size();
+  const Stretch rough = longest_run(
+      count, [&](std::size_t i) { return least_distance(a.points[i], b) <= lengths.near; });
+  if (rough.last - rough.first <= kLeastSamples) return std::nullopt;
+  const std::vector<double> parameters = sample_parameters(kLineSamples);
+  std::vector<double> distances;
+  for (const Vec3& p : a.points) {
+    distances.push_back(distance_to_curve(p, b, parameters[b.nearest(p)]));
+  }
+  const Stretch run =
+      longest_run(count, [&](std::size_t i) { return distances[i] <= lengths.near; });
+  if (run.last - run.first <= kLeastSamples) return std::nullopt;
+  const auto begin = distances.begin();
+  const double result = *std::max_element(begin + static_cast<std::ptrdiff_t>(run.first),
+                                          begin + static_cast<std::ptrdiff_t>(run.last));
+  if (result <= lengths.join || length(a, run) < kLengthPerGap * result) return std::nullopt;
+  return result;
+}
+
+using Pair = std::pair<std::size_t, std::size_t>;
+
+/// Pairs whose boxes meet when one is larger by `margin`, found along the axis of greatest spread.
+std::vector<Pair> meeting_pairs(const std::vector<Box3>& boxes, double margin) {
+  Box3 all;
+  for (const Box3& box : boxes) all.extend(box);
+  Eigen::Index axis = 0;
+  all.sizes().maxCoeff(&axis);
+  std::vector<std::size_t> order(boxes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return boxes[i].min()[axis] < boxes[j].min()[axis];
+  });
+  std::vector<Pair> result;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Vec3 reach = Vec3::Constant(margin);
+    const Box3 box(boxes[order[i]].min() - reach, boxes[order[i]].max() + reach);
+    for (std::size_t j = i + 1; j < order.size(); ++j) {
+      if (boxes[order[j]].min()[axis] > box.max()[axis]) break;
+      if (box.intersects(boxes[order[j]])) result.push_back(std::minmax(order[i], order[j]));
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string> near_miss_warnings(const std::vector<ContourShape>& contours,
+                                            const JoinLengths& lengths) {
+  std::vector<Box3> boxes;
+  boxes.reserve(contours.size());
+  for (const ContourShape& contour : contours) boxes.push_back(contour.curve.box());
+  std::vector<std::string> result;
+  std::size_t more = 0;
+  for (const auto& [i, j] : meeting_pairs(boxes, lengths.near)) {
+    const ContourShape& a = contours[i];
+    const ContourShape& b = contours[j];
+    if (a.is_shared && b.is_shared) continue;
+    std::optional<double> found = gap(a.curve, b.curve, lengths);
+    if (!found) found = gap(b.curve, a.curve, lengths);
+    if (!found) continue;
+    if (result.size() == kMaxWarnings) {
+      ++more;
+    } else {
+      result.push_back(fmt::format(
+          "contours {} and {} are not joined: the gap between them is {:.3g}, more than {:.3g}",
+          a.name, b.name, *found, lengths.join));
+    }
+  }
+  if (more > 0) result.push_back(fmt::format("{} more pairs of contours are as near", more));
+  return result;
+}
+
+}  // namespace surfmesh

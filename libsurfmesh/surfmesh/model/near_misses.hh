@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "surfmesh/model/patch_sides.hh"
+
+namespace surfmesh {
+
+/// A contour as far as the search for near misses needs it.
+struct ContourShape {
+  std::string name;
+  SampledLine curve;
+  bool is_shared = false;  ///< has several uses
+};
+
+/// Warn of contours that run along each other and yet are not one.
+///
+/// A quarter of one has to be within JoinLengths::near of the other, and farther than
+/// JoinLengths::join somewhere. The stretch has to be some times longer than the gap, so that small
+/// contours are not taken for near misses of their neighbours. Pairs that are both shared have
+/// found their partners and are left out.
+///
+/// Returns  a warning a pair, with the names and the greatest gap in model units; the last one
+///          counts the pairs beyond twenty
+/// Cost     O(n log n) for n contours that are short against the model
+std::vector<std::string> near_miss_warnings(const std::vector<ContourShape>& contours,
+                                            const JoinLengths& lengths);
+
+}  // namespace surfmesh

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/model/open_contours.hh"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "surfmesh/geometry/project_to_curve.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Places at which a contour is compared with another.
+constexpr std::array<double, 5> kPlaces = {0, 0.21, 0.5, 0.83, 1};
+
+/// A contour along another is longer than this many gaps, or it is short rather than near.
+constexpr double kLengthPerGap = 4;
+
+/// True if the places of a contour are so near to another that it runs along it.
+bool is_along(const OpenContour& contour, double gap, double near) {
+  double length = 0;
+  for (std::size_t i = 1; i < contour.points.size(); ++i) {
+    length += (contour.points[i] - contour.points[i - 1]).norm();
+  }
+  return gap <= near && length >= kLengthPerGap * gap;
+}
+
+/// Greatest distance of the places of a contour from another.
+double distance(const OpenContour& a, const OpenContour& b) {
+  double greatest = 0;
+  for (const Vec3& point : a.points) {
+    const Curve& curve = *b.contour->uses[0].curve;
+    const double t = project_to_curve(*b.surface, curve, point, 0.5);
+    const Vec3 foot = b.surface->evaluate(curve.evaluate(t), Order::Position).point;
+    greatest = std::max(greatest, (foot - point).norm());
+  }
+  return greatest;
+}
+
+}  // namespace
+
+std::vector<OpenContour> open_contours(const Model& model, int first_patch) {
+  std::vector<OpenContour> result;
+  for (const Contour& contour : model.contours) {
+    if (contour.uses.size() != 1 || contour.is_degenerate) continue;
+    const ContourUse& use = contour.uses[0];
+    OpenContour& open = result.emplace_back();
+    open.contour = &contour;
+    open.surface = model.patches[static_cast<std::size_t>(use.patch - first_patch)].surface.get();
+    for (const double t : kPlaces) {
+      open.points.push_back(open.surface->evaluate(use.curve->evaluate(t), Order::Position).point);
+      open.box.extend(open.points.back());
+    }
+    const Vec3 margin = Vec3::Constant(open.box.diagonal().norm() / 2);
+    open.box = Eigen::AlignedBox3d(open.box.min() - margin, open.box.max() + margin);
+  }
+  return result;
+}
+
+std::vector<ContourPair> contours_along(const std::vector<OpenContour>& a,
+                                        const std::vector<OpenContour>& b, double near) {
+  std::vector<ContourPair> pairs;
+  for (const OpenContour& p : a) {
+    for (const OpenContour& q : b) {
+      if (p.contour == q.contour || !p.box.intersects(q.box)) continue;
+      double gap = distance(p, q);
+      bool is_pair = is_along(p, gap, near);
+      if (!is_pair) {
+        gap = distance(q, p);
+        is_pair = is_along(q, gap, near);
+      }
+      if (is_pair) pairs.push_back({p.contour->name, q.contour->name, gap});
+    }
+  }
+  return pairs;
+}
+
+}  // namespace surfmesh

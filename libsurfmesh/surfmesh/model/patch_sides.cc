@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/model/patch_sides.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "surfmesh/core/error.hh"
+#include "surfmesh/geometry/project_to_curve.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Share of the diagonal within which places are one place: far above the rounding of formulas,
+/// far below any element.
+constexpr double kJoinShare = 1e-9;
+
+/// Share of the diagonal within which sides that are not joined were perhaps meant to be.
+constexpr double kNearShare = 1e-4;
+
+/// Evaluations round to a few units in the last place of the coordinates, which is more than
+/// kJoinShare where a model is far from the origin.
+constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+
+/// Samples of a side among which the places of other sides' ends are looked for.
+constexpr int kSideSamples = 64;
+
+/// The golden ratio's fraction: its multiples are the least periodic numbers.
+constexpr double kGolden = 0.6180339887498949;
+
+constexpr int kPatchIntervals = 16;
+
+Box3 bounds(const PatchInput& patch) try {
+  const Domain domain = patch.surface->domain();
+  Box3 box;
+  for (int i = 0; i <= kPatchIntervals; ++i) {
+    for (int j = 0; j <= kPatchIntervals; ++j) {
+      const Uv uv = domain.at(double(i) / kPatchIntervals, double(j) / kPatchIntervals);
+      box.extend(patch.surface->evaluate(uv, Order::Position).point);
+    }
+  }
+  return box;
+} catch (const Error& error) {
+  throw Error(error.code(), fmt::format("{}: {}", label(patch), error.what()));
+}
+
+/// Area by the rule of midpoints, which does not touch poles.
+double area(const Surface& surface) {
+  const Domain domain = surface.domain();
+  double sum = 0;
+  for (int i = 0; i < kPatchIntervals; ++i) {
+    for (int j = 0; j < kPatchIntervals; ++j) {
+      const Uv uv = domain.at((i + 0.5) / kPatchIntervals, (j + 0.5) / kPatchIntervals);
+      const Jet jet = surface.evaluate(uv, Order::First);
+      sum += jet.du.cross(jet.dv).norm();
+    }
+  }
+  const double cell =
+      (domain.u1 - domain.u0) / kPatchIntervals * (domain.v1 - domain.v0) / kPatchIntervals;
+  return sum * cell;
+}
+
+void check_domain(const PatchInput& patch) {
+  const Domain d = patch.surface->domain();
+  if (d.shape != Domain::Shape::Rectangle) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("{}: its domain is not a rectangle", label(patch)));
+  }
+  const bool is_finite = std::isfinite(d.u1 - d.u0) && std::isfinite(d.v1 - d.v0);
+  if (!is_finite || !(d.u0 < d.u1 && d.v0 < d.v1)) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("{}: its domain u from {} to {}, v from {} to {} is empty",
+                            label(patch), d.u0, d.u1, d.v0, d.v1));
+  }
+}
+
+}  // namespace
+
+std::vector<double> sample_parameters(int count) {
+  std::vector<double> result{0};
+  for (int i = 1; i < count; ++i) {
+    const double multiple = i * kGolden;
+    result.push_back((i + multiple - std::floor(multiple)) / (count + 1));
+  }
+  result.push_back(1);
+  return result;
+}
+
+double SideLine::project(const Vec3& point, double t_guess) const {
+  return project_to_curve(*surface, SegmentCurve(a, b), point, t_guess);
+}
+
+SideLine SideLine::part(double t0, double t1) const {
+  SideLine result{patch, surface, at_uv(t0), at_uv(t1)};
+  if (a.u == b.u) result.a.u = result.b.u = a.u;
+  if (a.v == b.v) result.a.v = result.b.v = a.v;
+  return result;
+}
+
+Box3 SampledLine::box() const {
+  Box3 result;
+  for (const Vec3& point : points) result.extend(point);
+  const Vec3 margin = Vec3::Constant(max_step());
+  return {result.min() - margin, result.max() + margin};
+}
+
+double SampledLine::max_step() const {
+  double result = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    result = std::max(result, (points[i] - points[i - 1]).norm());
+  }
+  return result;
+}
+
+std::size_t SampledLine::nearest(const Vec3& point) const {
+  const auto is_nearer = [&](const Vec3& p, const Vec3& q) {
+    return (p - point).squaredNorm() < (q - point).squaredNorm();
+  };
+  const auto least = std::min_element(points.begin(), points.end(), is_nearer);
+  return static_cast<std::size_t>(least - points.begin());
+}
+
+SampledLine sample(const SideLine& line, int count) {
+  SampledLine result{line, {}};
+  for (const double t : sample_parameters(count)) result.points.push_back(line.at(t));
+  return result;
+}
+
+void check_patches(const std::vector<PatchInput>& patches) {
+  if (patches.empty()) throw Error(ErrorCode::InvalidInput, "the model has no patches");
+  std::set<std::string_view> names;
+  for (const PatchInput& patch : patches) {
+    if (!names.insert(patch.name).second) {
+      throw Error(ErrorCode::InvalidInput, fmt::format("{}: its name is used twice", label(patch)));
+    }
+    if (!patch.surface) {
+      throw Error(ErrorCode::InvalidInput, fmt::format("{} has no surface", label(patch)));
+    }
+    check_domain(patch);
+  }
+}
+
+std::string label(const PatchInput& patch) {
+  return fmt::format("{}{}patch {}", patch.origin, patch.origin.empty() ? "" : ": ", patch.name);
+}
+
+Box3 measure_patches(const std::vector<PatchInput>& patches) {
+  std::vector<double> extents;
+  Box3 all;
+  for (const PatchInput& patch : patches) {
+    const Box3 box = bounds(patch);
+    extents.push_back(box.diagonal().norm());
+    if (!std::isfinite(extents.back())) {
+      throw Error(ErrorCode::Geometry,
+                  fmt::format("{}: its surface is too large: the diagonal of its box is {}",
+                              label(patch), extents.back()));
+    }
+    all.extend(box);
+  }
+  const double diagonal = all.diagonal().norm();
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const double width = kJoinShare * diagonal;
+    const bool is_point = !(extents[i] > width);
+    if (is_point || !(area(*patches[i].surface) > width * extents[i])) {
+      throw Error(ErrorCode::Geometry, fmt::format("{}: its surface is a {}, without area",
+                                                   label(patches[i]), is_point ? "point" : "line"));
+    }
+  }
+  return all;
+}
+
+JoinLengths join_lengths(const Box3& box) {
+  const double diagonal = box.diagonal().norm();
+  const double coordinate =
+      std::max(box.min().lpNorm<Eigen::Infinity>(), box.max().lpNorm<Eigen::Infinity>());
+  return {std::max(kJoinShare * diagonal, kRounding * coordinate), kNearShare * diagonal};
+}
+
+std::vector<PatchSide> sides_of(const std::vector<PatchInput>& patches) {
+  std::vector<PatchSide> result;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const Surface* surface = patches[p].surface.get();
+    const Domain d = surface->domain();
+    const Uv ends[4][2] = {{{d.u0, d.v0}, {d.u1, d.v0}},
+                           {{d.u1, d.v0}, {d.u1, d.v1}},
+                           {{d.u0, d.v1}, {d.u1, d.v1}},
+                           {{d.u0, d.v0}, {d.u0, d.v1}}};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const SideLine line{static_cast<int>(p), surface, ends[k][0], ends[k][1]};
+      result.push_back(
+          {patches[p].name + ":" + kSideNames[k], sample(line, kSideSamples), k < 2, false});
+    }
+  }
+  return result;
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/model_file/read_parts.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <set>
+#include <string_view>
+
+#include "surfmesh/core/error.hh"
+#include "surfmesh/formula/formula_curve.hh"
+#include "surfmesh/io/nearest_word.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Call `make`, and put the place of the node in front of its errors.
+template <class Make>
+auto at_node(const JsonNode& node, Make make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    node.fail(error.what());
+  }
+}
+
+Scheme read_scheme(const JsonNode& node) {
+  const std::string text = node.text();
+  if (text == "auto") return Scheme::Auto;
+  if (text == "catmark") return Scheme::CatmullClark;
+  if (text == "loop") return Scheme::Loop;
+  if (text == "bilinear") return Scheme::Bilinear;
+  node.fail("must be auto, catmark, loop or bilinear");
+}
+
+PatchKind read_patch_kind(const JsonNode& node) {
+  const std::string text = node.text();
+  if (text == "auto") return PatchKind::Auto;
+  if (text == "faces") return PatchKind::Faces;
+  if (text == "blocks") return PatchKind::Blocks;
+  node.fail("must be faces, blocks or auto");
+}
+
+CageInput read_cage_input(const JsonNode& node, const std::filesystem::path& folder) {
+  node.expect_keys({"name", "file", "scheme", "patches"});
+  CageInput cage;
+  cage.name = read_name(node.at("name"));
+  const std::string file = node.at("file").text();
+  if (file.empty()) node.at("file").fail("must not be empty");
+  cage.file = folder / file;
+  if (const auto scheme = node.find("scheme")) cage.scheme = read_scheme(*scheme);
+  if (const auto patches = node.find("patches")) cage.patches = read_patch_kind(*patches);
+  cage.origin = node.pointer();
+  return cage;
+}
+
+ContourInput::On read_on(const JsonNode& node, const CurveRange& range,
+                         const Constants& constants) {
+  node.expect_keys({"patch", "u", "v"});
+  ContourInput::On on{node.at("patch").text(), nullptr};
+  if (!node.has("u") && !node.has("v")) return on;
+  const CurveFormulas formulas{node.at("u").text(), node.at("v").text()};
+  on.curve =
+      at_node(node, [&] { return std::make_shared<FormulaCurve>(formulas, range, constants); });
+  return on;
+}
+
+std::shared_ptr<const SpaceCurve> read_xyz(const JsonNode& node, const CurveRange& range,
+                                           const Constants& constants) {
+  node.expect_keys({"x", "y", "z"});
+  const SpaceCurveFormulas formulas{node.at("x").text(), node.at("y").text(), node.at("z").text()};
+  return at_node(node,
+                 [&] { return std::make_shared<FormulaSpaceCurve>(formulas, range, constants); });
+}
+
+ContourInput read_contour(const JsonNode& node, const Constants& constants) {
+  node.expect_keys({"name", "range", "xyz", "on"});
+  ContourInput contour;
+  contour.name = read_name(node.at("name"));
+  if (contour.name.find(':') != std::string::npos) {
+    node.at("name").fail("the name of a contour has no colon, which sides have");
+  }
+  contour.origin = node.pointer();
+  if (const auto range = node.find("range")) {
+    std::tie(contour.range.from, contour.range.to) = read_range(*range, constants);
+  }
+  if (const auto xyz = node.find("xyz")) contour.xyz = read_xyz(*xyz, contour.range, constants);
+  if (const auto on = node.find("on")) {
+    for (const JsonNode& entry : on->elements()) {
+      contour.on.push_back(read_on(entry, contour.range, constants));
+    }
+  }
+  const bool has_curve = std::any_of(contour.on.begin(), contour.on.end(),
+                                     [](const ContourInput::On& on) { return on.curve; });
+  if (!contour.xyz && !has_curve) node.fail("a contour needs xyz, or u and v on a patch");
+  return contour;
+}
+
+using Names = std::vector<std::string>;
+
+/// Fail unless a name is one of those that are known.
+void expect_name(const JsonNode& node, std::string_view name, const Names& known,
+                 std::string_view what) {
+  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  const std::vector<std::string_view> words(known.begin(), known.end());
+  const auto meant = nearest_word(name, words);
+  node.fail(fmt::format("there is no {} {}{}", what, name,
+                        meant ? fmt::format(", did you mean {}?", *meant) : ""));
+}
+
+/// Add the names of the elements of an array; fail for one that is there twice.
+void add_names(const JsonNode& root, const char* key, const char* what,
+               std::set<std::string>& names) {
+  const auto list = root.find(key);
+  if (!list) return;
+  for (const JsonNode& node : list->elements()) {
+    const JsonNode name = node.at("name");
+    if (names.insert(name.text()).second) continue;
+    name.fail(fmt::format("there are two {} with the name {}", what, name.text()));
+  }
+}
+
+void check_loops(const JsonNode& root, const Names& names) {
+  const auto patches = root.find("patches");
+  if (!patches) return;
+  for (const JsonNode& patch : patches->elements()) {
+    const auto loops = patch.find("loops");
+    if (!loops) continue;
+    for (const JsonNode& loop : loops->elements()) {
+      for (const JsonNode& mention : loop.elements()) {
+        const std::string text = mention.text();
+        const std::string_view name = std::string_view(text).substr(text.starts_with('-') ? 1 : 0);
+        expect_name(mention, name, names, "contour");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<CageInput> read_cages(const JsonNode& node, const std::filesystem::path& folder) {
+  std::vector<CageInput> cages;
+  for (const JsonNode& cage : node.elements()) cages.push_back(read_cage_input(cage, folder));
+  return cages;
+}
+
+std::vector<ContourInput> read_contours(const JsonNode& node, const Constants& constants) {
+  std::vector<ContourInput> contours;
+  for (const JsonNode& contour : node.elements()) {
+    contours.push_back(read_contour(contour, constants));
+  }
+  return contours;
+}
+
+std::vector<std::vector<std::string>> read_loops(const JsonNode& node) {
+  std::vector<std::vector<std::string>> loops;
+  for (const JsonNode& loop : node.elements()) {
+    std::vector<std::string>& names = loops.emplace_back();
+    for (const JsonNode& name : loop.elements()) names.push_back(name.text());
+    if (names.empty()) loop.fail("a loop must not be empty");
+  }
+  return loops;
+}
+
+void check_names(const JsonNode& root, const ModelFile& model) {
+  std::set<std::string> patches, contours;
+  add_names(root, "patches", "patches", patches);
+  add_names(root, "cages", "patches or cages", patches);
+  add_names(root, "contours", "contours", contours);
+  Names formula_patches;
+  Names names(contours.begin(), contours.end());
+  for (const PatchInput& patch : model.patches) {
+    formula_patches.push_back(patch.name);
+    for (const char* side : {"u0", "u1", "v0", "v1"}) names.push_back(patch.name + ":" + side);
+  }
+  check_loops(root, names);
+  for (std::size_t c = 0; c < model.contours.size(); ++c) {
+    for (std::size_t i = 0; i < model.contours[c].on.size(); ++i) {
+      const JsonNode node = root.at("contours").elements()[c].at("on").elements()[i].at("patch");
+      expect_name(node, node.text(), formula_patches, "patch with formulas");
+    }
+  }
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/model_file/read_sources.hh"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "surfmesh/core/error.hh"
+#include "surfmesh/formula/formula.hh"
+#include "surfmesh/model_file/read_table.hh"
+
+namespace surfmesh {
+namespace {
+
+constexpr std::array<std::string_view, 6> kPatchSources = {"everywhere", "at",    "along",
+                                                           "inside",     "field", "table"};
+
+/// Refuse keys that a kind of source has no use for.
+void refuse(const JsonNode& node, std::string_view subject,
+            std::initializer_list<std::string_view> keys) {
+  for (const std::string_view key : keys) {
+    if (!node.has(key)) continue;
+    const JsonNode value = node.at(key);
+    const Json& json = value.json();
+    const bool is_off = json.is_null() || json == 0 || (json.is_structured() && json.empty());
+    if (!is_off) value.fail(fmt::format("{} has no {}", subject, key));
+  }
+}
+
+/// `size`, `angle`, `radius` and `outer` of a source with a place.
+PlaceSize read_wish(const JsonNode& node) {
+  PlaceSize wish{read_size(node)};
+  if (const auto radius = node.find("radius")) wish.radius = read_radius(*radius);
+  const auto outer = node.find("outer");
+  if (!outer || outer->json().is_null() || outer->json().empty()) return wish;
+  outer->expect_keys({"size", "angle", "radius"});
+  wish.outer = {read_size(*outer), read_radius(outer->at("radius"))};
+  return wish;
+}
+
+std::optional<double> read_precision(const JsonNode& node) {
+  const auto precision = node.find("precision");
+  if (!precision || precision->json().is_null()) return std::nullopt;
+  const double value = precision->number();
+  if (!(value > 0)) precision->fail("must be above 0");
+  return value;
+}
+
+Uv read_place(const JsonNode& node, const PatchScope& patch) {
+  const std::vector<JsonNode> values = node.elements(2);
+  const Uv uv = {number_or_expression(values[0], patch.constants),
+                 number_or_expression(values[1], patch.constants)};
+  const Domain& domain = patch.domain;
+  if (!(uv.u >= domain.u0 && uv.u <= domain.u1 && uv.v >= domain.v0 && uv.v <= domain.v1)) {
+    node.fail("this point is outside of the domain");
+  }
+  return uv;
+}
+
+std::vector<Uv> read_places(const JsonNode& node, const PatchScope& patch, std::size_t least) {
+  std::vector<Uv> places;
+  for (const JsonNode& place : node.elements()) places.push_back(read_place(place, patch));
+  if (places.size() < least) node.fail(fmt::format("needs at least {} points", least));
+  return places;
+}
+
+void read_along(const JsonNode& node, const PatchScope& patch, ModelFile& model) {
+  const JsonNode along = node.at("along");
+  if (along.json().is_string()) {
+    model.along_contours.push_back({patch.index, along.text(), read_wish(node), along.pointer()});
+    return;
+  }
+  const std::vector<Uv> places = read_places(along, patch, 2);
+  AlongSource source{patch.index, {}, read_wish(node)};
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    source.curves.push_back(std::make_shared<SegmentCurve>(places[i - 1], places[i]));
+  }
+  model.sources.along.push_back(std::move(source));
+}
+
+std::shared_ptr<const FormulaProgram> read_formulas(const JsonNode& node,
+                                                    const std::vector<std::string>& texts,
+                                                    const Constants& constants) {
+  try {
+    const std::vector<std::string> variables = {"u", "v", "x", "y", "z"};
+    return std::make_shared<FormulaProgram>(parse_formulas(texts, variables, constants));
+  } catch (const Error& error) {
+    node.fail(error.what());
+  }
+}
+
+template <std::size_t count>
+std::array<double, count> evaluate(const FormulaProgram& program, Uv uv, const Vec3& p) {
+  const std::array<JetNumber<0>, 5> variables = {JetNumber<0>(uv.u), JetNumber<0>(uv.v),
+                                                 JetNumber<0>(p.x()), JetNumber<0>(p.y()),
+                                                 JetNumber<0>(p.z())};
+  std::array<JetNumber<0>, count> results;
+  program.evaluate<0>(variables, results);
+  std::array<double, count> values;
+  for (std::size_t i = 0; i < count; ++i) values[i] = results[i].value();
+  return values;
+}
+
+void read_field(const JsonNode& node, const PatchScope& patch, Sources& sources) {
+  refuse(node, "a field", {"size", "angle", "radius", "outer"});
+  const JsonNode field = node.at("field");
+  field.expect_keys({"size", "m11", "m12", "m22"});
+  FieldSource source;
+  source.patch = patch.index;
+  source.precision = read_precision(node);
+  if (field.has("size")) {
+    refuse(field, "a field of one size", {"m11", "m12", "m22"});
+    const auto program =
+        read_formulas(field.at("size"), {field.at("size").text()}, patch.constants);
+    source.size = [program](Uv uv, const Vec3& p) { return evaluate<1>(*program, uv, p)[0]; };
+  } else {
+    const auto program = read_formulas(
+        field, {field.at("m11").text(), field.at("m12").text(), field.at("m22").text()},
+        patch.constants);
+    source.metric = [program](Uv uv, const Vec3& p) {
+      const auto [m11, m12, m22] = evaluate<3>(*program, uv, p);
+      return Metric{m11, m12, m22};
+    };
+  }
+  sources.fields.push_back(std::move(source));
+}
+
+void read_table_source(const JsonNode& node, const PatchScope& patch, Sources& sources) {
+  refuse(node, "a table", {"size", "angle", "radius", "outer"});
+  const JsonNode table = node.at("table");
+  const std::string file = table.text();
+  if (file.empty()) table.fail("must not be empty");
+  try {
+    sources.tables.push_back(
+        {patch.index, read_table(patch.folder / file, patch.domain), read_precision(node)});
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::Io) throw;
+    table.fail(error.what());
+  }
+}
+
+Vec3 read_point(const JsonNode& node, const Constants& constants) {
+  const std::vector<JsonNode> values = node.elements(3);
+  Vec3 point;
+  for (int i = 0; i < 3; ++i) {
+    const JsonNode& value = values[static_cast<std::size_t>(i)];
+    point[i] = number_or_expression(value, constants);
+    if (!std::isfinite(point[i])) value.fail("must be finite");
+  }
+  return point;
+}
+
+void read_near(const JsonNode& node, const Constants& constants, Sources& sources) {
+  refuse(node, "a source near a place", {"precision"});
+  const JsonNode near = node.at("near");
+  const std::vector<JsonNode> elements = near.elements();
+  NearSource source{{}, read_wish(node)};
+  if (!elements.empty() && elements[0].json().is_array()) {
+    for (const JsonNode& point : elements) source.line.push_back(read_point(point, constants));
+  } else {
+    source.line.push_back(read_point(near, constants));
+  }
+  sources.near.push_back(std::move(source));
+}
+
+}  // namespace
+
+void read_patch_source(const JsonNode& node, const PatchScope& patch, ModelFile& model) {
+  node.expect_keys({"everywhere", "at", "along", "inside", "field", "table", "size", "angle",
+                    "radius", "outer", "precision"});
+  Sources& sources = model.sources;
+  const std::string kind = kind_of(node, kPatchSources);
+  if (kind == "field") return read_field(node, patch, sources);
+  if (kind == "table") return read_table_source(node, patch, sources);
+  refuse(node, "a size that is not of a field or table", {"precision"});
+  if (kind == "everywhere") {
+    refuse(node, "a whole patch", {"radius", "outer"});
+    if (!node.at(kind).boolean()) node.at(kind).fail("must be true");
+    sources.everywhere.push_back({patch.index, read_size(node)});
+  } else if (kind == "at") {
+    const Uv place = read_place(node.at(kind), patch);
+    const PlaceSize wish = read_wish(node);
+    sources.at.push_back({patch.index, place, wish.size, wish.radius, wish.outer});
+  } else if (kind == "along") {
+    read_along(node, patch, model);
+  } else {
+    const auto polygon = read_places(node.at(kind), patch, 3);
+    sources.inside.push_back({patch.index, polygon, read_wish(node)});
+  }
+}
+
+void read_space_source(const JsonNode& node, const Constants& constants, ModelFile& model) {
+  node.expect_keys({"near", "group", "size", "angle", "radius", "outer", "precision"});
+  const std::string kind = kind_of(node, std::array<std::string_view, 2>{"near", "group"});
+  if (kind == "near") return read_near(node, constants, model.sources);
+  refuse(node, "a group", {"radius", "outer", "precision"});
+  const JsonNode group = node.at("group");
+  model.groups.push_back({group.text(), read_size(node), group.pointer()});
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+
+#include "surfmesh/geometry/domain.hh"
+#include "surfmesh/io/json_node.hh"
+#include "surfmesh/model_file/model_values.hh"
+#include "surfmesh/model_file/read_model.hh"
+
+/// The `sources` of a model file. All functions throw InvalidInput with the place for what does not
+/// fit.
+namespace surfmesh {
+
+/// The patch that a source belongs to, and the folder that tables are relative to.
+struct PatchScope {
+  int index;
+  const Domain& domain;
+  const Constants& constants;
+  std::filesystem::path folder;
+};
+
+/// Read a source of a patch.
+void read_patch_source(const JsonNode& node, const PatchScope& patch, ModelFile& model);
+
+/// Read a source that belongs to no one patch.
+void read_space_source(const JsonNode& node, const Constants& constants, ModelFile& model);
+
+}  // namespace surfmesh

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "surfmesh/patch_mesh/patch_mesh.hh"
+
+namespace surfmesh::detail {
+
+/// What it took to bring a patch near enough to its surface.
+struct SagCorrections {
+  std::size_t swaps = 0;
+  std::size_t nodes = 0;
+};
+
+/// Swap and split inner edges of the triangles that are farther from the surface than `aim`.
+///
+/// Each such triangle gets the swap of an edge that is enough, else a node in the middle of its
+/// longest inner edge, with swaps around for quality. Everything else stays as it is: where sizes
+/// are made smaller instead, all triangles around are others, and some of these too far again.
+///
+/// Reads    surf:uv, surf:metric, surf:constrained
+/// Writes   surf:uv, surf:metric of new vertices; points and normals of the patch
+/// Error    distances from the planes of triangles, at 25 samples each
+/// Cost     25 surface evaluations a triangle, 100 a triangle that is too far
+/// Pre      evaluate_vertices has been called
+SagCorrections correct_sag(PatchMesh& patch, double aim);
+
+}  // namespace surfmesh::detail

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/sampling/accurate_nodes.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "surfmesh/control/control_grid.hh"
+#include "surfmesh/control/control_mesh.hh"
+#include "surfmesh/metric/conformity.hh"
+#include "surfmesh/metric/tensor.hh"
+#include "surfmesh/sampling/control_cells.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Greatest relative error of ∫√det M before gradation. The mark is 2 %; the estimate itself is
+/// good to some tenths of a percent.
+constexpr double kAreaError = 0.015;
+
+/// Error of the integral that is no matter even in a patch smaller than one element: a tenth of a
+/// triangle.
+constexpr double kNegligibleArea = 0.05;
+
+/// Finer precisions that are tried, each by this factor.
+constexpr int kMaxRounds = 6;
+constexpr double kFinerPrecision = 0.6;
+
+/// Nodes along a side of the first grid, and above which no finer one is tried: a million nodes.
+constexpr int kFirstGridSide = 9;
+constexpr int kLastGridSide = 1000;
+
+/// Points of the independent sample: as many as nodes, within bounds.
+int sample_count(std::size_t nodes) {
+  return static_cast<int>(std::clamp<std::size_t>(nodes, 300, 100'000));
+}
+
+double root_of_determinant(const FirstFormFactor& form, const SizeTensor& size) {
+  return form.l11 * form.l22 / determinant(size);
+}
+
+/// Point i, from 1, of a sequence that covers the rectangle of a domain evenly: the additive one of
+/// the plastic number, which has no period.
+/// Source   Roberts, The unreasonable effectiveness of quasirandom sequences (2018)
+Uv even_place(const Domain& domain, int i) {
+  constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
+  double whole = 0;
+  return domain.at(std::modf(i * first, &whole), std::modf(i * second, &whole));
+}
+
+/// True if a point of the rectangle lies in the domain, which may be a triangle.
+bool is_in(const Domain& domain, Uv uv) { return domain.fold(uv) == uv; }
+
+/// Points that cover the domain of a field evenly, and the exact field at them: as many as have
+/// been asked for.
+class EvenSample {
+ public:
+  struct Point {
+    Uv uv;
+    SizeField::Sample field;
+  };
+
+  explicit EvenSample(const SizeField& field) : field_(field) {}
+
+  /// The points among the first `count` of the rectangle that lie in the domain.
+  std::span<const Point> first(int count) {
+    const Domain domain = field_.surface().domain();
+    while (std::ssize(sizes_) < count) {
+      const Uv uv = even_place(domain, static_cast<int>(sizes_.size()) + 1);
+      if (is_in(domain, uv)) points_.push_back({uv, field_.at(uv)});
+      sizes_.push_back(points_.size());
+    }
+    return std::span(points_).first(count > 0 ? sizes_[static_cast<std::size_t>(count) - 1] : 0);
+  }
+
+  const SizeField& field() const { return field_; }
+
+ private:
+  const SizeField& field_;
+  std::vector<Point> points_;
+  std::vector<std::size_t> sizes_;  ///< of `points_` after each point of the rectangle
+};
+
+MetricArea metric_area(EvenSample& sample, const ControlSpace& control, int samples) {
+  const Domain domain = sample.field().surface().domain();
+  const double cell = (domain.u1 - domain.u0) * (domain.v1 - domain.v0) / samples;
+  MetricArea area;
+  QueryHint hint;
+  for (const auto& [uv, field] : sample.first(samples)) {
+    area.exact += cell * root_of_determinant(field.form, field.size);
+    area.control +=
+        cell * root_of_determinant(field.form, control.size({uv, field.point, field.form}, hint));
+  }
+  return area;
+}
+
+/// True if a grid of control nodes holds the field to the precision at quasi-random points, or is
+/// finer there than the elements.
+bool holds(const ControlGrid& grid, const SizeField& field, int side, double precision) {
+  const Domain domain = field.surface().domain();
+  const Uv u_step{(domain.u1 - domain.u0) / (side - 1), 0};
+  const Uv v_step{0, (domain.v1 - domain.v0) / (side - 1)};
+  QueryHint hint;
+  for (int i = 1; i <= 2 * side * side; ++i) {
+    const Uv uv = even_place(domain, i);
+    if (!is_in(domain, uv)) continue;
+    const SizeField::Sample exact = field.at(uv);
+    const Metric metric = metric_from_size(exact.form, exact.size);
+    const double cell = std::max(squared_length(metric, u_step), squared_length(metric, v_step));
+    if (cell < kLeastCellLength * kLeastCellLength) continue;
+    const SizeTensor size = grid.size({uv, exact.point, exact.form}, hint);
+    if (!(log_conformity(exact.size, size) <= precision)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+MetricArea metric_area(const SizeField& field, const ControlSpace& control, int samples) {
+  EvenSample sample(field);
+  return metric_area(sample, control, samples);
+}
+
+ChosenNodes choose_accurate_nodes(const SizeField& field, const ControlNodeOptions& options) {
+  check(options);
+  if (options.regular > 0 || !field.has_source()) return choose_control_nodes(field, options);
+  const Interpolation interpolation =
+      options.by_distance ? Interpolation::Triangle : Interpolation::Linear;
+  detail::ControlCells cells(field, options.by_distance);
+  EvenSample sample(field);
+  double precision = options.precision;
+  bool is_full = !cells.refine(precision);
+  ChosenNodes chosen{cells.nodes(), is_full};
+  for (int round = 0; round < kMaxRounds && !is_full; ++round) {
+    const ControlMesh control(field.surface().domain(), chosen.nodes,
+                              {.interpolation = interpolation});
+    const MetricArea area = metric_area(sample, control, sample_count(chosen.nodes.size()));
+    const double error = std::abs(area.control - area.exact);
+    if (error <= std::max(kNegligibleArea, kAreaError * area.exact)) break;
+    precision *= kFinerPrecision;
+    is_full = !cells.refine(precision);  // what was asked for is held all the same
+    chosen.nodes = cells.nodes();
+  }
+  return chosen;
+}
+
+ChosenNodes choose_grid_nodes(const SizeField& field, const ControlNodeOptions& options) {
+  if (options.regular > 0) return choose_control_nodes(field, options);
+  for (int side = kFirstGridSide;; side = 2 * side - 1) {
+    ChosenNodes chosen = choose_control_nodes(field, {.regular = side * side});
+    const ControlGrid grid(field.surface().domain(), chosen.nodes, {}, {});
+    if (holds(grid, field, side, options.precision)) return chosen;
+    chosen.is_coarse = side > kLastGridSide;
+    if (chosen.is_coarse) return chosen;
+  }
+}
+
+}  // namespace surfmesh

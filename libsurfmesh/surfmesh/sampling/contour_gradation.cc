@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/sampling/contour_gradation.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "surfmesh/core/parallel.hh"
+#include "surfmesh/geometry/first_form.hh"
+#include "surfmesh/geometry/project_to_curve.hh"
+#include "surfmesh/metric/conformity.hh"
+#include "surfmesh/metric/minimum.hh"
+#include "surfmesh/metric/tensor.hh"
+#include "surfmesh/sizes/placed_size.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Sizes of two patches that differ by less agree: ln of their ratio. Interpolation between nodes
+/// on a contour differs by about as much.
+constexpr double kAgreement = 0.05;
+
+/// Sizes spread by one patch or more in each round.
+constexpr int kMaxRounds = 40;
+
+/// Greatest distance between two places where a contour is compared, in units of the smaller sizes.
+constexpr double kLongestStep = 2;
+constexpr int kFirstSteps = 4;
+/// 4 × 2^12 places: more than sizes differ along one contour.
+constexpr int kMaxHalvings = 12;
+
+/// Step of t for the direction of a contour: its error is of second order in the step.
+constexpr double kTangentStep = 1e-4;
+
+/// A place of a contour as one of its patches sees it.
+struct Side {
+  SurfacePoint at;
+  double cos = 1;  ///< of the angle from the first tangent axis to the contour's direction
+  double sin = 0;
+};
+
+/// A place of a contour as all its patches see it.
+struct Station {
+  double t = 0;  ///< on the first use
+  Vec3 point;
+  std::vector<Side> sides;  ///< by use; none where a patch has no tangent plane
+};
+
+/// H in the frame of the contour's direction and the direction to its left in the parameters.
+SizeTensor to_contour(const SizeTensor& h, const Side& side) {
+  const double c = side.cos, s = side.sin;
+  return {c * c * h.h11 + 2 * c * s * h.h12 + s * s * h.h22,
+          c * s * (h.h22 - h.h11) + (c * c - s * s) * h.h12,
+          s * s * h.h11 - 2 * c * s * h.h12 + c * c * h.h22};
+}
+
+SizeTensor from_contour(const SizeTensor& h, const Side& side) {
+  return to_contour(h, {side.at, side.cos, -side.sin});
+}
+
+/// Sizes of one patch in the tangent frame of another, unfolded around their contour. Where both
+/// lie on the same side of its direction, their left sides point away from each other.
+SizeTensor carried(const SizeTensor& h, const Side& from, const Side& to, bool is_mirrored) {
+  SizeTensor along = to_contour(h, from);
+  if (is_mirrored) along.h12 = -along.h12;
+  return from_contour(along, to);
+}
+
+/// A contour and the places where its patches are compared.
+class ComparedContour {
+ public:
+  ComparedContour(const Model& model, const Contour& contour) : model_(model), contour_(contour) {}
+
+  const Contour& contour() const { return contour_; }
+
+  Station station(double t) const {
+    const Vec3 point = space_point(t);
+    return {t, point, sides(t, point)};
+  }
+
+ private:
+  Vec3 space_point(double t) const {
+    const ContourUse& use = contour_.uses.front();
+    const Surface& surface = *model_.patches[static_cast<std::size_t>(use.patch)].surface;
+    return surface.evaluate(use.curve->evaluate(t), Order::Position).point;
+  }
+
+  std::vector<Side> sides(double t, const Vec3& point) const {
+    const Vec3 tangent = direction(t);
+    std::vector<Side> result;
+    for (const ContourUse& use : contour_.uses) {
+      const Surface& surface = *model_.patches[static_cast<std::size_t>(use.patch)].surface;
+      const bool is_same = use.is_same_speed && contour_.uses.front().is_same_speed;
+      const double own_t = is_same ? t : project_to_curve(surface, *use.curve, point, t);
+      const Uv uv = surface.domain().clamp(use.curve->evaluate(own_t));
+      const Jet jet = surface.evaluate(uv, Order::First);
+      const FirstFormFactor form = first_form_factor(jet.du, jet.dv);
+      if (!is_regular(form)) return {};
+      const TangentPlace place = tangent_place(jet);
+      const double x = tangent.dot(place.first), y = tangent.dot(place.second);
+      const double length = std::hypot(x, y);
+      if (!(length > 0)) return {};
+      result.push_back({{uv, jet.point, form}, x / length, y / length});
+    }
+    return result;
+  }
+
+  Vec3 direction(double t) const {
+    return space_point(std::min(1.0, t + kTangentStep)) -
+           space_point(std::max(0.0, t - kTangentStep));
+  }
+
+  const Model& model_;
+  const Contour& contour_;
+};
+
+class ContourGradation {
+ public:
+  ContourGradation(const Model& model, std::vector<ControlInput>& inputs,
+                   std::vector<std::unique_ptr<ControlSpace>>& spaces)
+      : model_(model),
+        inputs_(inputs),
+        spaces_(spaces),
+        given_(model.contours.size()),
+        added_(model.contours.size()),
+        is_changed_(spaces.size(), true) {}
+
+  ContourGradationReport run(Observer* observer) {
+    for (int round = 0; round < kMaxRounds; ++round) {
+      throw_if_cancelled(observer);
+      // Spaces stay as they are until all contours are compared.
+      share_indices(model_.contours.size(), [this](std::size_t c) {
+        if (is_compared(model_.contours[c])) compare(model_.contours[c]);
+      });
+      take_added();
+      if (!remake_spaces()) return report_;
+    }
+    report_.has_converged = false;
+    return report_;
+  }
+
+ private:
+  bool is_compared(const Contour& contour) const {
+    return contour.uses.size() > 1 && !contour.is_degenerate &&
+           std::any_of(contour.uses.begin(), contour.uses.end(), [this](const ContourUse& use) {
+             return is_changed_[static_cast<std::size_t>(use.patch)];
+           });
+  }
+
+  void compare(const Contour& contour) {
+    const ComparedContour compared(model_, contour);
+    Station last = compared.station(0);
+    lower(compared, last);
+    for (int i = 1; i <= kFirstSteps; ++i) {
+      Station next = compared.station(double(i) / kFirstSteps);
+      compare_between(compared, last, next, kMaxHalvings);
+      lower(compared, next);
+      last = std::move(next);
+    }
+  }
+
+  /// Compare within an interval of t, at places two units apart at most.
+  void compare_between(const ComparedContour& compared, const Station& from, const Station& to,
+                       int halvings) {
+    if (halvings == 0 || units_between(compared, from, to) <= kLongestStep) return;
+    const Station middle = compared.station(0.5 * (from.t + to.t));
+    lower(compared, middle);
+    compare_between(compared, from, middle, halvings - 1);
+    compare_between(compared, middle, to, halvings - 1);
+  }
+
+  /// Length of an interval in the smallest sizes at its ends. Where one end is a pole, the other
+  /// one tells.
+  double units_between(const ComparedContour& compared, const Station& from,
+                       const Station& to) const {
+    const double length = (to.point - from.point).norm();
+    double units = 0;
+    for (const Station* station : {&from, &to}) {
+      for (std::size_t use = 0; use < station->sides.size(); ++use) {
+        const Side& side = station->sides[use];
+        const SizeTensor along = to_contour(size(compared.contour().uses[use], side), side);
+        units = std::max(units, length / along.h11);
+      }
+    }
+    return units;
+  }
+
+  SizeTensor size(const ContourUse& use, const Side& side) const {
+    QueryHint hint;
+    return spaces_[static_cast<std::size_t>(use.patch)]->size(side.at, hint);
+  }
+
+  /// Give each patch that asks for larger sizes than another a node there.
+  void lower(const ComparedContour& compared, const Station& station) {
+    const std::vector<Side>& sides = station.sides;
+    if (sides.empty()) return;
+    const std::vector<ContourUse>& uses = compared.contour().uses;
+    std::vector<SizeTensor> sizes;
+    for (std::size_t use = 0; use < uses.size(); ++use) {
+      sizes.push_back(size(uses[use], sides[use]));
+    }
+    for (std::size_t to = 0; to < uses.size(); ++to) {
+      SizeTensor least = sizes[to];
+      for (std::size_t from = 0; from < uses.size(); ++from) {
+        if (from == to) continue;
+        const bool is_mirrored = uses[from].is_forward == uses[to].is_forward;
+        least = minimum(least, carried(sizes[from], sides[from], sides[to], is_mirrored));
+      }
+      if (log_conformity(sizes[to], least) > kAgreement &&
+          is_news(compared, to, station.t, least)) {
+        add(compared.contour(), uses[to].patch, sides[to], least);
+      }
+    }
+  }
+
+  /// False if the patch has got such a size at this place before. That the control space gives
+  /// another one is then interpolation, which further nodes at one place do not change.
+  bool is_news(const ComparedContour& compared, std::size_t use, double t, const SizeTensor& size) {
+    auto& given = given_[index(compared.contour())];
+    const auto [entry, is_first] = given.try_emplace({use, t}, size);
+    if (is_first) return true;
+    const SizeTensor lowered = minimum(entry->second, size);
+    if (log_conformity(entry->second, lowered) <= kAgreement) return false;
+    entry->second = lowered;
+    return true;
+  }
+
+  std::size_t index(const Contour& contour) const {
+    return static_cast<std::size_t>(&contour - model_.contours.data());
+  }
+
+  void add(const Contour& contour, int patch, const Side& side, const SizeTensor& size) {
+    added_[index(contour)].push_back(
+        {static_cast<std::size_t>(patch), {side.at.uv, side.at.point, side.at.form, size}});
+  }
+
+  /// Give the nodes of all contours to their patches, in the order of the contours.
+  void take_added() {
+    std::fill(is_changed_.begin(), is_changed_.end(), false);
+    for (std::vector<AddedNode>& nodes : added_) {
+      for (const AddedNode& added : nodes) {
+        ControlInput& input = inputs_[added.patch];
+        (input.kind == ControlKind::Grid ? input.places : input.nodes).push_back(added.node);
+        is_changed_[added.patch] = true;
+      }
+      report_.nodes += nodes.size();
+      nodes.clear();
+    }
+  }
+
+  /// Make the control spaces anew that have got nodes. Returns whether there are any.
+  bool remake_spaces() {
+    std::vector<std::size_t> changed;
+    for (std::size_t p = 0; p < spaces_.size(); ++p) {
+      if (is_changed_[p]) changed.push_back(p);
+    }
+    share_indices(changed.size(),
+                  [&](std::size_t i) { spaces_[changed[i]] = make_control(inputs_[changed[i]]); });
+    report_.spaces += changed.size();
+    return !changed.empty();
+  }
+
+  /// A node that a patch gets on a contour.
+  struct AddedNode {
+    std::size_t patch;
+    ControlNode node;
+  };
+
+  const Model& model_;
+  std::vector<ControlInput>& inputs_;
+  std::vector<std::unique_ptr<ControlSpace>>& spaces_;
+  std::vector<std::map<std::pair<std::size_t, double>, SizeTensor>> given_;  ///< contour; use, t
+  std::vector<std::vector<AddedNode>> added_;  ///< by contour, in this round
+  std::vector<char> is_changed_;               ///< by patch, after the round before
+  ContourGradationReport report_;
+};
+
+}  // namespace
+
+ContourGradationReport grade_across_contours(const Model& model, std::vector<ControlInput>& inputs,
+                                             std::vector<std::unique_ptr<ControlSpace>>& spaces,
+                                             Observer* observer) {
+  const bool is_off = std::all_of(inputs.begin(), inputs.end(), [](const ControlInput& input) {
+    return input.options.grade == 0;
+  });
+  return is_off ? ContourGradationReport() : ContourGradation(model, inputs, spaces).run(observer);
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/sizes/contour_curvature.hh"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "surfmesh/sizes/curvature_length.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Parameter distance of the points through which the circle is laid, as a share of one part.
+constexpr double kStep = 1.0 / 512;
+
+/// Ratio of the size across a contour to that along it: elements there may be stretched so much.
+constexpr double kAcross = 2;
+
+/// Relative difference of sizes, and distance of the chord in sizes, that elements do not show.
+constexpr double kTolerance = 0.1;
+
+constexpr int kFirstIntervals = 4;  // of each part
+constexpr int kMaxHalvings = 8;
+
+/// Share of its size within which a size holds where there is no gradation.
+constexpr double kHalo = 0.5;
+
+class Sampler {
+ public:
+  Sampler(const SpaceCurve& curve, const Sizing& sizing, const SizeBounds& bounds)
+      : curve_(curve), grade_(sizing.grade), length_(sizing, bounds.diagonal), bounds_(bounds) {}
+
+  std::vector<PlacedSize> run() {
+    Place last = at(0);
+    const int count = kFirstIntervals * curve_.part_count();
+    for (int i = 1; i <= count; ++i) {
+      const Place next = at(double(i) / count);
+      divide(last, next, 0);
+      last = next;
+    }
+    return std::move(sizes_);
+  }
+
+ private:
+  struct Place {
+    double t;
+    Vec3 point;
+    double size;
+  };
+
+  Place at(double t) const {
+    const double size = length_.of_curve(curve_curvature(curve_, t));
+    return {t, curve_.evaluate(t), bounds_.clamp(size)};
+  }
+
+  void divide(const Place& a, const Place& b, int depth) {
+    const Place middle = at(0.5 * (a.t + b.t));
+    const double least = std::min({a.size, b.size, middle.size});
+    const double sagitta = (middle.point - 0.5 * (a.point + b.point)).norm();
+    const bool is_linear = std::abs(middle.size - 0.5 * (a.size + b.size)) <= kTolerance * least;
+    if (depth < kMaxHalvings && least < bounds_.hmax &&
+        !(is_linear && sagitta <= kTolerance * least)) {
+      divide(a, middle, depth + 1);
+      divide(middle, b, depth + 1);
+    } else if (least < bounds_.hmax) {
+      add(a, b);
+    }
+  }
+
+  void add(const Place& a, const Place& b) {
+    PlacedSize placed;
+    placed.from = a.point;
+    placed.to = b.point;
+    placed.at_from = {a.size, bounds_.clamp(kAcross * a.size)};
+    placed.at_to = {b.size, bounds_.clamp(kAcross * b.size)};
+    placed.follows_segment = true;
+    if (grade_ == 0) placed.radius = kHalo * std::max(a.size, b.size);
+    sizes_.push_back(placed);
+  }
+
+  const SpaceCurve& curve_;
+  double grade_;
+  CurvatureLength length_;
+  const SizeBounds& bounds_;
+  std::vector<PlacedSize> sizes_;
+};
+
+}  // namespace
+
+double curve_curvature(const SpaceCurve& curve, double t) {
+  const double step = kStep / curve.part_count();
+  const double middle = std::clamp(t, step, 1 - step);
+  const Vec3 p = curve.evaluate(middle);
+  const Vec3 a = curve.evaluate(middle - step) - p;
+  const Vec3 b = curve.evaluate(middle + step) - p;
+  const double sides = a.norm() * b.norm() * (b - a).norm();
+  return sides > 0 ? 2 * a.cross(b).norm() / sides : 0;
+}
+
+std::vector<PlacedSize> contour_curvature_sizes(const SpaceCurve& curve, const Sizing& sizing,
+                                                const SizeBounds& bounds) {
+  return Sampler(curve, sizing, bounds).run();
+}
+
+}  // namespace surfmesh

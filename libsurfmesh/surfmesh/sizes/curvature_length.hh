@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surfmesh/sizes/sizing.hh"
+
+namespace surfmesh {
+
+/// The lengths of elements that a curvature asks for: factor × radius, and what keeps the sag of
+/// elements below the one asked for; the shorter where both are.
+///
+/// A segment of length h over a curve of curvature k has the sag h² k / 8, a triangle of sides h
+/// over a sphere h² k / 6. Lengths of a mesh scatter, so that no share of the sag guarantees it:
+/// what is left is found by measuring.
+///
+/// Units    curvatures 1/length, of either sign; lengths in model units, infinite at curvature 0
+class CurvatureLength {
+ public:
+  /// Throws   InvalidOption for a factor below 0, a sag not above 0, or one that is not finite
+  CurvatureLength(const Sizing& sizing, double diagonal);
+
+  /// True if no curvature asks for any length.
+  bool is_off() const { return factor_ == 0 && sag_ == 0; }
+
+  /// Of triangles, along a principal direction of their surface.
+  double of_surface(double curvature) const;
+
+  /// Of the triangles that meet at an extraordinary vertex, from the greatest curvature on a ring
+  /// around it.
+  double around_vertex(double curvature) const;
+
+  /// Of the segments of a curve.
+  double of_curve(double curvature) const;
+
+ private:
+  double shorter(double curvature, double share_of_sag) const;
+
+  double factor_;  ///< 0 is off
+  double sag_;     ///< model units; 0 is off
+};
+
+}  // namespace surfmesh

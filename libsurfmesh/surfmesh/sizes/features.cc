@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/sizes/features.hh"
+
+#include "surfmesh/geometry/curve_polyline.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Share of the contour's length within which the size holds where there is no gradation.
+constexpr double kHalo = 0.5;
+
+/// Distance of chords from the contour as a share of hmax: where that is too coarse to see a bend,
+/// the contour is far shorter than hmax anyway.
+constexpr double kChordShare = 0.01;
+
+}  // namespace
+
+std::vector<PlacedSize> feature_sizes(const SpaceCurve& curve, const Sizing& sizing,
+                                      const SizeBounds& bounds) {
+  const auto points = curve_polyline(curve, kChordShare * bounds.hmax);
+  const double whole = length(points);
+  if (!(whole < bounds.hmax) || whole == 0) return {};
+  PlacedSize placed;
+  const double size = bounds.clamp(whole);
+  placed.at_from = placed.at_to = {size, size};
+  if (sizing.grade == 0) placed.radius = kHalo * size;
+  std::vector<PlacedSize> sizes;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    placed.from = points[i - 1].point;
+    placed.to = points[i].point;
+    sizes.push_back(placed);
+  }
+  return sizes;
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "surfmesh/geometry/curve.hh"
+#include "surfmesh/sizes/placed_size.hh"
+
+namespace surfmesh {
+
+/// Sizes along a contour that is shorter than hmax: its length, in all directions. None along a
+/// longer one.
+///
+/// Without gradation they hold within half of that length around the contour.
+/// Cost     40 evaluations of the curve for a simple one
+std::vector<PlacedSize> feature_sizes(const SpaceCurve& curve, const Sizing& sizing,
+                                      const SizeBounds& bounds);
+
+}  // namespace surfmesh

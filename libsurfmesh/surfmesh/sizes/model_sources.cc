@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/sizes/model_sources.hh"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <set>
+
+#include "surfmesh/core/at_place.hh"
+#include "surfmesh/core/parallel.hh"
+#include "surfmesh/sizes/contour_curvature.hh"
+#include "surfmesh/sizes/features.hh"
+#include "surfmesh/sizes/proximity.hh"
+#include "surfmesh/sizes/table_sizes.hh"
+
+namespace surfmesh {
+namespace {
+
+void append(std::vector<PlacedSize>& all, const std::vector<PlacedSize>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/// Sizes that a contour wants on the patches that share it.
+std::vector<PlacedSize> sizes_of_contour(const Model& model, const Contour& contour,
+                                         const Sizing& sizing, const SizeBounds& bounds) {
+  const ContourUse& use = contour.uses.front();
+  const CurveOnSurface curve(model.patches[static_cast<std::size_t>(use.patch)].surface, use.curve,
+                             contour.part_count);
+  std::vector<PlacedSize> sizes;
+  if (sizing.contour_curvature && (sizing.curvature_factor() > 0 || sizing.sag)) {
+    append(sizes, contour_curvature_sizes(curve, sizing, bounds));
+  }
+  if (sizing.features) append(sizes, feature_sizes(curve, sizing, bounds));
+  return sizes;
+}
+
+/// By contour.
+std::vector<std::vector<PlacedSize>> contour_sizes(const Model& model, const Sizing& sizing,
+                                                   const SizeBounds& bounds) {
+  std::vector<std::vector<PlacedSize>> sizes(model.contours.size());
+  share_indices(model.contours.size(), [&](std::size_t c) {
+    const Contour& contour = model.contours[c];
+    if (contour.is_smooth || contour.is_degenerate || contour.uses.empty()) return;
+    const int first = contour.uses.front().patch;
+    sizes[c] = at_place(fmt::format("contour {} on patch {}", contour.name,
+                                    model.patches[static_cast<std::size_t>(first)].name),
+                        [&] { return sizes_of_contour(model, contour, sizing, bounds); });
+  });
+  return sizes;
+}
+
+/// By patch.
+std::vector<std::vector<PlacedSize>> boundary_sizes(const Model& model, const Sizing& sizing) {
+  const SizeBounds bounds(sizing, model.diagonal);
+  std::vector<std::vector<PlacedSize>> sizes(model.patches.size());
+  const auto of_contours = contour_sizes(model, sizing, bounds);
+  for (std::size_t c = 0; c < of_contours.size(); ++c) {
+    std::set<int> patches;
+    for (const ContourUse& use : model.contours[c].uses) patches.insert(use.patch);
+    for (const int patch : patches) append(sizes[static_cast<std::size_t>(patch)], of_contours[c]);
+  }
+  const auto of_gaps = proximity_sizes(model, sizing, bounds);
+  for (std::size_t p = 0; p < of_gaps.size(); ++p) append(sizes[p], of_gaps[p]);
+  return sizes;
+}
+
+}  // namespace
+
+std::vector<PatchSources> model_sources(const Model& model, const Sources& sources,
+                                        const Sizing& sizing) {
+  check_sizing(sizing.proximity >= 0 && std::isfinite(sizing.proximity), "proximity",
+               sizing.proximity, "0 (off) or above");
+  auto boundary = boundary_sizes(model, sizing);
+  const auto near = near_tree(sources, sizing, model.diagonal);
+  const SizeBounds bounds(sizing, model.diagonal);
+  std::vector<PatchSources> result;
+  for (std::size_t p = 0; p < model.patches.size(); ++p) {
+    PatchSources& patch = result.emplace_back(sources_of_patch(sources, static_cast<int>(p)));
+    patch.rings = short_rings(model, static_cast<int>(p), bounds);
+    if (near) patch.trees.push_back(near);
+    if (boundary[p].empty()) continue;
+    patch.trees.push_back(std::make_shared<SourceTree>(std::move(boundary[p]), sizing.grade));
+  }
+  return result;
+}
+
+std::optional<std::string> clamp_warning(const Model& model, const Sources& sources,
+                                         const SizeBounds& bounds) {
+  std::size_t count = count_clamped(sources, bounds);
+  for (const TableSource& table : sources.tables) {
+    const Patch& patch = model.patches[static_cast<std::size_t>(table.patch)];
+    count += at_place(fmt::format("patch {}", patch.name),
+                      [&] { return count_clamped(table, *patch.surface, bounds); });
+  }
+  if (count == 0) return std::nullopt;
+  return fmt::format("{} of sources {} brought into the bounds hmin = {} and hmax = {}",
+                     count == 1 ? "1 size" : fmt::format("{} sizes", count),
+                     count == 1 ? "is" : "are", bounds.hmin, bounds.hmax);
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/sizes/patch_sources.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <tuple>
+
+#include "surfmesh/core/error.hh"
+#include "surfmesh/sizes/place_sources.hh"
+
+namespace surfmesh {
+namespace {
+
+template <class Source>
+std::vector<Source> select(const std::vector<Source>& all, int patch) {
+  std::vector<Source> selected;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(selected),
+               [patch](const Source& source) { return source.patch == patch; });
+  return selected;
+}
+
+class ClampCounter {
+ public:
+  explicit ClampCounter(const SizeBounds& bounds) : bounds_(bounds) {}
+
+  void add(const Size& size) { count_ += bounds_.changes(size) ? 1 : 0; }
+  void add(const std::optional<Outer>& outer) {
+    if (outer) add(outer->size);
+  }
+  void add(const PlaceSize& wish) {
+    add(wish.size);
+    add(wish.outer);
+  }
+
+  std::size_t count() const { return count_; }
+
+ private:
+  const SizeBounds& bounds_;
+  std::size_t count_ = 0;
+};
+
+/// The sizes of whole patches, each once.
+std::vector<Size> different_sizes(const std::vector<EverywhereSource>& sources) {
+  std::set<std::tuple<double, bool, double, bool, double>> known;
+  std::vector<Size> sizes;
+  for (const EverywhereSource& source : sources) {
+    const auto& [along, across, angle] = source.size;
+    const bool is_new =
+        known.insert({along.value, along.is_relative, across.value, across.is_relative, angle})
+            .second;
+    if (is_new) sizes.push_back(source.size);
+  }
+  return sizes;
+}
+
+}  // namespace
+
+std::optional<double> PatchSources::precision() const {
+  std::optional<double> least;
+  const auto add = [&](const auto& source) {
+    if (source.precision) least = std::min(least.value_or(*source.precision), *source.precision);
+  };
+  std::for_each(fields.begin(), fields.end(), add);
+  std::for_each(tables.begin(), tables.end(), add);
+  return least;
+}
+
+PatchSources sources_of_patch(const Sources& sources, int patch) {
+  return {select(sources.everywhere, patch), select(sources.at, patch),
+          select(sources.along, patch),      select(sources.inside, patch),
+          select(sources.fields, patch),     select(sources.tables, patch),
+          select(sources.sag, patch),        {}};
+}
+
+std::shared_ptr<const SourceTree> near_tree(const Sources& sources, const Sizing& sizing,
+                                            double diagonal) {
+  if (sources.near.empty()) return nullptr;
+  const SizeBounds bounds(sizing, diagonal);
+  std::vector<PlacedSize> sizes;
+  for (const NearSource& source : sources.near) {
+    add_near(source, bounds, sizes);
+    if (sizing.grade == 0 && !(reach(sizes.back()) > 0)) {
+      const Vec3& p = source.line.front();
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("the source near ({}, {}, {}) needs a radius, as grade is off", p.x(),
+                              p.y(), p.z()));
+    }
+  }
+  return std::make_shared<SourceTree>(std::move(sizes), sizing.grade);
+}
+
+std::size_t count_clamped(const Sources& sources, const SizeBounds& bounds) {
+  ClampCounter counter(bounds);
+  for (const Size& size : different_sizes(sources.everywhere)) counter.add(size);
+  for (const AtSource& source : sources.at) {
+    counter.add(source.size);
+    counter.add(source.outer);
+  }
+  for (const AlongSource& source : sources.along) counter.add(source.wish);
+  for (const InsideSource& source : sources.inside) counter.add(source.wish);
+  for (const NearSource& source : sources.near) counter.add(source.wish);
+  return counter.count();
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/sizes/size_field.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "surfmesh/control/node_interpolation.hh"
+#include "surfmesh/core/error.hh"
+#include "surfmesh/geometry/beside_pole.hh"
+#include "surfmesh/geometry/curvature.hh"
+#include "surfmesh/geometry/difference_surface.hh"
+#include "surfmesh/geometry/first_form.hh"
+#include "surfmesh/metric/minimum.hh"
+#include "surfmesh/metric/size_tensor.hh"
+#include "surfmesh/sizes/place_sources.hh"
+#include "surfmesh/sizes/point_nodes.hh"
+#include "surfmesh/sizes/table_sizes.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Intervals of a curve or of a side of a polygon between whose ends its size is looked for.
+constexpr int kPlacesOnCurve = 64;
+
+/// Rays on which the ring around an extraordinary vertex is sampled, in each quarter of it.
+constexpr int kRingSamples = 5;
+
+/// Share of its width and height at which the field is looked at in each cell of the surface.
+constexpr double kCellShare = 0.45;
+
+/// What the curvature of the surface asks for: where sizes that hold the sag are known, its factor
+/// alone.
+CurvatureLength length_on(const Sizing& sizing, const PatchSources& sources, double diagonal) {
+  if (sources.sag.empty()) return CurvatureLength(sizing, diagonal);
+  Sizing by_factor = sizing;
+  by_factor.curvature = sizing.curvature_factor();
+  by_factor.sag.reset();
+  return CurvatureLength(by_factor, diagonal);
+}
+
+}  // namespace
+
+SizeField::SizeField(const Surface& surface, const Sizing& sizing, const PatchSources& sources,
+                     double diagonal, double precision)
+    : surface_(surface),
+      differences_(sizing.curvature_from == CurvatureFrom::Differences
+                       ? std::make_shared<DifferenceSurface>(surface)
+                       : nullptr),
+      domain_(surface.domain()),
+      bounds_(sizing, diagonal),
+      length_(length_on(sizing, sources, diagonal)),
+      stretch_(sizing.stretch) {
+  check_sizing(stretch_ >= 1, "stretch", stretch_, "1 or above");
+  check_sizing(sizing.grade == 0 || (sizing.grade >= 1 && std::isfinite(sizing.grade)), "grade",
+               sizing.grade, "0 (off), or 1 and above");
+  take_sources(sources, sizing, precision);
+  if (length_.is_off()) return;
+  take_discs();
+}
+
+/// A disc reaches over the cells around its vertex: farther cells that are near in space, as those
+/// of the other side of a sheet, do not see it.
+void SizeField::take_discs() {
+  const CellCount cells = surface_.cells();
+  const auto count = [](int n) { return static_cast<std::size_t>(n); };
+  discs_.resize(count(cells.u) * count(cells.v));
+  for (const SingularPoint& singular : surface_.singular_points()) {
+    const Disc disc = make_disc(singular);
+    const Uv at = in_cells(singular.at);
+    const int column = static_cast<int>(std::lround(at.u)),
+              row = static_cast<int>(std::lround(at.v));
+    for (int j = std::max(row - 1, 0); j <= std::min(row, cells.v - 1); ++j) {
+      for (int i = std::max(column - 1, 0); i <= std::min(column, cells.u - 1); ++i) {
+        discs_[count(j) * count(cells.u) + count(i)].push_back(disc);
+      }
+    }
+  }
+}
+
+/// From (u,v) to widths and heights of a cell.
+Uv SizeField::in_cells(Uv uv) const {
+  const CellCount cells = surface_.cells();
+  return {(uv.u - domain_.u0) / (domain_.u1 - domain_.u0) * cells.u,
+          (uv.v - domain_.v0) / (domain_.v1 - domain_.v0) * cells.v};
+}
+
+const std::vector<SizeField::Disc>& SizeField::discs_at(Uv uv) const {
+  const CellCount cells = surface_.cells();
+  const Uv at = in_cells(uv);
+  const int column = std::clamp(static_cast<int>(at.u), 0, cells.u - 1);
+  const int row = std::clamp(static_cast<int>(at.v), 0, cells.v - 1);
+  return discs_[static_cast<std::size_t>(row) * static_cast<std::size_t>(cells.u) +
+                static_cast<std::size_t>(column)];
+}
+
+void SizeField::take_sources(const PatchSources& sources, const Sizing& sizing, double precision) {
+  for (const EverywhereSource& source : sources.everywhere) {
+    const SizeTensor size = bounds_.clamp(bounds_.tensor(source.size));
+    everywhere_ = everywhere_ ? bounds_.clamp(minimum(*everywhere_, size)) : size;
+  }
+  fields_ = sources.fields;
+  rings_ = sources.rings;
+  for (const TableSource& source : sources.tables) {
+    tables_.push_back(std::make_shared<NodeInterpolation>(
+        interpolate_table(source, surface_, bounds_, precision)));
+  }
+  for (const TableSource& source : sources.sag) {
+    tables_.push_back(
+        std::make_shared<NodeInterpolation>(surface_, table_nodes(source, surface_, bounds_)));
+  }
+  std::vector<PlacedSize> placed;
+  for (const InsideSource& source : sources.inside) {
+    areas_.push_back({source.polygon, bounds_.clamp(bounds_.tensor(source.wish.size))});
+    add_border(source, surface_, bounds_, placed);
+  }
+  for (const AlongSource& source : sources.along) add_along(source, surface_, bounds_, placed);
+  const bool is_interpolated =
+      !has_area_source() && (!placed.empty() || !sources.trees.empty()) && !sources.at.empty();
+  if (is_interpolated) {
+    tables_.push_back(
+        std::make_shared<NodeInterpolation>(surface_, point_nodes(sources.at, surface_, bounds_)));
+  }
+  for (const AtSource& source : sources.at) add_at(source, surface_, bounds_, placed);
+  take_places(sources);
+  take_cells();
+  take_tree(std::make_shared<SourceTree>(std::move(placed), sizing.grade));
+  for (const auto& tree : sources.trees) take_tree(tree);
+  has_wishes_ =
+      everywhere_ || !areas_.empty() || !fields_.empty() || !tables_.empty() || !trees_.empty();
+}
+
+void SizeField::take_places(const PatchSources& sources) {
+  const auto take_curve = [this](const Curve& curve) {
+    for (int i = 0; i <= kPlacesOnCurve; ++i) {
+      places_.push_back(domain_.fold(domain_.clamp(curve.evaluate(double(i) / kPlacesOnCurve))));
+    }
+  };
+  for (const AtSource& source : sources.at) places_.push_back(domain_.clamp(source.at));
+  for (const AlongSource& source : sources.along) {
+    for (const auto& curve : source.curves) take_curve(*curve);
+  }
+  for (const InsideSource& source : sources.inside) {
+    for (std::size_t i = 0; i < source.polygon.size(); ++i) {
+      take_curve(SegmentCurve(source.polygon[i], source.polygon[(i + 1) % source.polygon.size()]));
+    }
+  }
+}
+
+/// What is in a cell may be too small to be seen from far apart, too.
+void SizeField::take_cells() {
+  const CellCount cells = surface_.cells();
+  if (cells.u * cells.v == 1) return;
+  for (int j = 0; j < cells.v; ++j) {
+    for (int i = 0; i < cells.u; ++i) {
+      places_.push_back(domain_.at((i + kCellShare) / cells.u, (j + kCellShare) / cells.v));
+    }
+  }
+}
+
+void SizeField::take_tree(std::shared_ptr<const SourceTree> tree) {
+  if (!tree->empty()) trees_.push_back(std::move(tree));
+}
+
+bool SizeField::has_area_source() const {
+  return !length_.is_off() || everywhere_ || !areas_.empty() || !fields_.empty() ||
+         !tables_.empty() || !rings_.empty();
+}
+
+bool SizeField::has_source() const { return has_area_source() || !trees_.empty(); }
+
+SizeTensor SizeField::size_from_curvature(const Jet& jet) const {
+  const PrincipalCurvatures k = principal_curvatures(jet);
+  double h1 = bounds_.clamp(length_.of_surface(k.k1));
+  double h2 = bounds_.clamp(length_.of_surface(k.k2));
+  h1 = std::min(h1, stretch_ * h2);
+  h2 = std::min(h2, stretch_ * h1);
+  return size_tensor(h1, h2, k.cos2, k.sin2);
+}
+
+/// The part of a ring around a singular point in one quarter of the directions from it: the least
+/// size there, and the least distance in space.
+SizeField::Disc SizeField::quarter_ring(const Disc& so_far, Uv at, Uv towards,
+                                        double distance) const {
+  Disc ring = so_far;
+  for (int i = 0; i < kRingSamples; ++i) {
+    const double angle = 0.5 * std::numbers::pi * i / (kRingSamples - 1);
+    const Uv place{at.u + towards.u * distance * std::cos(angle),
+                   at.v + towards.v * distance * std::sin(angle)};
+    const Jet jet = second_order(surface_.beside_roundings(domain_.fold(place)));
+    const PrincipalCurvatures k = principal_curvatures(jet);
+    const double greatest = std::max(std::abs(k.k1), std::abs(k.k2));
+    ring.size = std::min(ring.size, std::max(bounds_.hmin, length_.around_vertex(greatest)));
+    ring.radius = std::min(ring.radius, (jet.point - ring.centre).norm());
+  }
+  return ring;
+}
+
+/// The ring at a distance (in cells) from a singular point, as far as it lies in the domain.
+SizeField::Disc SizeField::ring_around(Uv at, double distance) const {
+  Disc ring{surface_.evaluate(at, Order::Position).point, INFINITY, bounds_.hmax};
+  const CellCount cells = surface_.cells();
+  const double width = (domain_.u1 - domain_.u0) / cells.u;
+  const double height = (domain_.v1 - domain_.v0) / cells.v;
+  for (const double towards_v : {height, -height}) {
+    if (at.v == (towards_v > 0 ? domain_.v1 : domain_.v0)) continue;
+    for (const double towards_u : {width, -width}) {
+      if (at.u == (towards_u > 0 ? domain_.u1 : domain_.u0)) continue;
+      ring = quarter_ring(ring, at, {towards_u, towards_v}, distance);
+    }
+  }
+  return ring;
+}
+
+SizeField::Disc SizeField::make_disc(const SingularPoint& singular) const {
+  // Rings of half the size of the one before, until a ring is as near as half the size on it.
+  double distance = 0.5;
+  Disc ring = ring_around(singular.at, distance);
+  while (ring.radius > 0.5 * ring.size && 0.5 * distance >= singular.reach) {
+    distance *= 0.5;
+    ring = ring_around(singular.at, distance);
+  }
+  return ring;
+}
+
+void SizeField::blend_with_discs(Uv uv, Sample& sample) const {
+  for (const Disc& disc : discs_at(uv)) {
+    const double squared = (sample.point - disc.centre).squaredNorm();
+    if (squared >= 4 * disc.radius * disc.radius) continue;
+    const double share = std::min(1.0, 2 - std::sqrt(squared) / disc.radius);
+    SizeTensor& h = sample.size;
+    const SizeTensor inside = isotropic(disc.size);
+    h = {(1 - share) * h.h11 + share * inside.h11, (1 - share) * h.h12,
+         (1 - share) * h.h22 + share * inside.h22};
+  }
+}
+
+Jet SizeField::second_order(Uv uv) const {
+  return (differences_ ? *differences_ : surface_).evaluate(uv, Order::Second);
+}
+
+/// Set the size that follows from the curvature, if there is a tangent plane here or beside.
+void SizeField::add_curvature(Uv uv, const Jet& jet, Sample& sample) const {
+  const Uv place =
+      is_regular(sample.form) ? surface_.beside_roundings(uv) : beside_pole(surface_, uv);
+  const Jet there = place == uv ? jet : second_order(place);
+  if (!is_regular(first_form_factor(there.du, there.dv))) return;
+  sample.size = size_from_curvature(there);
+  blend_with_discs(uv, sample);
+}
+
+SizeTensor SizeField::size_of_field(const FieldSource& field, Uv uv, const Sample& sample) const {
+  if (field.metric) {
+    return size_from_metric_at(surface_, uv, sample.form, field.metric(uv, sample.point));
+  }
+  const double size = field.size(uv, sample.point);
+  if (!(size > 0 && std::isfinite(size))) {
+    throw Error(
+        ErrorCode::InvalidInput,
+        fmt::format("the size {} that a field wants at (u,v) = ({}, {}) is not positive and "
+                    "finite",
+                    size, uv.u, uv.v));
+  }
+  return isotropic(size);
+}
+
+void SizeField::add_sources(Uv uv, const Jet& jet, Sample& sample) const {
+  SizeTensor& size = sample.size;
+  if (everywhere_) size = minimum(size, *everywhere_);
+  for (const Area& area : areas_) {
+    if (contains(area.polygon, uv)) size = minimum(size, area.size);
+  }
+  for (const FieldSource& field : fields_) {
+    size = minimum(size, bounds_.clamp(size_of_field(field, uv, sample)));
+  }
+  for (const auto& table : tables_) {
+    size = minimum(size, table->at({uv, sample.point, sample.form}).size);
+  }
+  if (!trees_.empty()) {
+    const TangentPlace place = tangent_place(jet);
+    for (const auto& tree : trees_) size = tree->minimum_at(place, size);
+  }
+  // Where stretched sizes cross, their minimum is shorter than both.
+  size = bounds_.clamp(size);
+}
+
+void SizeField::add_rings(Uv uv, Sample& sample) const {
+  for (const Ring& ring : rings_) {
+    const double around = size_around(ring.length_at(uv), bounds_);
+    if (around >= bounds_.hmax || !is_regular(sample.form)) continue;
+    // The frame's first axis is along p_u; p_v is (l21, l22) in it.
+    const double x = ring.is_along_u ? 1 : sample.form.l21;
+    const double y = ring.is_along_u ? 0 : sample.form.l22;
+    const double squares = x * x + y * y;
+    sample.size = minimum(sample.size, size_tensor(around, bounds_.hmax, (x * x - y * y) / squares,
+                                                   2 * x * y / squares));
+  }
+}
+
+SizeField::Sample SizeField::at(Uv uv) const {
+  uv = domain_.fold(uv);
+  const bool is_curved = !length_.is_off();
+  const Jet jet = is_curved ? second_order(uv) : surface_.evaluate(uv, Order::First);
+  Sample sample;
+  sample.point = jet.point;
+  sample.form = first_form_factor(jet.du, jet.dv);
+  sample.size = isotropic(bounds_.hmax);
+  if (is_curved) add_curvature(uv, jet, sample);
+  if (has_wishes_) add_sources(uv, jet, sample);
+  add_rings(uv, sample);
+  return sample;
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <OpenMesh/Core/System/omstream.hh>
+#include <cstring>
+
+#include "formats/example_meshes.hh"
+#include "support/errors.hh"
+#include "support/folders.hh"
+#include "surfmesh/formats/om_file.hh"
+#include "surfmesh/formats/write_mesh.hh"
+
+namespace surfmesh {
+namespace {
+
+/// True if two meshes have the property and its values are the same bits (NaN equals NaN).
+template <class Key>
+bool is_same_property(const PolyMesh& a, const PolyMesh& b, const Key& key) {
+  const auto& values_a = a.property(require(a, key)).data_vector();
+  const auto& values_b = b.property(require(b, key)).data_vector();
+  return values_a.size() == values_b.size() &&
+         std::memcmp(values_a.data(), values_b.data(), values_a.size() * sizeof(values_a[0])) == 0;
+}
+
+bool is_same_connectivity(const PolyMesh& a, const PolyMesh& b) {
+  if (a.n_vertices() != b.n_vertices() || a.n_faces() != b.n_faces()) return false;
+  if (a.n_halfedges() != b.n_halfedges()) return false;
+  for (const HalfedgeHandle heh : a.halfedges()) {
+    if (a.to_vertex_handle(heh) != b.to_vertex_handle(heh)) return false;
+    if (a.next_halfedge_handle(heh) != b.next_halfedge_handle(heh)) return false;
+    if (a.face_handle(heh) != b.face_handle(heh)) return false;
+  }
+  return true;
+}
+
+PolyMesh example() {
+  PolyMesh mesh = wavy_grid(20, 2);
+  attach_result_properties(mesh);
+  return mesh;
+}
+
+TEST(OmFile, KeepsEverythingToTheLastBit) {
+  const TestFolder folder;
+  const PolyMesh mesh = example();
+  write_mesh(mesh, folder / "a.om", {});
+  const PolyMesh read = read_om(folder / "a.om");
+  EXPECT_TRUE(is_same_connectivity(mesh, read));
+  for (const VertexHandle vh : mesh.vertices()) EXPECT_EQ(mesh.point(vh), read.point(vh));
+  EXPECT_TRUE(is_same_property(mesh, read, keys::face_patch));
+  EXPECT_TRUE(is_same_property(mesh, read, keys::edge_contour));
+  EXPECT_TRUE(is_same_property(mesh, read, keys::corner_uv));
+  EXPECT_TRUE(is_same_property(mesh, read, keys::corner_metric));
+}
+
+TEST(OmFile, KeepsThePropertiesOfControlMeshes) {
+  const TestFolder folder;
+  PolyMesh mesh = wavy_grid(3, 0);
+  attach(mesh, keys::vertex_uv, Uv{0.1, -0.0});
+  attach(mesh, keys::vertex_size, SizeTensor{1.0 / 3, 0, 2});
+  attach(mesh, keys::edge_constrained, char(1));
+  write_mesh(mesh, folder / "a.om", {});
+  const PolyMesh read = read_om(folder / "a.om");
+  EXPECT_TRUE(is_same_property(mesh, read, keys::vertex_uv));
+  EXPECT_TRUE(is_same_property(mesh, read, keys::vertex_size));
+  EXPECT_TRUE(is_same_property(mesh, read, keys::edge_constrained));
+  EXPECT_FALSE(find(read, keys::face_patch).is_valid());
+}
+
+TEST(OmFile, IsTheSameWhenWrittenAgain) {
+  const TestFolder folder;
+  write_mesh(example(), folder / "a.om", {});
+  write_mesh(read_om(folder / "a.om"), folder / "b.om", {});
+  EXPECT_EQ(read_text(folder / "a.om"), read_text(folder / "b.om"));
+}
+
+TEST(OmFile, HoldsEmptyMeshesAndSingleVertices) {
+  const TestFolder folder;
+  PolyMesh mesh;
+  write_mesh(mesh, folder / "a.om", {});
+  EXPECT_EQ(read_om(folder / "a.om").n_vertices(), 0u);
+  mesh.add_vertex({kUnset, 1, 2});
+  write_mesh(mesh, folder / "a.om", {});
+  EXPECT_EQ(read_om(folder / "a.om").n_vertices(), 1u);
+}
+
+TEST(OmFile, IsReadAndWrittenInSilence) {
+  const TestFolder folder;
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  write_mesh(example(), folder / "a.om", {});
+  read_om(folder / "a.om");
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(OmFile, LeavesTheStreamsOfOpenMeshAsTheyWere) {
+  const TestFolder folder;
+  omerr().disable();
+  write_mesh(example(), folder / "a.om", {});
+  read_om(folder / "a.om");
+  EXPECT_TRUE(omlog().is_enabled());
+  EXPECT_FALSE(omerr().is_enabled());
+  omerr().enable();
+}
+
+TEST(OmFile, IsRefusedByItsFaults) {
+  const TestFolder folder;
+  const std::string path = (folder / "a.om").string();
+  EXPECT_EQ(error_of([&] { read_om(path); }), "io: cannot read " + path + ": it does not exist");
+  write_text(path, "solid");
+  EXPECT_EQ(error_of([&] { read_om(path); }),
+            "invalid input: " + path + ": this is not an .om file of a version that is read");
+  EXPECT_EQ(error_of([] { read_om("a.obj"); }),
+            "invalid input: a.obj: the ending of this format is .om");
+}
+
+TEST(OmFile, IsRefusedWhereverItIsCut) {
+  const TestFolder folder;
+  PolyMesh mesh = wavy_grid(1, 0);
+  attach_result_properties(mesh);
+  write_mesh(mesh, folder / "a.om", {});
+  const std::string bytes = read_text(folder / "a.om");
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_NE(error_of([&] { parse_om(bytes.substr(0, size), "b.om"); }), "no error") << size;
+  }
+}
+
+TEST(OmFile, NeverBreaksAMeshByOneWrongByte) {
+  const TestFolder folder;
+  PolyMesh mesh = wavy_grid(1, 0);
+  attach_result_properties(mesh);
+  write_mesh(mesh, folder / "a.om", {});
+  const std::string bytes = read_text(folder / "a.om");
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    for (const char flip : {'\x01', '\x10', '\x80', '\xff'}) {
+      std::string wrong = bytes;
+      wrong[i] = static_cast<char>(wrong[i] ^ flip);
+      const std::string error = error_of([&] { parse_om(wrong, "b.om"); });
+      EXPECT_TRUE(error == "no error" || error.starts_with("invalid input: ")) << error;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace surfmesh

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/model/model.hh"
+
+#include <gtest/gtest.h>
+
+#include "support/errors.hh"
+#include "surfmesh/geometry/plane_surface.hh"
+#include "surfmesh/model/join_sides.hh"
+
+namespace surfmesh {
+namespace {
+
+Model square() {
+  const auto plane = std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(),
+                                                    Domain{0, 1, 0, 1});
+  return model_from_patches({{"p", plane}});
+}
+
+std::string fault(const Model& model) {
+  return error_of([&] { check(model); });
+}
+
+TEST(CheckModel, NamesContoursThatNoPatchUses) {
+  Model model = square();
+  model.contours.push_back({"spare", 0, 1, {}});
+  EXPECT_EQ(fault(model), "invalid input: contour spare: no patch uses it");
+}
+
+TEST(CheckModel, NamesUsesWithoutPatchOrCurve) {
+  Model model = square();
+  model.contours[2].uses[0].curve = nullptr;
+  EXPECT_EQ(fault(model), "invalid input: contour p:v1: a use has no curve");
+  model.contours[1].uses[0].patch = 7;
+  EXPECT_EQ(fault(model), "invalid input: contour p:u1: a use names patch 7 of 1");
+}
+
+TEST(CheckModel, NamesPatchesWithoutSurfaceOrLoop) {
+  Model model = square();
+  model.patches[0].loops.clear();
+  EXPECT_EQ(fault(model), "invalid input: patch p has no loop");
+  model.patches[0].surface = nullptr;
+  EXPECT_EQ(fault(model), "invalid input: patch p has no surface");
+}
+
+}  // namespace
+}  // namespace surfmesh

@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/model_file/read_model.hh"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/errors.hh"
+#include "support/folders.hh"
+
+namespace surfmesh {
+namespace {
+
+ModelFile read(const std::string& text) { return parse_model(text, "a.json"); }
+
+/// The error of a text, without the code and the name of the file.
+std::string fault(const std::string& text) {
+  const std::string error = error_of([&] { read(text); });
+  const std::string front = "invalid input: a.json:";
+  return error.starts_with(front) ? error.substr(front.size()) : error;
+}
+
+/// A model of one patch: other keys of the patch, other keys of the model.
+std::string model(const std::string& in_patch, const std::string& in_root = "") {
+  return R"({"patches": [{"name": "p", "surface": {"z": "u*v"},
+             "domain": {"u": [0, 2], "v": [-1, 1]})" +
+         (in_patch.empty() ? "" : ", " + in_patch) + "}]" +
+         (in_root.empty() ? "" : ", " + in_root) + "}";
+}
+std::string source(const std::string& keys) { return model("\"sources\": [{" + keys + "}]"); }
+std::string sizing(const std::string& keys) { return model("", "\"sizing\": {" + keys + "}"); }
+
+std::string contours(const std::string& list) { return model("", "\"contours\": [" + list + "]"); }
+std::string contour(const std::string& keys) { return contours("{" + keys + "}"); }
+std::string cages(const std::string& keys) { return model("", "\"cages\": [{" + keys + "}]"); }
+
+Vec3 point(const ModelFile& file, std::size_t patch, Uv uv) {
+  return file.patches[patch].surface->evaluate(uv, Order::Position).point;
+}
+
+TEST(ReadModel, ReadsSources) {
+  const Sources sources = read(model(R"("sources": [
+      {"everywhere": true, "size": 0.5}, {"at": [0, 1], "size": "1%"},
+      {"at": [2, -0.5], "size": [0.2, 0.05], "angle": 30}])"))
+                              .sources;
+  ASSERT_EQ(sources.everywhere.size(), 1u);
+  EXPECT_EQ(sources.everywhere[0].patch, 0);
+  EXPECT_EQ(sources.everywhere[0].size.along.value, 0.5);
+  EXPECT_EQ(sources.everywhere[0].size.across.value, 0.5);
+  ASSERT_EQ(sources.at.size(), 2u);
+  EXPECT_EQ(sources.at[0].at, (Uv{0, 1}));
+  EXPECT_EQ(sources.at[0].size.along.value, 0.01);
+  EXPECT_TRUE(sources.at[0].size.across.is_relative);
+  EXPECT_EQ(sources.at[1].size.along.value, 0.2);
+  EXPECT_EQ(sources.at[1].size.across.value, 0.05);
+  EXPECT_DOUBLE_EQ(sources.at[1].size.angle, std::numbers::pi / 6);
+}
+
+TEST(ReadModel, ReadsSizesAroundPlaces) {
+  const ModelFile file = read(model(R"("sources": [
+      {"at": [0, 1], "size": 1, "radius": "1%",
+       "outer": {"size": [2, 3], "angle": 90, "radius": 4}},
+      {"along": [[0, 0], [1, 0.5], [2, 1]], "size": 5, "radius": 6},
+      {"along": "p:u0", "size": 7},
+      {"inside": [[0, 0], [1, 0], [1, "1/2"]], "size": 8}])"));
+  const AtSource& at = file.sources.at.at(0);
+  EXPECT_TRUE(at.radius.is_relative);
+  EXPECT_EQ(at.outer.value().size.across.value, 3);
+  EXPECT_DOUBLE_EQ(at.outer->size.angle, std::numbers::pi / 2);
+  EXPECT_EQ(at.outer->radius.value, 4);
+  ASSERT_EQ(file.sources.along.at(0).curves.size(), 2u);
+  EXPECT_EQ(file.sources.along[0].curves[1]->evaluate(1), (Uv{2, 1}));
+  EXPECT_EQ(file.sources.along[0].wish.radius.value, 6);
+  EXPECT_EQ(file.along_contours.at(0).contour, "p:u0");
+  EXPECT_EQ(file.along_contours[0].origin, "/patches/0/sources/2/along");
+  EXPECT_EQ(file.sources.inside.at(0).polygon.at(2), (Uv{1, 0.5}));
+}
+
+TEST(ReadModel, ReadsFields) {
+  const Sources sources = read(model(R"("sources": [
+      {"field": {"size": "a*u+v+x+10*y+z"}, "precision": 0.2},
+      {"field": {"m11": "1", "m12": "u", "m22": "v"}}])",
+                                     R"("constants": {"a": 3})"))
+                              .sources;
+  ASSERT_EQ(sources.fields.size(), 2u);
+  EXPECT_EQ(sources.fields[0].size({1, 2}, {4, 5, 6}), 3 + 2 + 4 + 50 + 6);
+  EXPECT_EQ(sources.fields[0].precision, 0.2);
+  EXPECT_EQ(sources.fields[1].metric({1, 2}, Vec3::Zero()), (Metric{1, 1, 2}));
+  EXPECT_FALSE(sources.fields[1].precision);
+}
+
+TEST(ReadModel, ReadsTablesBesideTheFile) {
+  const TestFolder folder;
+  write_text(folder / "t.csv", "u,v,size\n0,0,1\n2,1,3\n");
+  write_text(folder / "a.json", source(R"("table": "t.csv", "precision": 0.3)"));
+  const Sources sources = read_model(folder / "a.json").sources;
+  ASSERT_EQ(sources.tables.at(0).nodes.size(), 2u);
+  EXPECT_EQ(sources.tables[0].precision, 0.3);
+  write_text(folder / "t.csv", "u,v,size\n9,0,1\n");
+  EXPECT_NE(error_of([&] { read_model(folder / "a.json"); }).find("t.csv:2: the point (9, 0)"),
+            std::string::npos);
+}
+
+TEST(ReadModel, ReadsPlacesInSpace) {
+  const ModelFile file = read(model("", R"("constants": {"a": 2}, "sources": [
+      {"near": [0, "a", 1], "size": 1},
+      {"near": [[0, 0, 0], [1, 0, "a"]], "size": 1, "radius": 2}])"));
+  ASSERT_EQ(file.sources.near.size(), 2u);
+  EXPECT_EQ(file.sources.near[0].line.at(0), Vec3(0, 2, 1));
+  EXPECT_EQ(file.sources.near[1].line.at(1), Vec3(1, 0, 2));
+}
+
+TEST(ReadModelFaults, OfSourcesOfAllKinds) {
+  const std::string front = " /patches/0/sources/0";
+  EXPECT_EQ(fault(source(R"("along": [[0, 0]], "size": 1)")),
+            front + "/along: needs at least 2 points");
+  EXPECT_EQ(fault(source(R"("inside": [[0, 0], [1, 0], [3, 0]], "size": 1)")),
+            front + "/inside/2: this point is outside of the domain");
+  EXPECT_EQ(fault(source(R"("at": [0, 0], "size": 1, "radius": -1)")),
+            front + "/radius: must be 0 or above");
+  EXPECT_EQ(fault(source(R"("at": [0, 0], "size": 1, "radius": "-1%")")),
+            front + "/radius: must be 0 or above");
+  EXPECT_EQ(fault(source(R"("at": [0, 0], "size": 1, "radius": "0%")")), "no error");
+  EXPECT_EQ(fault(source(R"("at": [0, 0], "size": 1, "outer": {"size": 1})")),
+            front + "/outer/radius: this key is missing");
+  EXPECT_EQ(fault(source(R"("at": [0, 0], "size": 1, "precision": 0.2)")),
+            front + "/precision: a size that is not of a field or table has no precision");
+  EXPECT_EQ(fault(source(R"("everywhere": true, "size": 1, "radius": 1)")),
+            front + "/radius: a whole patch has no radius");
+  EXPECT_EQ(fault(source(R"("field": {"size": "u", "m11": "1"})")),
+            front + "/field/m11: a field of one size has no m11");
+  EXPECT_TRUE(fault(source(R"("field": {"size": "u+q"})")).starts_with(front + "/field/size: "));
+  EXPECT_EQ(fault(source(R"("field": {"m11": "1", "m22": "1"})")),
+            front + "/field/m12: this key is missing");
+  EXPECT_EQ(fault(source(R"("field": {"size": "u"}, "precision": 0)")),
+            front + "/precision: must be above 0");
+  EXPECT_TRUE(fault(source(R"("table": "no.csv")")).starts_with(front + "/table: cannot read"));
+  EXPECT_EQ(
+      fault(model("", R"("sources": [{"near": [0, 0], "size": 1}])")).find(" /sources/0/near"), 0u);
+}
+
+TEST(ReadModel, GivesSourcesTheIndexOfTheirPatch) {
+  const std::string rest =
+      R"("surface": {"z": "0"}, "domain": {"u": [0, 1], "v": [0, 1]},
+         "sources": [{"everywhere": true, "size": 1}]})";
+  const ModelFile file =
+      read(R"({"patches": [{"name": "a", )" + rest + R"(, {"name": "b", )" + rest + "]}");
+  EXPECT_EQ(file.sources.everywhere.at(1).patch, 1);
+}
+
+TEST(ReadModel, ReadsContours) {
+  const std::string list = R"json("constants": {"r": 0.25}, "contours": [
+      {"name": "hole", "range": [0, "2*pi"],
+       "on": [{"patch": "p", "u": "1+r*cos(t)", "v": "r*sin(t)"}]},
+      {"name": "seam", "xyz": {"x": "t", "y": "r", "z": "0"}, "on": [{"patch": "p"}]}])json";
+  const ModelFile file =
+      read(model(R"("loops": [["p:v0", "p:u1", "-p:v1", "-p:u0"], ["-hole"]])", list));
+  ASSERT_EQ(file.contours.size(), 2u);
+  EXPECT_EQ(file.contours[0].name, "hole");
+  EXPECT_EQ(file.contours[0].origin, "/contours/0");
+  EXPECT_EQ(file.contours[0].range.to, 2 * std::numbers::pi);
+  EXPECT_NEAR(file.contours[0].on.at(0).curve->evaluate(0.25).v, 0.25, 1e-15);
+  EXPECT_EQ(file.contours[0].xyz, nullptr);
+  EXPECT_EQ(file.contours[1].xyz->evaluate(0.5), Vec3(0.5, 0.25, 0));
+  EXPECT_EQ(file.contours[1].on.at(0).curve, nullptr);
+}
+
+TEST(ReadModel, ReadsLoops) {
+  const PatchInput patch = read(model(R"("loops": [["p:v0", "-p:u1"], ["p:u0"]])")).patches[0];
+  EXPECT_EQ(patch.loops, (std::vector<std::vector<std::string>>{{"p:v0", "-p:u1"}, {"p:u0"}}));
+  EXPECT_EQ(patch.origin, "/patches/0");
+}
+
+TEST(ReadModel, ReadsCagesBesideTheFile) {
+  const ModelFile file = parse_model(
+      R"({"$schema": "surfmesh.schema.json", "cages": [
+          {"name": "a", "file": "x.obj", "scheme": "loop", "patches": "faces"},
+          {"name": "b", "file": "../y.off"},
+          {"name": "c", "file": "z.obj", "patches": "blocks"}]})",
+      "some/where/a.json");
+  ASSERT_EQ(file.cages.size(), 3u);
+  EXPECT_EQ(file.cages[0].patches, PatchKind::Faces);
+  EXPECT_EQ(file.cages[1].patches, PatchKind::Auto);
+  EXPECT_EQ(file.cages[2].patches, PatchKind::Blocks);
+  EXPECT_EQ(file.cages[0].file, std::filesystem::path("some/where/x.obj"));
+  EXPECT_EQ(file.cages[0].scheme, Scheme::Loop);
+  EXPECT_EQ(file.cages[1].file, std::filesystem::path("some/where/../y.off"));
+  EXPECT_EQ(file.cages[1].scheme, Scheme::Auto);
+  EXPECT_TRUE(file.patches.empty());
+}
+
+TEST(ReadModel, ReadsSourcesOfGroups) {
+  const ModelFile file =
+      read(model("", R"("sources": [{"group": "wing", "size": [0.2, "1%"], "angle": 90}])"));
+  ASSERT_EQ(file.groups.size(), 1u);
+  EXPECT_EQ(file.groups[0].group, "wing");
+  EXPECT_EQ(file.groups[0].size.along.value, 0.2);
+  EXPECT_TRUE(file.groups[0].size.across.is_relative);
+  EXPECT_EQ(file.groups[0].origin, "/sources/0/group");
+}
+
+TEST(ReadModel, HandsOptionsOnAsText) {
+  const ModelFile file =
+      read(model("", R"("options": {"nodes": 40000, "interpolation": "auto", "a": [1, true]})"));
+  EXPECT_EQ(file.options,
+            (std::vector<std::pair<std::string, std::string>>{
+                {"nodes", "40000"}, {"interpolation", "\"auto\""}, {"a", "[1,true]"}}));
+}
+
+TEST(ReadModel, AcceptsWhatIsNotBuiltWhereItIsOff) {
+  EXPECT_EQ(fault(model(R"("loops": [], "sources": [])",
+                        R"("cages": [], "contours": [], "sources": [])")),
+            "no error");
+  EXPECT_EQ(fault(sizing(
+                R"("sag": null, "proximity": 0, "features": false, "contour_curvature": false)")),
+            "no error");
+  EXPECT_EQ(
+      fault(sizing(R"("sag": 0, "proximity": 1, "features": true, "contour_curvature": true)")),
+      "no error");
+  EXPECT_EQ(fault(source(
+                R"("everywhere": true, "size": 1, "radius": 0, "outer": {}, "precision": null)")),
+            "no error");
+}
+
+TEST(ReadModel, ReadsTheSag) {
+  const auto sag = [](const std::string& text) { return read(sizing(text)).sizing.sag; };
+  ASSERT_TRUE(sag(R"("sag": "0.1%")").has_value());
+  EXPECT_EQ(sag(R"("sag": "0.1%")")->value, 0.001);
+  EXPECT_FALSE(sag(R"("sag": 2)")->is_relative);
+  for (const char* off : {R"("sag": 0)", R"("sag": "off")", R"("sag": null)"}) {
+    EXPECT_FALSE(sag(off).has_value()) << off;
+  }
+  EXPECT_EQ(fault(sizing(R"("sag": -1)")), " /sizing/sag: must be above 0");
+}
+
+TEST(ReadModelFaults, OfSyntaxWithLineAndColumn) {
+  EXPECT_TRUE(fault("").starts_with("1:1: syntax error")) << fault("");
+  EXPECT_TRUE(fault("{\n  \"a\": 1,\n}").starts_with("3:1: syntax error"))
+      << fault("{\n  \"a\": 1,\n}");
+  EXPECT_TRUE(fault("{\"a\": nan}").starts_with("1:8: syntax error")) << fault("{\"a\": nan}");
+  EXPECT_TRUE(fault("{\"a\": 1}\n x").starts_with("2:2: syntax error")) << fault("{\"a\": 1}\n x");
+  EXPECT_TRUE(fault("{\"a\": \"\xff\"}").find("UTF-8") != std::string::npos);
+}
+
+TEST(ReadModelFaults, OfNumbersOutOfRange) {
+  EXPECT_EQ(fault(sizing("\"hmax\": 1e999")), " /sizing/hmax: number overflow parsing '1e999'");
+  EXPECT_EQ(fault(R"({"patches": [], "sources": [{"size": 1}, {"size": [1, 1e999]}]})"),
+            " /sources/1/size/1: number overflow parsing '1e999'");
+}
+
+TEST(ReadModelFaults, OfKeysThatComeTwice) {
+  EXPECT_EQ(fault(R"({"patches": [], "patches": []})"), " /patches: this key comes twice");
+  EXPECT_EQ(fault(R"({"patches": [{"a": [1, {}]}, {"domain": {"u/v": 1, "u/v": 2}}]})"),
+            " /patches/1/domain/u~1v: this key comes twice");
+}
+
+TEST(ReadModelFaults, OfNestingWithoutEnd) {
+  EXPECT_NE(fault(std::string(100000, '[')).find("the nesting is too deep"), std::string::npos);
+}
+
+TEST(ReadModelFaults, OfUnknownKeysWithASuggestion) {
+  EXPECT_EQ(fault(model("", "\"sizign\": {}")), " /sizign: unknown key, did you mean sizing?");
+  EXPECT_EQ(fault(model("\"source\": []")),
+            " /patches/0/source: unknown key, did you mean sources?");
+  EXPECT_EQ(fault(sizing("\"Hmin\": 1")), " /sizing/Hmin: unknown key, did you mean hmin?");
+  EXPECT_EQ(fault(sizing("\"colour\": 1")), " /sizing/colour: unknown key");
+  EXPECT_EQ(fault(source("\"size\": 1, \"at\": [0, 0], \"raduis\": 1")),
+            " /patches/0/sources/0/raduis: unknown key, did you mean radius?");
+}
+
+TEST(ReadModelFaults, OfMissingKeys) {
+  EXPECT_EQ(fault("{}"), " /patches: this key is missing");
+  EXPECT_EQ(fault(R"({"patches": []})"), " /patches: the model has no patches");
+  EXPECT_EQ(fault(R"({"patches": [{}]})"), " /patches/0/name: this key is missing");
+  EXPECT_EQ(fault(R"({"patches": [{"name": "p"}]})"), " /patches/0/surface: this key is missing");
+  EXPECT_EQ(fault(R"({"patches": [{"name": "p", "surface": {}}]})"),
+            " /patches/0/surface/z: this key is missing");
+  EXPECT_EQ(fault(R"({"patches": [{"name": "p", "surface": {"z": "0"}}]})"),
+            " /patches/0/domain: this key is missing");
+  EXPECT_EQ(fault(source("\"at\": [0, 0]")), " /patches/0/sources/0/size: this key is missing");
+  EXPECT_EQ(
+      fault(source("\"size\": 1")),
+      " /patches/0/sources/0: a source needs one of everywhere, at, along, inside, field, table");
+  EXPECT_EQ(fault(source("\"everywhere\": true, \"at\": [0, 0], \"size\": 1")),
+            " /patches/0/sources/0: a source cannot have both everywhere and at");
+}
+
+TEST(ReadModelFaults, OfTypes) {
+  EXPECT_EQ(fault("[]"), " must be an object, not array");
+  EXPECT_EQ(fault(R"({"patches": {}})"), " /patches: must be an array, not object");
+  EXPECT_EQ(fault(R"({"patches": [{"name": 1}]})"),
+            " /patches/0/name: must be a string, not number");
+  EXPECT_EQ(fault(sizing("\"curvature\": \"1\"")),
+            " /sizing/curvature: must be a number, not string");
+  EXPECT_EQ(fault(sizing("\"features\": 1")),
+            " /sizing/features: must be true or false, not number");
+  EXPECT_EQ(fault(sizing("\"hmin\": true")), " /sizing/hmin: must be a number, not boolean");
+  EXPECT_EQ(fault(source("\"at\": [0], \"size\": 1")),
+            " /patches/0/sources/0/at: must be an array of 2 values, not 1");
+}
+
+TEST(ReadModelFaults, OfRanges) {
+  EXPECT_EQ(fault(sizing("\"hmin\": 0")), " /sizing/hmin: must be above 0");
+  EXPECT_EQ(fault(sizing("\"hmax\": \"-1%\"")), " /sizing/hmax: must be above 0");
+  EXPECT_EQ(fault(sizing("\"hmax\": \"1\"")),
+            " /sizing/hmax: a length in model units is a number, without quotes");
+  const std::string reason = " is no length: a number, or a share of the diagonal such as 0.1%";
+  EXPECT_EQ(fault(sizing("\"hmax\": \"x%\"")), " /sizing/hmax: 'x%'" + reason);
+  EXPECT_EQ(fault(sizing("\"hmax\": \"inf%\"")), " /sizing/hmax: 'inf%'" + reason);
+  EXPECT_EQ(fault(sizing("\"hmin\": 2, \"hmax\": 1")),
+            " /sizing/hmax: hmin must not be above hmax");
+  EXPECT_EQ(fault(sizing("\"hmin\": \"30%\"")), " /sizing/hmin: hmin must not be above hmax");
+  EXPECT_EQ(fault(sizing("\"curvature\": -1")), " /sizing/curvature: must be at least 0");
+  EXPECT_EQ(fault(sizing("\"stretch\": 0.5")), " /sizing/stretch: must be at least 1");
+  EXPECT_EQ(fault(sizing("\"grade\": 0.5")), " /sizing/grade: must be 0 (off), or at least 1");
+  EXPECT_EQ(fault(source("\"at\": [3, 0], \"size\": 1")),
+            " /patches/0/sources/0/at: this point is outside of the domain");
+  EXPECT_EQ(fault(source("\"at\": [0, 0], \"size\": [1, 0]")),
+            " /patches/0/sources/0/size/1: must be above 0");
+  EXPECT_EQ(fault(source("\"everywhere\": false, \"size\": 1")),
+            " /patches/0/sources/0/everywhere: must be true");
+}
+
+TEST(ReadModelFaults, OfDomains) {
+  const auto with = [](const std::string& domain) {
+    return R"({"patches": [{"name": "p", "surface": {"z": "0"}, "domain": )" + domain + "}]}";
+  };
+  EXPECT_EQ(fault(with(R"({"u": [1, 1], "v": [0, 1]})")),
+            " /patches/0/domain/u: the second value must be larger than the first");
+  EXPECT_EQ(fault(with(R"({"u": [0, 1]})")), " /patches/0/domain/v: this key is missing");
+  EXPECT_EQ(fault(with(R"({"u": [0, 1], "v": [0, true]})")),
+            " /patches/0/domain/v/1: must be a number, not boolean");
+}
+
+TEST(ReadModelFaults, OfNames) {
+  const std::string patch =
+      R"({"name": "p", "surface": {"z": "0"}, "domain": {"u": [0, 1], "v": [0, 1]}})";
+  EXPECT_EQ(fault("{\"patches\": [" + patch + ", " + patch + "]}"),
+            " /patches/1/name: there are two patches with the name p");
+  EXPECT_EQ(fault(R"({"patches": [{"name": ""}]})"), " /patches/0/name: must not be empty");
+  EXPECT_EQ(fault(model("", R"("constants": {"pi": 3})")),
+            " /constants/pi: this name is not to be redefined");
+  EXPECT_EQ(fault(model("", R"("constants": {"2a": 3})")),
+            " /constants/2a: the name of a constant has letters, digits and _ only");
+}
+
+TEST(ReadModelFaults, OfContours) {
+  const std::string front = " /contours/0";
+  EXPECT_EQ(fault(contour("")), front + "/name: this key is missing");
+  EXPECT_EQ(fault(contour(R"("name": "a")")),
+            front + ": a contour needs xyz, or u and v on a patch");
+  EXPECT_EQ(fault(contour(R"("name": "a", "on": [{"patch": "p"}])")),
+            front + ": a contour needs xyz, or u and v on a patch");
+  EXPECT_EQ(fault(contour(R"("name": "a", "on": [{"patch": "p", "u": "t"}])")),
+            front + "/on/0/v: this key is missing");
+  EXPECT_EQ(fault(contour(R"("name": "a", "on": [{"patch": "pq", "u": "t", "v": "t"}])")),
+            front + "/on/0/patch: there is no patch with formulas pq, did you mean p?");
+  EXPECT_EQ(fault(contour(R"("name": "a", "range": [1, 0])")),
+            front + "/range: the second value must be larger than the first");
+  EXPECT_EQ(fault(contour(R"("name": "-a")")),
+            front + "/name: a name must not begin with -, which turns a contour in a loop");
+  EXPECT_EQ(fault(contour(R"("name": "a:b")")),
+            front + "/name: the name of a contour has no colon, which sides have");
+  EXPECT_EQ(fault(contour(R"("name": "a", "xyz": {"x": "t", "y": "0"})")),
+            front + "/xyz/z: this key is missing");
+  EXPECT_TRUE(fault(contour(R"("name": "a", "xyz": {"x": "t", "y": "u", "z": "0"})"))
+                  .starts_with(front + "/xyz: y: "));
+  const std::string one = R"({"name": "a", "xyz": {"x": "t", "y": "0", "z": "0"}})";
+  EXPECT_EQ(fault(contours(one + ", " + one)),
+            " /contours/1/name: there are two contours with the name a");
+}
+
+TEST(ReadModelFaults, OfLoops) {
+  EXPECT_EQ(fault(model(R"("loops": [[]])")), " /patches/0/loops/0: a loop must not be empty");
+  EXPECT_EQ(fault(model(R"("loops": [["p:v0", "-p:w1"]])")),
+            " /patches/0/loops/0/1: there is no contour p:w1, did you mean p:u1?");
+  EXPECT_EQ(fault(model(R"("loops": [["circle"]])")),
+            " /patches/0/loops/0/0: there is no contour circle");
+  EXPECT_EQ(fault(model(R"("loops": "p:v0")")), " /patches/0/loops: must be an array, not string");
+}
+
+TEST(ReadModelFaults, OfCages) {
+  EXPECT_EQ(fault(cages(R"("name": "b")")), " /cages/0/file: this key is missing");
+  EXPECT_EQ(fault(cages(R"("name": "p", "file": "b.obj")")),
+            " /cages/0/name: there are two patches or cages with the name p");
+  EXPECT_EQ(fault(cages(R"("name": "b", "file": "b.obj", "scheme": "cat")")),
+            " /cages/0/scheme: must be auto, catmark, loop or bilinear");
+  EXPECT_EQ(fault(cages(R"("name": "b", "file": "b.obj", "patches": "all")")),
+            " /cages/0/patches: must be faces, blocks or auto");
+  EXPECT_EQ(fault(cages(R"("name": "b", "fle": "b.obj")")),
+            " /cages/0/fle: unknown key, did you mean file?");
+}
+
+TEST(ReadModelFaults, OfSourcesOfGroups) {
+  const auto group = [](const std::string& keys) {
+    return fault(model("", "\"sources\": [{" + keys + "}]"));
+  };
+  EXPECT_EQ(group(R"("size": 1)"), " /sources/0: a source needs one of near, group");
+  EXPECT_EQ(group(R"("group": "a", "size": 0)"), " /sources/0/size: must be above 0");
+  EXPECT_EQ(group(R"("group": "a")"), " /sources/0/size: this key is missing");
+  EXPECT_EQ(group(R"("group": "a", "size": 1, "radius": 2)"),
+            " /sources/0/radius: a group has no radius");
+}
+
+TEST(ReadModelFaults, OfFiles) {
+  EXPECT_EQ(error_of([] { read_model("no such.json"); }),
+            "io: cannot read no such.json: it does not exist");
+  const TestFolder folder;
+  write_text(folder / "a.json", "{}");
+  const std::string path = (folder / "a.json").string();
+  EXPECT_EQ(error_of([&] { read_model(path); }),
+            "invalid input: " + path + ": /patches: this key is missing");
+}
+
+TEST(SharedModels, AreRead) {
+  const auto bench = std::filesystem::path(SURFMESH_SHARED_DIR) / "bench";
+  if (!std::filesystem::exists(bench / "c2.json")) GTEST_SKIP() << "no models in " << bench;
+  const ModelFile file = read_model(bench / "c2.json");
+  ASSERT_EQ(file.patches.size(), 1u);
+  EXPECT_EQ(file.patches[0].name, "wave");
+  EXPECT_DOUBLE_EQ(point(file, 0, {1, 0})[2], 1.5 * std::sin(2.0) * std::exp(-0.001));
+  EXPECT_EQ(file.patches[0].surface->domain().u0, -6);
+  EXPECT_EQ(file.patches[0].surface->domain().v1, 6);
+  EXPECT_EQ(file.sizing.curvature, 0.06858261876789555);
+  EXPECT_EQ(file.sizing.hmin.value, 0.02);
+  EXPECT_FALSE(file.sizing.hmin.is_relative);
+  EXPECT_EQ(file.sizing.hmax.value, 1);
+  EXPECT_EQ(file.sizing.stretch, 5);
+  EXPECT_EQ(file.sizing.grade, 0);
+  EXPECT_TRUE(file.options.empty());
+}
+
+TEST(SharedModels, HaveFields) {
+  const auto path = std::filesystem::path(SURFMESH_SHARED_DIR) / "bench" / "c1.json";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no model " << path;
+  const Sources sources = read_model(path).sources;
+  ASSERT_EQ(sources.fields.size(), 1u);
+  EXPECT_EQ(sources.fields[0].precision, 0.02);
+  EXPECT_NEAR(sources.fields[0].size({0.5, 0.5}, Vec3::Zero()), 0.0275, 1e-15);
+}
+
+}  // namespace
+}  // namespace surfmesh

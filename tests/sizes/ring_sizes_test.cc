@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/sizes/ring_sizes.hh"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cage/cages.hh"
+#include "support/waves.hh"
+#include "surfmesh/cage/cage_model.hh"
+
+namespace surfmesh {
+namespace {
+
+SizeBounds bounds(double hmin, double hmax) {
+  return SizeBounds(testing::sizing_of(0, hmin, hmax, 2), 1);
+}
+
+/// Length of the line of constant v over the patch, by many chords.
+double line_length(const Surface& surface, double v) {
+  double length = 0;
+  Vec3 last = surface.evaluate({0, v}, Order::Position).point;
+  for (int i = 1; i <= 4000; ++i) {
+    const double u = surface.domain().u1 * i / 4000;
+    const Vec3 next = surface.evaluate({u, v}, Order::Position).point;
+    length += (next - last).norm();
+    last = next;
+  }
+  return length;
+}
+
+TEST(RingSizes, AreTheLengthsAroundATube) {
+  const Model model = model_from_cage(testing::tube(4, 3));
+  ASSERT_EQ(model.patches.size(), 1u);
+  const auto rings = short_rings(model, 0, bounds(1, 100));
+  ASSERT_EQ(rings.size(), 1u);
+  const Ring& ring = rings[0];
+  ASSERT_TRUE(ring.is_along_u);
+  for (const double v : {0.0, 0.3, 1.4, 3.0}) {
+    const double exact = line_length(*model.patches[0].surface, v);
+    EXPECT_LE(ring.length_at({0.7, v}), exact);
+    EXPECT_NEAR(ring.length_at({0.7, v}), exact, 0.03 * exact);
+  }
+}
+
+TEST(RingSizes, AreThereInBothDirectionsOfATorus) {
+  const Model model = model_from_cage(testing::torus());
+  const auto rings = short_rings(model, 0, bounds(1, 100));
+  ASSERT_EQ(rings.size(), 2u);
+  EXPECT_NE(rings[0].is_along_u, rings[1].is_along_u);
+}
+
+TEST(RingSizes, AreNotThereWhereBoundsAreSmaller) {
+  const Model model = model_from_cage(testing::torus());
+  EXPECT_TRUE(short_rings(model, 0, bounds(0.01, 0.5)).empty());
+  EXPECT_EQ(short_rings(model, 0, bounds(0.01, 2)).size(), 1u);
+}
+
+TEST(RingSizes, AreNotThereWithoutASeam) {
+  const Model model = model_from_cage(testing::sheet(5, 4));
+  EXPECT_TRUE(short_rings(model, 0, bounds(1, 100)).empty());
+}
+
+TEST(RingSizes, AreOfTheSeamOnly) {
+  const Ring ring{false, 2, 4, {1, 2, 3}};
+  EXPECT_EQ(ring.length_at({2.5, 9}), 1.5);
+  EXPECT_EQ(ring.length_at({4, 0}), 3);
+  EXPECT_TRUE(std::isinf(ring.length_at({4.5, 0})));
+  EXPECT_TRUE(std::isinf(ring.length_at({1.5, 0})));
+}
+
+TEST(RingSizes, GoBelowHminButNotWithoutEnd) {
+  EXPECT_EQ(size_around(2, bounds(1, 10)), 0.5);
+  EXPECT_EQ(size_around(1000, bounds(1, 10)), 10);
+  EXPECT_GT(size_around(0, bounds(1, 10)), 0.01);
+}
+
+}  // namespace
+}  // namespace surfmesh
