@@ -48,7 +48,7 @@ void check_paths(const std::string& input, const std::string& output, const std:
 }
 
 void stop_on_signal() {
-  if (caught_signal() != 0) throw Error(ErrorCode::Limit, "stopped by a signal");
+  if (caught_signal() != 0) throw Error(ErrorCode::Cancelled, "stopped by a signal");
 }
 
 std::vector<std::string> patch_names(const Model& model) {
@@ -72,8 +72,7 @@ class MeshRun {
   }
 
   void mesh(const std::string& path, Progress& progress) {
-    input_.options.observer = &progress;
-    result_ = mesh_model(input_.model, input_.sources, input_.options);
+    result_ = mesh_model(input_.model, input_.sources, input_.options, &progress);
     result_.report.input = path;
     result_.report.seconds.read = read_seconds_;
     stop_on_signal();

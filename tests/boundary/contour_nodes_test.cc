@@ -298,11 +298,11 @@ TEST(ContourNodes, TellTheQueriesTheyCost) {
   EXPECT_LE(queries, 8 * 400U);
 }
 
-TEST(BoundaryOptions, RefuseAMultipleOfLessThanOne) {
+TEST(ContourDemands, RefuseAMultipleOfLessThanOne) {
   const Model model = model_of({testing::rectangle(0, 0, 1, 1)});
   for (const int bad : {0, -2}) {
     const std::string error = error_of([&] { place(model, 0.1, bad); });
-    EXPECT_EQ(error.rfind(name(ErrorCode::InvalidOption), 0), 0U) << error;
+    EXPECT_EQ(error.rfind(name(ErrorCode::InvalidInput), 0), 0U) << error;
     EXPECT_NE(error.find("multiple"), std::string::npos) << error;
   }
 }

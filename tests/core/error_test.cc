@@ -22,6 +22,7 @@ TEST(Error, NamesEveryCodeDifferently) {
   EXPECT_STREQ(name(ErrorCode::Io), "io");
   EXPECT_STREQ(name(ErrorCode::Geometry), "geometry");
   EXPECT_STREQ(name(ErrorCode::Limit), "limit");
+  EXPECT_STREQ(name(ErrorCode::Cancelled), "cancelled");
 }
 
 }  // namespace

@@ -42,9 +42,9 @@ TEST(LoadModel, TakesTheOptionsOfAModelFile) {
   write_text(folder / "a.json", model(R"("options": {"nodes": 400, "placement": "circumcentre",
                                          "quads": false, "precision": null})"));
   const ModelInput input = load_model(folder / "a.json");
-  EXPECT_EQ(input.options.control.nodes.regular, 400);
+  EXPECT_EQ(input.options.control.regular_nodes, 400);
   EXPECT_EQ(input.options.refine.placement, Placement::Circumcentre);
-  EXPECT_EQ(input.options.control.nodes.precision, ControlNodeOptions{}.precision);
+  EXPECT_EQ(input.options.control.precision, ControlOptions{}.precision);
 }
 
 TEST(LoadModel, NamesThePlaceOfAWrongOption) {

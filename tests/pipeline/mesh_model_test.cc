@@ -219,20 +219,16 @@ class Recorder : public Observer {
 
 TEST(MeshModelObserver, IsToldOfEveryStage) {
   Recorder recorder;
-  PipelineOptions options;
-  options.observer = &recorder;
-  const MeshResult result = mesh_model(testing::torus_of(2), {}, options);
+  mesh_model(testing::torus_of(2), {}, {}, &recorder);
   EXPECT_EQ(recorder.stages, (std::set<std::string>{"assemble", "boundary", "control", "mesh"}));
   EXPECT_EQ(recorder.finished, recorder.stages);
-  EXPECT_EQ(result.report.options.observer, nullptr);
 }
 
 TEST(MeshModelObserver, CanCancelAtAnyTime) {
   for (const int calls : {0, 1, 3, 6}) {
     Recorder recorder(calls);
-    PipelineOptions options;
-    options.observer = &recorder;
-    EXPECT_EQ(error_of([&] { mesh_model(testing::torus_of(2), {}, options); }), "limit: cancelled");
+    EXPECT_EQ(error_of([&] { mesh_model(testing::torus_of(2), {}, {}, &recorder); }),
+              "cancelled: the run was cancelled");
   }
 }
 
@@ -254,14 +250,14 @@ TEST(MeshModelError, NamesThePatchAndThePlaceOfASurfaceThatIsNotFinite) {
 
 TEST(MeshModelError, TellsOfBadOptionsFirst) {
   PipelineOptions options;
-  options.refine.max_elements = 0;
+  options.max_elements = 0;
   EXPECT_EQ(error_of([&] { mesh_model({}, {}, options); }).substr(0, 14), "invalid option");
 }
 
 TEST(MeshModelError, EndsAtTheLimitOfAllPatchesTogether) {
   PipelineOptions options;
   const Model model = testing::torus_of(4);
-  options.refine.max_elements = mesh_model(model).mesh.n_faces() / 2;
+  options.max_elements = mesh_model(model).mesh.n_faces() / 2;
   EXPECT_EQ(error_of([&] { mesh_model(model, {}, options); }).substr(0, 5), "limit");
 }
 

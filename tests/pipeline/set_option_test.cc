@@ -58,7 +58,7 @@ TEST(SetOption, ReachesTheStages) {
   set_option(options, "smoothing", "5");
   EXPECT_EQ(options.sizing.hmin.value, 0.001);
   EXPECT_TRUE(options.sizing.hmin.is_relative);
-  EXPECT_EQ(options.control.nodes.regular, 100);
+  EXPECT_EQ(options.control.regular_nodes, 100);
   EXPECT_EQ(options.refine.placement, Placement::Circumcentre);
   EXPECT_EQ(options.refine.kernel, Kernel::Swap);
   EXPECT_EQ(options.improve.sweeps, 5);
@@ -148,11 +148,11 @@ TEST(SetOption, SetsHowControlSpacesAreMadeAndAsked) {
   }
   const ControlOptions& control = options.control;
   EXPECT_EQ(control.kind, ControlKind::Grid);
-  EXPECT_EQ(control.space.interpolation, Interpolation::Circles);
-  EXPECT_EQ(control.space.epsilon, 0.2);
-  EXPECT_EQ(control.space.blend, Blend::Logarithmic);
-  EXPECT_EQ(control.space.reuse, 0.5);
-  EXPECT_EQ(control.space.lookup, DiscLookup::Vertices);
+  EXPECT_EQ(control.interpolation, Interpolation::Circles);
+  EXPECT_EQ(control.epsilon, 0.2);
+  EXPECT_EQ(control.blend, Blend::Logarithmic);
+  EXPECT_EQ(control.reuse, 0.5);
+  EXPECT_EQ(control.lookup, DiscLookup::Vertices);
   EXPECT_TRUE(control.inner_nodes);
 }
 

@@ -100,9 +100,9 @@ TEST(ThreadsError, IsTheLimitOnlyIfAllPatchesTogetherHaveTooManyElements) {
   const std::size_t count = mesh_model(model, {}, options).mesh.n_faces();
   for (const int threads : {1, 2, 8}) {
     options.threads = threads;
-    options.refine.max_elements = count;
+    options.max_elements = count;
     EXPECT_EQ(mesh_model(model, {}, options).mesh.n_faces(), count);
-    options.refine.max_elements = count - 1;
+    options.max_elements = count - 1;
     EXPECT_EQ(error_of([&] { mesh_model(model, {}, options); }).substr(0, 6), "limit:");
   }
 }
@@ -146,8 +146,7 @@ TEST(ThreadsObserver, IsCalledByOneAtATime) {
   Watch watch;
   PipelineOptions options;
   options.threads = 8;
-  options.observer = &watch;
-  mesh_model(testing::torus_of(6), {}, options);
+  mesh_model(testing::torus_of(6), {}, options, &watch);
 }
 
 TEST(ThreadsObserver, CancelsByAnAnswerToAnyThread) {
@@ -156,9 +155,8 @@ TEST(ThreadsObserver, CancelsByAnAnswerToAnyThread) {
       Watch watch(questions);
       PipelineOptions options;
       options.threads = threads;
-      options.observer = &watch;
-      EXPECT_EQ(error_of([&] { mesh_model(testing::torus_of(6), {}, options); }),
-                "limit: cancelled")
+      EXPECT_EQ(error_of([&] { mesh_model(testing::torus_of(6), {}, options, &watch); }),
+                "cancelled: the run was cancelled")
           << threads << " threads, question " << questions;
     }
   }

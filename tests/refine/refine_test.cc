@@ -154,15 +154,10 @@ TEST(RefineCircumcentre, AsksForTheMetricAboutOnceANode) {
             1.3);
 }
 
-TEST(RefineOptionsCheck, RefusesNoElements) {
-  EXPECT_EQ(error_of([] { check(RefineOptions{.max_elements = 0}); }),
-            "invalid option: max_elements = 0 is outside its range: above 0");
-}
-
 TEST(RefineLimit, EndsTheRun) {
   const FunctionField field = four_point_field();
   const auto delaunay = empty_square(field);
-  EXPECT_EQ(error_of([&] { refine(*delaunay, field, {.max_elements = 1000}); }),
+  EXPECT_EQ(error_of([&] { refine(*delaunay, field, {}, RunContext(nullptr, 1000)); }),
             "limit: more than max_elements = 1000 triangles");
 }
 
@@ -170,7 +165,7 @@ TEST(RefineLimit, IsTheNumberOfTrianglesThatAreStillAllowed) {
   const FunctionField field = testing::isotropic_field(0.1);
   const std::size_t count = refined(field, {})->n_faces();
   const auto error_with = [&](std::size_t most) {
-    return error_of([&] { refine(*empty_square(field), field, {.max_elements = most}); });
+    return error_of([&] { refine(*empty_square(field), field, {}, RunContext(nullptr, most)); });
   };
   EXPECT_EQ(error_with(count), "no error");
   EXPECT_EQ(error_with(count - 1).substr(0, 6), "limit:");

@@ -92,13 +92,13 @@ class ContourDivision {
     parameters_.resize(contour.uses.size());
   }
 
-  void divide(int least, const BoundaryOptions& options) {
+  void divide(int least, const ContourDemands& demands) {
     const double length = arcs_[selected_].length();
-    const int multiple = options.multiple;
+    const int multiple = demands.multiple;
     const int wanted = static_cast<int>(std::lround(length / multiple)) * multiple;
     const int rounded_least = rounded_up(least, multiple);
     const int count =
-        options.sag ? count_for_sag(rounded_least, options) : std::max(wanted, rounded_least);
+        demands.sag ? count_for_sag(rounded_least, demands) : std::max(wanted, rounded_least);
     for (int i = 0; i <= count; ++i) {
       const double t = i == 0       ? 0.0
                        : i == count ? 1.0
@@ -251,11 +251,11 @@ class ContourDivision {
   Vec3 vertex(int index) const { return model_.vertices[static_cast<std::size_t>(index)].position; }
 
   /// The least count, a multiple, with which all segments are near enough.
-  int count_for_sag(int least, const BoundaryOptions& options) const {
+  int count_for_sag(int least, const ContourDemands& demands) const {
     const double length = arcs_[selected_].length();
-    const int step = options.multiple;
+    const int step = demands.multiple;
     int count = std::max(least, step * static_cast<int>(std::ceil(kFewest * length / step)));
-    while (count < kMost * length && !holds(count, *options.sag)) count += step;
+    while (count < kMost * length && !holds(count, *demands.sag)) count += step;
     return count;
   }
 
@@ -533,6 +533,16 @@ class Uncrossing {
   std::size_t halved_ = 0;
 };
 
+void check(const ContourDemands& demands) {
+  if (demands.multiple < 1) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("the number of segments cannot be a multiple of {}", demands.multiple));
+  }
+  if (demands.sag && !(*demands.sag > 0)) {
+    throw Error(ErrorCode::InvalidInput, fmt::format("a sag of {} is not above 0", *demands.sag));
+  }
+}
+
 ContourNodes degenerate_nodes(const Model& model, const Contour& contour) {
   ContourNodes nodes;
   nodes.points.assign(2, model.vertices[static_cast<std::size_t>(contour.start)].position);
@@ -544,34 +554,23 @@ ContourNodes degenerate_nodes(const Model& model, const Contour& contour) {
 
 }  // namespace
 
-void check(const BoundaryOptions& options) {
-  if (options.multiple < 1) {
-    throw Error(ErrorCode::InvalidOption,
-                fmt::format("multiple = {} is outside its range: 1 or above", options.multiple));
-  }
-  if (options.sag && !(*options.sag > 0)) {
-    throw Error(ErrorCode::InvalidOption,
-                fmt::format("sag = {} is outside its range: above 0", *options.sag));
-  }
-}
-
 BoundaryNodes place_contour_nodes(const Model& model, const std::vector<const MetricField*>& fields,
-                                  const BoundaryOptions& options) {
-  check(options);
+                                  const ContourDemands& demands) {
+  check(demands);
   const LeastSegments least(model);
   ContourDivisions divisions(model.contours.size());
   share_indices(model.contours.size(), [&](std::size_t c) {
     const Contour& contour = model.contours[c];
     if (contour.uses.empty() || contour.is_degenerate) return;
     ContourDivision& division = divisions[c].emplace(model, contour, fields);
-    division.divide(least(contour), options);
-    if (division.halve_long_segments() && !options.sag) {
-      division.even_out(least(contour), options.multiple);
+    division.divide(least(contour), demands);
+    if (division.halve_long_segments() && !demands.sag) {
+      division.even_out(least(contour), demands.multiple);
     }
     division.halve_astray_segments();
-    division.round_up_to(options.multiple);
+    division.round_up_to(demands.multiple);
   });
-  Uncrossing(model, divisions, options.multiple).run();
+  Uncrossing(model, divisions, demands.multiple).run();
   BoundaryNodes result;
   for (std::size_t c = 0; c < model.contours.size(); ++c) {
     if (divisions[c]) {

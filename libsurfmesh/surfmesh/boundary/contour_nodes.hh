@@ -17,14 +17,13 @@ struct ContourNodes {
   int segment_count() const { return static_cast<int>(points.size()) - 1; }
 };
 
-struct BoundaryOptions {
+/// What is asked of the nodes of all contours beside the sizes.
+struct ContourDemands {
   /// The number of segments of every contour is a multiple of this; quads need 2. 1 or above.
   int multiple = 1;
   /// Greatest distance between a segment and its contour, model units; unset is off. Above 0.
   std::optional<double> sag = {};
 };
-
-void check(const BoundaryOptions& options);
 
 struct BoundaryReport {
   QueryCounts queries;  ///< of the metric fields
@@ -55,8 +54,9 @@ struct BoundaryNodes {
 ///
 /// `fields` holds the metric of each patch.
 /// Cost     four to eight metric queries a segment and use
+/// Throws   InvalidInput for demands out of range
 /// Source   paper, section 2.1, item 1
 BoundaryNodes place_contour_nodes(const Model& model, const std::vector<const MetricField*>& fields,
-                                  const BoundaryOptions& options = {});
+                                  const ContourDemands& demands = {});
 
 }  // namespace surfmesh

@@ -17,6 +17,8 @@ const char* name(ErrorCode code) {
       return "geometry";
     case ErrorCode::Limit:
       return "limit";
+    case ErrorCode::Cancelled:
+      return "cancelled";
   }
   return "unknown";
 }

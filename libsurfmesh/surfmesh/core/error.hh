@@ -13,7 +13,8 @@ enum class ErrorCode {
   MissingProperty,  ///< a mesh lacks a property that an earlier stage writes
   Io,               ///< a file that cannot be opened, read or written
   Geometry,         ///< a surface or boundary that cannot be meshed
-  Limit             ///< a cap (elements, iterations) is exceeded
+  Limit,            ///< a cap (elements, iterations) is exceeded
+  Cancelled         ///< the observer ended the run
 };
 
 /// The name of a code, as used in reports: "invalid input", "io", ...

@@ -26,12 +26,12 @@ constexpr int kMaxFits = 3;
 
 class Improvement {
  public:
-  Improvement(DelaunayMesh& delaunay, const MetricField& field, Observer* observer)
-      : delaunay_(delaunay), moves_(delaunay, field), observer_(observer) {}
+  Improvement(DelaunayMesh& delaunay, const MetricField& field, const RunContext& context)
+      : delaunay_(delaunay), moves_(delaunay, field), context_(context) {}
 
   void smooth() {
     for (std::size_t i = 0; i < delaunay_.n_vertices(); ++i) {
-      if (i % kStepsBetweenCancellation == 0) throw_if_cancelled(observer_);
+      if (i % kStepsBetweenCancellation == 0) context_.throw_if_cancelled();
       moves_.smooth(VertexHandle(static_cast<int>(i)));
     }
   }
@@ -41,7 +41,7 @@ class Improvement {
   /// Collapse and split edges, again while that changes more than hardly any.
   void fit() {
     for (int round = 0; round < kMaxFits; ++round) {
-      throw_if_cancelled(observer_);
+      context_.throw_if_cancelled();
       const FitReport fitted = fit_lengths(delaunay_, moves_);
       report_.collapsed += fitted.collapsed;
       report_.split += fitted.split;
@@ -54,13 +54,13 @@ class Improvement {
   void repair(int passes) {
     std::vector<FaceHandle> bad;
     for (std::size_t i = 0; i < delaunay_.n_faces(); ++i) {
-      if (i % kStepsBetweenCancellation == 0) throw_if_cancelled(observer_);
+      if (i % kStepsBetweenCancellation == 0) context_.throw_if_cancelled();
       add_if_bad(FaceHandle(static_cast<int>(i)), bad);
     }
     std::vector<char> is_searched(delaunay_.n_vertices(), 0);
     for (int pass = 0; pass < passes && !bad.empty(); ++pass) {
       bad = repair(bad, is_searched);
-      throw_if_cancelled(observer_);
+      context_.throw_if_cancelled();
     }
   }
 
@@ -107,7 +107,7 @@ class Improvement {
 
   DelaunayMesh& delaunay_;
   VertexMoves moves_;
-  Observer* observer_;
+  const RunContext& context_;
   ImproveReport report_;
 };
 
@@ -122,9 +122,9 @@ void check(const ImproveOptions& options) {
 }
 
 ImproveReport improve(DelaunayMesh& delaunay, const MetricField& field,
-                      const ImproveOptions& options) {
+                      const ImproveOptions& options, const RunContext& context) {
   check(options);
-  Improvement improvement(delaunay, field, options.observer);
+  Improvement improvement(delaunay, field, context);
   for (int i = 0; i < options.sweeps; ++i) improvement.smooth();
   if (options.sweeps > 0) improvement.swap();
   if (options.repairs > 0) {

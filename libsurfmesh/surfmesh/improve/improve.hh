@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "surfmesh/core/observer.hh"
+#include "surfmesh/core/run_context.hh"
 #include "surfmesh/delaunay/delaunay_mesh.hh"
 #include "surfmesh/metric/metric_field.hh"
 
@@ -15,7 +15,6 @@ struct ImproveOptions {
   /// Collapses and splits of edges out of the unit range, then at most so many passes over the
   /// triangles of low quality; 0 is off.
   int repairs = 3;
-  Observer* observer = nullptr;  ///< asked whether to go on; not owned, null for none
 };
 
 void check(const ImproveOptions& options);
@@ -39,8 +38,9 @@ struct ImproveReport {
 /// Reads    surf:constrained
 /// Writes   surf:uv, surf:metric of moved and new vertices
 /// Cost     about 0.3 µs a triangle and half a metric query a sweep, for a mesh in spatial order
+/// Throws   InvalidOption; Cancelled
 /// Source   paper, section 2.1, item 4
 ImproveReport improve(DelaunayMesh& delaunay, const MetricField& field,
-                      const ImproveOptions& options = {});
+                      const ImproveOptions& options = {}, const RunContext& context = RunContext());
 
 }  // namespace surfmesh

@@ -42,7 +42,7 @@ std::vector<std::unique_ptr<SizeField>> size_fields(const ModelInput& input) {
   for (std::size_t p = 0; p < input.model.patches.size(); ++p) {
     fields.push_back(std::make_unique<SizeField>(*input.model.patches[p].surface, sizing,
                                                  sources[p], input.model.diagonal,
-                                                 input.options.control.nodes.precision));
+                                                 input.options.control.precision));
   }
   return fields;
 }

@@ -68,7 +68,7 @@ std::vector<std::size_t> cells_of_patches(const Model& model) {
 }  // namespace
 
 ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
-                                  const PipelineOptions& options) {
+                                  const PipelineOptions& options, const RunContext& context) {
   check_bounds(model, options.sizing);
   check_patches(model, sources);
   ControlSpaces result;
@@ -77,7 +77,7 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
   const auto patch_sources = model_sources(model, sources, options.sizing);
   std::vector<ControlInput> inputs(model.patches.size());
   result.spaces.resize(model.patches.size());
-  for_each_patch(model, "control", options.observer, cells_of_patches(model), [&](std::size_t p) {
+  for_each_patch(model, "control", context, cells_of_patches(model), [&](std::size_t p) {
     inputs[p] = collect_control_input(*model.patches[p].surface, options.sizing, patch_sources[p],
                                       model.diagonal, options.control);
     result.spaces[p] = make_control(inputs[p]);
@@ -90,7 +90,7 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
                     "than elements can follow; a larger hmin or precision helps",
                     names));
   }
-  if (!grade_across_contours(model, inputs, result.spaces, options.observer).has_converged) {
+  if (!grade_across_contours(model, inputs, result.spaces, context).has_converged) {
     result.shortfalls.push_back("gradation across contours has not come to an end");
   }
   return result;

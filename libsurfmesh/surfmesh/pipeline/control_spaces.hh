@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "surfmesh/control/control_space.hh"
+#include "surfmesh/core/run_context.hh"
 #include "surfmesh/model/model.hh"
 #include "surfmesh/pipeline/options.hh"
 #include "surfmesh/sizes/sizing.hh"
@@ -21,9 +22,11 @@ struct ControlSpaces {
 
 /// Make the control space of each patch, graded within patches and across their contours.
 ///
-/// Throws   InvalidOption; InvalidInput for a source of a patch that does not exist, or that makes
+/// Throws   Cancelled; InvalidOption; InvalidInput for a source of a patch that does not exist, or
+/// that makes
 ///          no sense; Geometry; Limit; errors name the patch
 ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
-                                  const PipelineOptions& options);
+                                  const PipelineOptions& options,
+                                  const RunContext& context = RunContext());
 
 }  // namespace surfmesh

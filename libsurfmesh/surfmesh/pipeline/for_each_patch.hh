@@ -6,33 +6,25 @@
 #include <vector>
 
 #include "surfmesh/core/at_place.hh"
-#include "surfmesh/core/observer.hh"
 #include "surfmesh/core/parallel.hh"
+#include "surfmesh/core/run_context.hh"
 #include "surfmesh/model/model.hh"
 
 namespace surfmesh {
 
-/// Tell an observer, which may be null, how far a stage is.
-/// Throws   Limit where it cancels
-inline void tell(Observer* observer, std::string_view stage, std::size_t done, std::size_t total) {
-  if (!observer) return;
-  observer->progress(stage, done, total);
-  throw_if_cancelled(observer);
-}
-
 /// Call `body(index)` for each patch of a model, shared among threads, the patches of the greatest
 /// weight first; tell how far it is, and name the patch in errors; that of the first patch counts.
 template <class Body>
-void for_each_patch(const Model& model, std::string_view stage, Observer* observer,
+void for_each_patch(const Model& model, std::string_view stage, const RunContext& context,
                     const std::vector<std::size_t>& weights, Body body) {
   std::mutex mutex;
   std::size_t done = 0;
-  tell(observer, stage, 0, model.patches.size());
+  context.tell(stage, 0, model.patches.size());
   share_indices(heaviest_first(weights), [&](std::size_t p) {
-    throw_if_cancelled(observer);
+    context.throw_if_cancelled();
     at_place("patch " + model.patches[p].name, [&] { body(p); });
     const std::lock_guard lock(mutex);
-    tell(observer, stage, ++done, model.patches.size());
+    context.tell(stage, ++done, model.patches.size());
   });
 }
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
 #include <chrono>
 #include <iterator>
 #include <memory>
@@ -24,7 +23,6 @@
 #include "surfmesh/pipeline/for_each_patch.hh"
 #include "surfmesh/pipeline/patch_names.hh"
 #include "surfmesh/pipeline/reach_sag.hh"
-#include "surfmesh/pipeline/serial_observer.hh"
 #include "surfmesh/refine/boundary_triangulation.hh"
 
 namespace surfmesh {
@@ -44,16 +42,20 @@ struct PatchReport {
 class Run {
  public:
   Run(const Model& model, const Sources& sources, const PipelineOptions& options,
-      std::optional<double> corrected_sag = {})
-      : model_(model), sources_(sources), options_(options), corrected_sag_(corrected_sag) {
+      const RunContext& context, std::optional<double> corrected_sag = {})
+      : model_(model),
+        sources_(sources),
+        options_(options),
+        context_(context),
+        corrected_sag_(corrected_sag) {
     if (options.sizing.sag) sag_ = options.sizing.sag->in_units(model.diagonal);
     report_.options = options;
-    report_.options.observer = nullptr;
     report_.warnings = model.warnings;
   }
 
   void mesh(MeshResult& result) {
     const auto start = std::chrono::steady_clock::now();
+    context_.begin_mesh();
     make_spaces();
     place_nodes();
     mesh_patches();
@@ -65,13 +67,9 @@ class Run {
   }
 
  private:
-  void tell(std::string_view stage, std::size_t done, std::size_t total) const {
-    surfmesh::tell(options_.observer, stage, done, total);
-  }
-
   void make_spaces() {
     const StageClock clock(report_.seconds.control);
-    ControlSpaces made = make_control_spaces(model_, sources_, options_);
+    ControlSpaces made = make_control_spaces(model_, sources_, options_, context_);
     std::move(made.warnings.begin(), made.warnings.end(), std::back_inserter(report_.warnings));
     std::move(made.shortfalls.begin(), made.shortfalls.end(),
               std::back_inserter(report_.shortfalls));
@@ -110,20 +108,18 @@ class Run {
 
   void place_nodes() {
     const StageClock clock(report_.seconds.boundary);
-    tell("boundary", 0, model_.contours.size());
-    BoundaryOptions boundary_options = options_.boundary;
-    boundary_options.sag = sag_;
-    BoundaryNodes boundary = place_contour_nodes(model_, fields_, boundary_options);
+    context_.tell("boundary", 0, model_.contours.size());
+    BoundaryNodes boundary = place_contour_nodes(model_, fields_, {.sag = sag_});
     nodes_ = std::move(boundary.contours);
     report_.control.queries.boundary = boundary.report.queries;
     numbers_ = std::make_unique<NodeNumbers>(model_, nodes_);
-    tell("boundary", model_.contours.size(), model_.contours.size());
+    context_.tell("boundary", model_.contours.size(), model_.contours.size());
   }
 
   void mesh_patches() {
     patches_.resize(model_.patches.size());
     patch_reports_.resize(model_.patches.size());
-    for_each_patch(model_, "mesh", options_.observer, boundary_counts(),
+    for_each_patch(model_, "mesh", context_, boundary_counts(),
                    [this](std::size_t p) { mesh_patch(p); });
     for (const PatchReport& report : patch_reports_) take(report);
     tell_given_up();
@@ -192,7 +188,7 @@ class Run {
     triangulate_patch(p);
     refine_patch(p);
     improve_patch(p);
-    count_elements(patches_[p].delaunay->n_faces());
+    context_.add_elements(patches_[p].delaunay->n_faces());
     finish_patch(p);
   }
 
@@ -215,37 +211,16 @@ class Run {
   void refine_patch(std::size_t p) {
     PatchReport& report = patch_reports_[p];
     const StageClock clock(report.seconds.refine);
-    RefineOptions refine_options = options_.refine;
-    refine_options.observer = options_.observer;
-    refine_options.max_elements = elements_left();
-    const RefineReport refined = refine(*patches_[p].delaunay, *patches_[p].field, refine_options);
+    const RefineReport refined =
+        refine(*patches_[p].delaunay, *patches_[p].field, options_.refine, context_);
     report.queries.refine = refined.queries;
     report.is_given_up = refined.is_stopped;
   }
 
   void improve_patch(std::size_t p) {
     const StageClock clock(patch_reports_[p].seconds.improve);
-    ImproveOptions improve_options = options_.improve;
-    improve_options.observer = options_.observer;
     patch_reports_[p].queries.improve =
-        improve(*patches_[p].delaunay, *patches_[p].field, improve_options).queries;
-  }
-
-  /// Elements that the patches which are not finished may have: each takes at least one. Whichever
-  /// these are, there is an error if, and only if, all patches together have too many.
-  std::size_t elements_left() const {
-    const std::size_t count = elements_;
-    expect_few(count + 1);
-    return options_.refine.max_elements - count;
-  }
-
-  void count_elements(std::size_t count) { expect_few(elements_ += count); }
-
-  void expect_few(std::size_t elements) const {
-    const std::size_t most = options_.refine.max_elements;
-    if (elements > most) {
-      throw Error(ErrorCode::Limit, fmt::format("more than max_elements = {} triangles", most));
-    }
+        improve(*patches_[p].delaunay, *patches_[p].field, options_.improve, context_).queries;
   }
 
   void finish_patch(std::size_t p) {
@@ -257,10 +232,10 @@ class Run {
 
   void assemble_patches(PolyMesh& mesh) {
     const StageClock clock(report_.seconds.assemble);
-    tell("assemble", 0, 1);
+    context_.tell("assemble", 0, 1);
     AssembleReport report = assemble(mesh, model_, nodes_, *numbers_, patches_);
     for (std::string& warning : report.warnings) report_.warnings.push_back(std::move(warning));
-    tell("assemble", 1, 1);
+    context_.tell("assemble", 1, 1);
     compare(mesh);
   }
 
@@ -300,6 +275,7 @@ class Run {
   const Model& model_;
   const Sources& sources_;
   const PipelineOptions& options_;
+  const RunContext& context_;
   std::optional<double> corrected_sag_;  ///< triangles above this are corrected one by one
   std::optional<double> sag_;            ///< asked for, model units
   Report report_;
@@ -310,46 +286,44 @@ class Run {
   std::unique_ptr<NodeNumbers> numbers_;
   std::vector<PatchMesh> patches_;
   std::vector<PatchReport> patch_reports_;
-  std::atomic<std::size_t> elements_ = 0;  ///< of the patches that are finished
 };
 
 /// Mesh the model once or until the sag is reached.
 void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOptions& options,
-                   MeshResult& result) {
+                   const RunContext& context, MeshResult& result) {
   if (!options.sizing.sag) {
-    Run(model, sources, options).mesh(result);
+    Run(model, sources, options, context).mesh(result);
     return;
   }
   result = detail::reach_sag(model, sources, options,
                              [&](const Sources& corrected, std::optional<double> corrected_sag) {
                                MeshResult once;
-                               Run(model, corrected, options, corrected_sag).mesh(once);
+                               Run(model, corrected, options, context, corrected_sag).mesh(once);
                                return once;
                              });
 }
 
-/// The same, with an observer that all threads may tell and ask.
-void mesh_observed(const Model& model, const Sources& sources, PipelineOptions options,
-                   MeshResult& result) {
-  if (!options.observer) return mesh_as_asked(model, sources, options, result);
-  detail::SerialObserver observer(*options.observer);
-  options.observer = &observer;
+/// The same; of a cancelled run no other error counts, for which patch was at work then is a matter
+/// of chance.
+void mesh_or_cancel(const Model& model, const Sources& sources, const PipelineOptions& options,
+                    const RunContext& context, MeshResult& result) {
   try {
-    mesh_as_asked(model, sources, options, result);
+    mesh_as_asked(model, sources, options, context, result);
   } catch (const Error&) {
-    // Which patch was at work then is a matter of chance.
-    if (observer.has_cancelled()) throw_if_cancelled(&observer);
+    if (context.was_cancelled()) context.throw_if_cancelled();
     throw;
   }
 }
 
 }  // namespace
 
-MeshResult mesh_model(const Model& model, const Sources& sources, const PipelineOptions& options) {
+MeshResult mesh_model(const Model& model, const Sources& sources, const PipelineOptions& options,
+                      Observer* observer) {
   check(options);
   check(model);
+  const RunContext context(observer, options.max_elements);
   MeshResult result;  // OpenMesh's meshes cannot be moved, only copied
-  with_threads(options.threads, [&] { mesh_observed(model, sources, options, result); });
+  with_threads(options.threads, [&] { mesh_or_cancel(model, sources, options, context, result); });
   return result;
 }
 

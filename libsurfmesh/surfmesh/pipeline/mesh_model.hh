@@ -2,6 +2,7 @@
 #pragma once
 
 #include "surfmesh/core/mesh.hh"
+#include "surfmesh/core/observer.hh"
 #include "surfmesh/model/model.hh"
 #include "surfmesh/pipeline/options.hh"
 #include "surfmesh/pipeline/report.hh"
@@ -19,14 +20,14 @@ struct MeshResult {
 ///
 /// The result is a proper half-edge mesh whose corners know their patch, parameters and metric. The
 /// same input gives the same bytes, whatever the number of threads. Contours and patches are shared
-/// among threads; the error is that of the first patch which has one. The observer is called by any
-/// of them, one at a time.
+/// among threads; the error is that of the first patch which has one. The observer, which is
+/// not owned and may be null, is called by any of them, one at a time.
 ///
 /// Writes   of the result: surf:patch (face), surf:contour (edge), surf:uv, surf:metric (halfedge)
 /// Cost     about 2 µs a triangle
-/// Throws   InvalidOption, InvalidInput, Geometry, Limit
+/// Throws   InvalidOption, InvalidInput, Geometry, Limit, Cancelled
 /// Source   paper, section 2.1
 MeshResult mesh_model(const Model& model, const Sources& sources = {},
-                      const PipelineOptions& options = {});
+                      const PipelineOptions& options = {}, Observer* observer = nullptr);
 
 }  // namespace surfmesh

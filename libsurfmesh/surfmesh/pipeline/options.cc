@@ -10,13 +10,14 @@ namespace surfmesh {
 
 void check(const PipelineOptions& options) {
   check(options.control);
-  check(options.boundary);
-  check(options.refine);
   check(options.improve);
   if (options.threads < 0 || options.threads > kMostThreads) {
     throw Error(ErrorCode::InvalidOption,
                 fmt::format("threads = {} is outside its range: 0 (all cores), or up to {}",
                             options.threads, kMostThreads));
+  }
+  if (options.max_elements == 0) {
+    throw Error(ErrorCode::InvalidOption, "max_elements = 0 is outside its range: above 0");
   }
 }
 

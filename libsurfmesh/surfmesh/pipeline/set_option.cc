@@ -143,16 +143,16 @@ void set_grade(Options& options, const Text& text) {
 
 void set_nodes(Options& options, const Text& text) {
   if (text.is("auto")) {
-    options.control.nodes.regular = 0;
+    options.control.regular_nodes = 0;
   } else {
-    options.control.nodes.regular =
+    options.control.regular_nodes =
         static_cast<int>(text.integer(4, kMostInt, "auto, or 4 and above"));
   }
 }
 
 OptionValue get_nodes(const Options& options) {
-  if (options.control.nodes.regular == 0) return std::string("auto");
-  return std::int64_t{options.control.nodes.regular};
+  if (options.control.regular_nodes == 0) return std::string("auto");
+  return std::int64_t{options.control.regular_nodes};
 }
 
 void set_smoothing(Options& options, const Text& text) {
@@ -223,10 +223,8 @@ constexpr auto kOptions = std::to_array<OptionEntry>({
      }},
     {"nodes", false, set_nodes, get_nodes},
     {"precision", false,
-     [](Options& o, const Text& t) {
-       o.control.nodes.precision = t.number(kPositive, is_positive);
-     },
-     [](const Options& o) -> OptionValue { return o.control.nodes.precision; }},
+     [](Options& o, const Text& t) { o.control.precision = t.number(kPositive, is_positive); },
+     [](const Options& o) -> OptionValue { return o.control.precision; }},
     {"control", false,
      [](Options& o, const Text& t) {
        o.control.kind = t.choice({"mesh", "grid"}) == 0 ? ControlKind::Mesh : ControlKind::Grid;
@@ -236,37 +234,36 @@ constexpr auto kOptions = std::to_array<OptionEntry>({
      }},
     {"interpolation", false,
      [](Options& o, const Text& t) {
-       o.control.space.interpolation =
+       o.control.interpolation =
            static_cast<Interpolation>(t.choice({"s", "t", "o", "auto", "linear"}));
      },
      [](const Options& o) -> OptionValue {
        constexpr std::array names = {"s", "t", "o", "auto", "linear"};
-       return std::string(names[static_cast<std::size_t>(o.control.space.interpolation)]);
+       return std::string(names[static_cast<std::size_t>(o.control.interpolation)]);
      }},
     {"epsilon", false,
-     [](Options& o, const Text& t) { o.control.space.epsilon = t.number(kPositive, is_positive); },
-     [](const Options& o) -> OptionValue { return o.control.space.epsilon; }},
+     [](Options& o, const Text& t) { o.control.epsilon = t.number(kPositive, is_positive); },
+     [](const Options& o) -> OptionValue { return o.control.epsilon; }},
     {"blend", false,
      [](Options& o, const Text& t) {
-       o.control.space.blend =
-           t.choice({"linear", "log"}) == 0 ? Blend::Linear : Blend::Logarithmic;
+       o.control.blend = t.choice({"linear", "log"}) == 0 ? Blend::Linear : Blend::Logarithmic;
      },
      [](const Options& o) -> OptionValue {
-       return std::string(o.control.space.blend == Blend::Linear ? "linear" : "log");
+       return std::string(o.control.blend == Blend::Linear ? "linear" : "log");
      }},
     {"lookup", false,
      [](Options& o, const Text& t) {
-       o.control.space.lookup =
+       o.control.lookup =
            t.choice({"disc", "vertices"}) == 0 ? DiscLookup::Disc : DiscLookup::Vertices;
      },
      [](const Options& o) -> OptionValue {
-       return std::string(o.control.space.lookup == DiscLookup::Disc ? "disc" : "vertices");
+       return std::string(o.control.lookup == DiscLookup::Disc ? "disc" : "vertices");
      }},
     {"inner_nodes", false, [](Options& o, const Text& t) { o.control.inner_nodes = t.boolean(); },
      [](const Options& o) -> OptionValue { return o.control.inner_nodes; }},
     {"reuse", false,
-     [](Options& o, const Text& t) { o.control.space.reuse = t.number_from(0, kFromZero); },
-     [](const Options& o) -> OptionValue { return o.control.space.reuse; }},
+     [](Options& o, const Text& t) { o.control.reuse = t.number_from(0, kFromZero); },
+     [](const Options& o) -> OptionValue { return o.control.reuse; }},
     {"placement", false,
      [](Options& o, const Text& t) {
        o.refine.placement = t.choice({"frontal", "circumcentre"}) == 0 ? Placement::Frontal
@@ -295,12 +292,10 @@ constexpr auto kOptions = std::to_array<OptionEntry>({
     {"threads", false, set_threads, get_threads},
     {"max_elements", false,
      [](Options& o, const Text& t) {
-       o.refine.max_elements =
+       o.max_elements =
            static_cast<std::size_t>(t.integer(1, kMostExactInteger, "a whole number above 0"));
      },
-     [](const Options& o) -> OptionValue {
-       return static_cast<std::int64_t>(o.refine.max_elements);
-     }},
+     [](const Options& o) -> OptionValue { return static_cast<std::int64_t>(o.max_elements); }},
 });
 
 const OptionEntry& entry(std::string_view name) {

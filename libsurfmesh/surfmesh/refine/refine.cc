@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/refine/refine.hh"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
-#include "surfmesh/core/error.hh"
 #include "surfmesh/delaunay/metric_swaps.hh"
 #include "surfmesh/refine/front_queue.hh"
 #include "surfmesh/refine/placement.hh"
@@ -34,10 +31,13 @@ constexpr double kMostTriangles = 3;
 
 class Refinement {
  public:
-  Refinement(DelaunayMesh& delaunay, const MetricField& field, const RefineOptions& options)
+  Refinement(DelaunayMesh& delaunay, const MetricField& field, const RefineOptions& options,
+             const RunContext& context)
       : delaunay_(delaunay),
         field_(field),
         options_(options),
+        context_(context),
+        most_faces_(context.elements_left()),
         rule_{delaunay.uv_handle(), delaunay.metric_handle()},
         accepted_size_(accepted_size(options.placement)),
         least_distance_(least_distance(options.placement)) {}
@@ -76,7 +76,7 @@ class Refinement {
       }
       State& state = states_[index(entry.face)];
       if (state.stamp != entry.stamp || state.is_accepted) continue;
-      if (++steps % kStepsBetweenCancellation == 0) throw_if_cancelled(options_.observer);
+      if (++steps % kStepsBetweenCancellation == 0) context_.throw_if_cancelled();
       const HalfedgeHandle base = base_of(entry.face);
       if (!base.is_valid()) {
         state.is_active = false;  // its accepted neighbour has been replaced since
@@ -284,10 +284,7 @@ class Refinement {
     }
     delaunay_.metric(vh) = metric;
     ++report_.inserted;
-    if (delaunay_.n_faces() > options_.max_elements) {
-      throw Error(ErrorCode::Limit,
-                  fmt::format("more than max_elements = {} triangles", options_.max_elements));
-    }
+    if (delaunay_.n_faces() > most_faces_) context_.throw_too_many_elements();
     update_fan(vh);
   }
 
@@ -341,6 +338,8 @@ class Refinement {
   DelaunayMesh& delaunay_;
   const MetricField& field_;
   const RefineOptions& options_;
+  const RunContext& context_;
+  std::size_t most_faces_;
   TriangleMetricRule rule_;
   double accepted_size_;
   double least_distance_;
@@ -355,17 +354,10 @@ class Refinement {
 
 }  // namespace
 
-void check(const RefineOptions& options) {
-  if (options.max_elements == 0) {
-    throw Error(ErrorCode::InvalidOption, "max_elements = 0 is outside its range: above 0");
-  }
-}
-
-RefineReport refine(DelaunayMesh& delaunay, const MetricField& field,
-                    const RefineOptions& options) {
-  check(options);
+RefineReport refine(DelaunayMesh& delaunay, const MetricField& field, const RefineOptions& options,
+                    const RunContext& context) {
   const std::size_t boundary_count = delaunay.n_vertices();
-  RefineReport report = Refinement(delaunay, field, options).run();
+  RefineReport report = Refinement(delaunay, field, options, context).run();
   delaunay.shrink();
   delaunay.sort_spatially(boundary_count);
   return report;

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "surfmesh/core/observer.hh"
+#include "surfmesh/core/run_context.hh"
 #include "surfmesh/delaunay/delaunay_mesh.hh"
 #include "surfmesh/metric/metric_field.hh"
 
@@ -21,12 +21,7 @@ enum class Kernel { Cavity, Swap };
 struct RefineOptions {
   Placement placement = Placement::Frontal;
   Kernel kernel = Kernel::Cavity;
-  /// More triangles than this end the run with an error. Above 0.
-  std::size_t max_elements = 50'000'000;
-  Observer* observer = nullptr;  ///< asked whether to go on; not owned, null for none
 };
-
-void check(const RefineOptions& options);
 
 struct RefineReport {
   std::size_t inserted = 0;  ///< inner nodes
@@ -52,10 +47,10 @@ struct RefineReport {
 /// Writes   surf:uv, surf:metric of new vertices
 /// Cost     O(n) queue, 0.6 µs a triangle, at a million 1 µs, and two metric queries a node (one
 ///          with Circumcentre)
-/// Throws   Limit if there are more than max_elements
+/// Throws   Limit if there are more triangles than the context allows; Cancelled
 /// Source   paper, section 2.1, item 3; frontal placement: Rebay, Efficient unstructured mesh
 ///          generation by means of Delaunay triangulation and Bowyer-Watson algorithm (1993)
 RefineReport refine(DelaunayMesh& delaunay, const MetricField& field,
-                    const RefineOptions& options = {});
+                    const RefineOptions& options = {}, const RunContext& context = RunContext());
 
 }  // namespace surfmesh

@@ -127,9 +127,9 @@ class ContourGradation {
         added_(model.contours.size()),
         is_changed_(spaces.size(), true) {}
 
-  ContourGradationReport run(Observer* observer) {
+  ContourGradationReport run(const RunContext& context) {
     for (int round = 0; round < kMaxRounds; ++round) {
-      throw_if_cancelled(observer);
+      context.throw_if_cancelled();
       // Spaces stay as they are until all contours are compared.
       share_indices(model_.contours.size(), [this](std::size_t c) {
         if (is_compared(model_.contours[c])) compare(model_.contours[c]);
@@ -281,11 +281,11 @@ class ContourGradation {
 
 ContourGradationReport grade_across_contours(const Model& model, std::vector<ControlInput>& inputs,
                                              std::vector<std::unique_ptr<ControlSpace>>& spaces,
-                                             Observer* observer) {
+                                             const RunContext& context) {
   const bool is_off = std::all_of(inputs.begin(), inputs.end(), [](const ControlInput& input) {
     return input.options.grade == 0;
   });
-  return is_off ? ContourGradationReport() : ContourGradation(model, inputs, spaces).run(observer);
+  return is_off ? ContourGradationReport() : ContourGradation(model, inputs, spaces).run(context);
 }
 
 }  // namespace surfmesh

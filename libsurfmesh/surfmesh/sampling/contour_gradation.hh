@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "surfmesh/core/observer.hh"
+#include "surfmesh/core/run_context.hh"
 #include "surfmesh/model/model.hh"
 #include "surfmesh/sampling/make_control.hh"
 
@@ -29,9 +29,9 @@ struct ContourGradationReport {
 /// Cost     a metric query for each patch and place; a control space is made anew in each round in
 ///          which its sizes on some contour are lowered
 /// Pre      inputs and spaces are those of the patches, in their order
-/// Throws   Limit where the observer cancels
+/// Throws   Cancelled
 ContourGradationReport grade_across_contours(const Model& model, std::vector<ControlInput>& inputs,
                                              std::vector<std::unique_ptr<ControlSpace>>& spaces,
-                                             Observer* observer = nullptr);
+                                             const RunContext& context = RunContext());
 
 }  // namespace surfmesh

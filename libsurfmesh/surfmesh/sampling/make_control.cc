@@ -13,6 +13,21 @@
 namespace surfmesh {
 namespace {
 
+ControlNodeOptions node_options(const ControlOptions& options) {
+  return {.regular = options.regular_nodes,
+          .precision = options.precision,
+          .by_distance = options.interpolation != Interpolation::Linear};
+}
+
+/// Without gradation.
+ControlSpaceOptions space_options(const ControlOptions& options) {
+  return {.interpolation = options.interpolation,
+          .epsilon = options.epsilon,
+          .blend = options.blend,
+          .lookup = options.lookup,
+          .reuse = options.reuse};
+}
+
 /// True if there is nothing but `at`, not even curvature, and it takes more than its own nodes to
 /// hold the sizes: on a grid, and where discs end and gradation begins.
 bool needs_interpolated_points(const PatchSources& sources, const Sizing& sizing,
@@ -24,7 +39,7 @@ bool needs_interpolated_points(const PatchSources& sources, const Sizing& sizing
   const bool has_disc = std::any_of(
       sources.at.begin(), sources.at.end(),
       [](const AtSource& source) { return source.radius.value > 0 || source.outer.has_value(); });
-  const bool needs_more = options.kind == ControlKind::Grid || options.nodes.regular > 0 ||
+  const bool needs_more = options.kind == ControlKind::Grid || options.regular_nodes > 0 ||
                           (has_disc && sizing.grade > 0);
   return !has_others && !sources.at.empty() && needs_more;
 }
@@ -71,8 +86,8 @@ std::vector<ControlNode> sag_nodes(const TableSource& sag, const SizeField& fiel
 }  // namespace
 
 void check(const ControlOptions& options) {
-  check(options.nodes);
-  check(options.space);
+  check(node_options(options));
+  check(space_options(options));
 }
 
 ControlInput collect_control_input(const Surface& surface, const Sizing& sizing,
@@ -82,13 +97,12 @@ ControlInput collect_control_input(const Surface& surface, const Sizing& sizing,
     return collect_control_input(surface, sizing, with_interpolated_points(sources), diagonal,
                                  options);
   }
-  ControlNodeOptions own = options.nodes;
+  ControlNodeOptions own = node_options(options);
   own.precision = sources.precision().value_or(own.precision);
-  own.by_distance = options.space.interpolation != Interpolation::Linear;
   check(own);
   const SizeField field(surface, sizing, sources, diagonal, own.precision);
   std::vector<ControlNode> places = field_nodes(sources, field, sizing.grade > 0);
-  ControlInput input{surface.domain(), {}, {}, options.kind, options.space};
+  ControlInput input{surface.domain(), {}, {}, options.kind, space_options(options)};
   input.options.grade = sizing.grade;
   check(input.options);
   const bool is_chosen = has_other_sources(sources, field) || places.empty();
@@ -106,7 +120,7 @@ ControlInput collect_control_input(const Surface& surface, const Sizing& sizing,
     input.nodes = corners_like_nearest(surface, places);
   }
   input.nodes.insert(input.nodes.end(), places.begin(), places.end());
-  if (options.inner_nodes) add_inner_nodes(surface, options.space, input.nodes);
+  if (options.inner_nodes) add_inner_nodes(surface, input.options, input.nodes);
   return input;
 }
 

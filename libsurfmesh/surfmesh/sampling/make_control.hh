@@ -14,13 +14,18 @@ namespace surfmesh {
 /// What a control space is made of.
 enum class ControlKind { Mesh, Grid };
 
-/// How control spaces are made and asked.
+/// How control spaces are made and asked: what the user may set.
 struct ControlOptions {
   ControlKind kind = ControlKind::Mesh;
-  ControlNodeOptions nodes = {};
+  int regular_nodes = 0;   ///< in each patch, see ControlNodeOptions; 0 chooses them by precision
+  double precision = 0.1;  ///< conformity with the sizes asked for, see ControlNodeOptions
   /// Refine the triangulation of the nodes for shape (the I of the paper); nothing for a grid.
   bool inner_nodes = false;
-  ControlSpaceOptions space = {};  ///< its grade is that of the sizing
+  Interpolation interpolation = Interpolation::Linear;
+  double epsilon = 0.1;  ///< of Interpolation::Automatic, see ControlSpaceOptions
+  Blend blend = Blend::Linear;
+  DiscLookup lookup = DiscLookup::Disc;
+  double reuse = 0;  ///< R of the paper, see ControlSpaceOptions; 0 is off
 };
 
 /// Throws   InvalidOption naming the option, its value and its range

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <limits>
+#include <mutex>
+#include <string_view>
+
+#include "surfmesh/core/observer.hh"
+
+namespace surfmesh {
+
+/// Steps of a loop (insertions, vertices) between two questions whether it is cancelled: some
+/// milliseconds.
+inline constexpr std::size_t kStepsBetweenCancellation = 4096;
+
+/// What the stages of a run share: who is told of its progress, whether it has been cancelled, and
+/// how many elements it may still make.
+///
+/// Several threads may use it at once; the observer is called by one of them at a time. A run that
+/// is once cancelled stays so.
+class RunContext {
+ public:
+  /// `observer` is not owned and may be null. Without bounds by default.
+  explicit RunContext(Observer* observer = nullptr,
+                      std::size_t max_elements = std::numeric_limits<std::size_t>::max())
+      : observer_(observer), max_elements_(max_elements) {}
+
+  RunContext(const RunContext&) = delete;
+  RunContext& operator=(const RunContext&) = delete;
+
+  /// Tell how far a stage is.
+  /// Throws   Cancelled
+  void tell(std::string_view stage, std::size_t done, std::size_t total) const;
+
+  /// Ask the observer.
+  /// Throws   Cancelled
+  void throw_if_cancelled() const;
+
+  /// True if the run has been cancelled so far, without asking the observer.
+  bool was_cancelled() const { return was_cancelled_; }
+
+  /// Elements that a patch which is not finished may have. Each patch takes at least one, so
+  /// whichever patches are finished, there is an error if, and only if, all together have too many.
+  /// Throws   Limit if there is not even one
+  std::size_t elements_left() const;
+
+  /// Begin another mesh, which has no elements yet.
+  void begin_mesh() const { elements_ = 0; }
+
+  /// Count the elements of a finished patch.
+  /// Throws   Limit if there are too many
+  void add_elements(std::size_t count) const;
+
+  /// Throws   Limit
+  [[noreturn]] void throw_too_many_elements() const;
+
+ private:
+  Observer* observer_;
+  std::size_t max_elements_;
+  mutable std::mutex mutex_;  ///< of the observer
+  mutable std::atomic<bool> was_cancelled_ = false;
+  mutable std::atomic<std::size_t> elements_ = 0;  ///< of the patches that are finished
+};
+
+}  // namespace surfmesh
