@@ -79,6 +79,50 @@ TEST(LibraryReadme, ListsEveryFolder) {
   }
 }
 
+/// What a pattern's first group matches in a text.
+std::set<std::string> matches(const std::string& text, const std::regex& pattern) {
+  std::set<std::string> found;
+  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
+    found.insert((*match)[1]);
+  }
+  return found;
+}
+
+TEST(LibraryDocuments, NameFilesThatExist) {
+  static const std::regex pattern(R"(`([\w/]+/\w+\.(?:hh|cc|sh|json|txt))`)");
+  const std::filesystem::path root(SURFMESH_SOURCE_DIR);
+  for (const char* document : {"libsurfmesh/README.md", "libsurfmesh/DECISIONS.md"}) {
+    const auto files = matches(read(document), pattern);
+    EXPECT_GT(files.size(), 5u);
+    for (const std::string& file : files) {
+      EXPECT_TRUE(std::filesystem::exists(root / file) ||
+                  std::filesystem::exists(root / "libsurfmesh/surfmesh" / file))
+          << document << " names " << file;
+    }
+  }
+}
+
+/// The tests of all sources, as "Suite.Name".
+std::set<std::string> test_names() {
+  static const std::regex pattern(R"(^TEST(?:_F|_P)?\((\w+), (\w+)\))");
+  std::set<std::string> names;
+  for (const auto& file : testing::project_sources()) {
+    for (const std::string& line : file.code) {
+      std::smatch match;
+      if (std::regex_search(line, match, pattern)) names.insert(match.format("$1.$2"));
+    }
+  }
+  return names;
+}
+
+TEST(Decisions, NameTestsThatExist) {
+  static const std::regex pattern(R"(`([A-Z]\w+\.[A-Z]\w+)`)");
+  const auto existing = test_names();
+  const auto named = matches(read("libsurfmesh/DECISIONS.md"), pattern);
+  EXPECT_GT(named.size(), 10u);
+  for (const std::string& name : named) EXPECT_EQ(existing.count(name), 1u) << name;
+}
+
 /// Each source of the list as "Surname", with its year.
 std::vector<std::pair<std::string, std::string>> listed_sources() {
   static const std::regex pattern(R"(\n- (\w+),[^:]*\((\d{4})\):)");

@@ -13,14 +13,14 @@ struct AssembleReport {
   std::vector<std::string> warnings;
 };
 
-/// Join the meshes of all patches to one, in a mesh without elements.
+/// Join the meshes of all patches into one, in a mesh that has no elements yet.
 ///
-/// Vertices on contours are the same by the numbers of their nodes, never by distance; several
+/// Vertices on contours are identified by the numbers of their nodes, never by distance. Several
 /// vertices of a domain may become one (seams, poles), and a triangle that collapses is left out.
-/// Neighbouring patches are oriented alike. Where a half-edge mesh cannot hold what the model asks
-/// for (edges of three and more patches, a Möbius band), the mesh is cut along the contour, with
-/// equal positions on both sides and a warning. Where patches meet in a vertex only, each fan gets
-/// one of its own, with a warning that names the place.
+/// Neighbouring patches are oriented alike. Where a half-edge mesh cannot represent the model
+/// (edges of three or more patches, a Möbius band), it is cut along the contour, with equal
+/// positions on both sides and a warning. Where patches meet only in a vertex, each fan gets a
+/// vertex of its own, with a warning that says where.
 ///
 /// Writes   point(); surf:patch (face), surf:contour (edge), surf:uv and surf:metric (halfedge, at
 ///          its tip)

@@ -79,7 +79,7 @@ void copy_points(const PolyMesh& result, Mesh& target) {
   }
 }
 
-/// Copy a property, replacing what the target has of this key.
+/// Copy a property, replacing the one that the target has under this key.
 template <class Mesh, class Element, class Value>
 void copy_property(const PolyMesh& result, Mesh& target, const PropertyKey<Element, Value>& key) {
   const auto from = require(result, key);
@@ -102,7 +102,7 @@ void copy_texture_coordinates(const PolyMesh& result, Mesh& target) {
   }
 }
 
-/// Vertex and halfedge normals are made of face normals, which are there for the time being.
+/// Vertex and halfedge normals are computed from face normals, which are requested temporarily.
 template <class Mesh>
 void update_normals(Mesh& target) {
   if (!target.has_face_normals() && !target.has_vertex_normals() &&
@@ -119,8 +119,8 @@ void update_normals(Mesh& target) {
 /// Copy a result into an OpenMesh mesh of any type: TriMesh_ArrayKernelT or PolyMesh_ArrayKernelT,
 /// with points of three numbers of any type and any traits.
 ///
-/// The connectivity is the same: vertices, halfedges, edges and faces have the same indices. What
-/// the target held is replaced; its own properties stay, but their values are those of new
+/// The connectivity is the same: vertices, halfedges, edges and faces have the same indices. The
+/// target's elements are replaced. Its own properties stay, but their values are those of new
 /// elements.
 ///
 /// Reads    surf:patch (face), surf:contour (edge), surf:uv and surf:metric (halfedge)
@@ -131,7 +131,7 @@ void update_normals(Mesh& target) {
 /// Cost     O(elements)
 /// Throws   MissingProperty; InvalidInput, naming the element, for a face with more than three
 ///          corners if the target holds triangles only, and for a position that is not finite in
-///          the target's type. The target is unchanged then
+///          the target's type. In that case the target is unchanged
 template <class Mesh>
 void copy_result(const PolyMesh& result, Mesh& target) {
   static_assert(OpenMesh::vector_traits<typename Mesh::Point>::size_ == 3,

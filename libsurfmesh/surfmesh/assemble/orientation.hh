@@ -7,7 +7,7 @@
 
 namespace surfmesh {
 
-/// Which patches are to be turned over so that neighbours are oriented alike.
+/// Which patches must be turned over so that neighbours are oriented alike.
 struct PatchOrientation {
   std::vector<char> is_turned;  ///< by patch
   /// Contours along which two patches cannot be oriented alike (a Möbius band is cut there).

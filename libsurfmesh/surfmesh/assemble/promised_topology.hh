@@ -13,7 +13,7 @@ namespace surfmesh {
 
 /// What the mesh of a model must be like, whatever its elements.
 struct PromisedTopology {
-  /// By contour: 1 where the mesh is open, at true boundaries and where it is cut (three and more
+  /// By contour: 1 where the mesh is open, at true boundaries and where it is cut (three or more
   /// patches, a Möbius band).
   std::vector<char> is_open;
   /// By vertex of the model: 1 where it becomes several vertices, of patches that are not glued.
@@ -31,16 +31,16 @@ struct PromisedTopology {
 /// Cost     O(contour uses)
 PromisedTopology promised_topology(const Model& model);
 
-/// Where the mesh of a model is not as the model promises.
+/// Find where the mesh of a model is not as the model promises.
 ///
 /// Kinds of faults: open_edge (a side without a neighbour where the model has one), closed_edge (a
 /// side with a neighbour where the model ends), duplicate_vertex (the same coordinates as another
 /// vertex, unless both lie where the mesh may be open, or the model's vertex is split), components
-/// and euler (one place, which tells both numbers). Places name the patch.
+/// and euler (one entry, which gives both numbers). Locations name the patch.
 ///
 /// Reads    surf:patch (face), surf:contour (edge; optional: without it open edges pass on every
 ///          patch that is open anywhere, and closed_edge is not found)
-/// Cost     O(n), about 30 ns a triangle
+/// Cost     O(n), about 30 ns per triangle
 std::vector<MeshFault> compare_with_promise(const PolyMesh& mesh, const Model& model);
 
 }  // namespace surfmesh

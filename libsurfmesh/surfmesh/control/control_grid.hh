@@ -14,12 +14,12 @@ namespace surfmesh {
 /// Source   paper, section 1, the regular grid
 class ControlGrid : public ControlSpace {
  public:
-  /// Take side × side nodes, rows along u, the first at the lower corner. A further node lowers the
-  /// sizes at the corners of its cell. Then sizes are graded.
+  /// Take side × side regular nodes, in rows along u from the lower corner. Each further node
+  /// lowers the sizes at the corners of its cell. Then sizes are graded.
   ///
-  /// Cost     about 0.2 µs a node
-  /// Throws   InvalidInput for another number of nodes than side², at least 4, or a node outside
-  ///          the rectangle, naming its (u,v); InvalidOption
+  /// Cost     about 0.2 µs per node
+  /// Throws   InvalidInput if the number of nodes is not a square of at least 4, or for a node
+  ///          outside the rectangle, naming its (u,v); InvalidOption
   ControlGrid(const Domain& domain, std::vector<ControlNode> regular,
               const std::vector<ControlNode>& others, const ControlSpaceOptions& options);
 
@@ -31,7 +31,8 @@ class ControlGrid : public ControlSpace {
   SizeTensor interpolate(const SurfacePoint& at, QueryHint& hint) const override;
 
  private:
-  /// A cell by its lower corner's node, and where a point lies in it, each share in [0,1].
+  /// The cell that contains a point, as the node at its lower corner, and the point's coordinates
+  /// in it, each in [0,1].
   struct Place {
     std::size_t node;
     double s;

@@ -14,12 +14,12 @@ namespace surfmesh {
 /// Source   paper, sections 3.2 and 4
 class ControlMesh : public ControlSpace {
  public:
-  /// Triangulate the nodes (NodeTriangulation), grade their sizes, and tell for each triangle how
+  /// Triangulate the nodes (NodeTriangulation), grade their sizes, and decide for each triangle how
   /// it interpolates.
   ///
   /// Writes   surf:uv, surf:size, surf:class, surf:inner_size, surf:radius, surf:outer_radius and
   ///          point() of the control mesh
-  /// Cost     O(n log n), about 1.5 µs a node, 4 µs with classification
+  /// Cost     O(n log n), about 1.5 µs per node, 4 µs with classification
   /// Pre      the corners of the bounding rectangle of the domain are among the nodes
   /// Throws   InvalidInput for a node outside the rectangle, naming its (u,v); InvalidOption
   ControlMesh(const Domain& domain, const std::vector<ControlNode>& nodes,
@@ -33,8 +33,8 @@ class ControlMesh : public ControlSpace {
   /// Weights are barycentric, or 1/d² with distances through M_p at the point asked for (paper,
   /// eq. (4), (5)).
   ///
-  /// Cost     with 80,000 triangles V_t about 50 ns near the point asked for last, 140 ns
-  ///          elsewhere, V_o 140 and 390 ns (tests/bench/control_bench.cc)
+  /// Cost     with 80,000 triangles V_t about 50 ns near the last query, 140 ns elsewhere, V_o 140
+  ///          and 390 ns (tests/bench/control_bench.cc)
   SizeTensor interpolate(const SurfacePoint& at, QueryHint& hint) const override;
 
   std::optional<SizeTensor> extended_size_by_vertices(const SurfacePoint& at,
@@ -54,8 +54,8 @@ class ControlMesh : public ControlSpace {
   };
 
   /// A regular grid of triangles to start from. A quadtree was tried: with 80,000 triangles its
-  /// descent alone costs as much as a whole query, and it gains nothing where nodes are a thousand
-  /// times denser in places.
+  /// descent alone costs as much as a whole query, and it gains nothing even where nodes are
+  /// locally a thousand times denser.
   struct SeedGrid {
     Uv lower;
     double cells_per_u = 0;
@@ -67,7 +67,7 @@ class ControlMesh : public ControlSpace {
     bool are_near(Uv a, Uv b) const;
   };
 
-  /// A place where two interpolations are compared.
+  /// A point where two interpolations are compared.
   struct Probe {
     Uv uv;
     FirstFormFactor form;
@@ -103,7 +103,7 @@ class ControlMesh : public ControlSpace {
   std::vector<MetricCircle> circles_;  ///< of the triangles, in `metrics_`; empty without V_o
   std::vector<Metric> metrics_;
   std::vector<ControlNode> extended_;  ///< nodes of extended forms, for the look-up by vertices
-  std::vector<int> extended_of_;       ///< of each node its place in `extended_`, or -1
+  std::vector<int> extended_of_;       ///< of each node its index in `extended_`, or -1
   SeedGrid seeds_;
 };
 

@@ -20,7 +20,7 @@ struct ControlNode {
   SizeTensor inner = {};
   double radius = 0;        ///< r, model units
   SizeTensor outer = {};    ///< M′, `size` itself before it meets other sources
-  double outer_radius = 0;  ///< r′: over so much more `inner` changes to `outer`
+  double outer_radius = 0;  ///< r′: `inner` changes to `outer` over this further length
 };
 
 }  // namespace surfmesh

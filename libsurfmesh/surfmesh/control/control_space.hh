@@ -13,7 +13,7 @@
 
 namespace surfmesh {
 
-/// The nodes from whose sizes those of a point are averaged.
+/// Which nodes the sizes at a point are averaged from.
 /// Source   paper, sections 4.1 and 4.2
 enum class Interpolation {
   Single,     ///< V_s: one vertex of the containing triangle
@@ -35,7 +35,7 @@ enum class DiscLookup {
   Vertices,  ///< only from the triangles at the node, as in the paper
 };
 
-/// How a control space answers.
+/// How a control space answers queries.
 struct ControlSpaceOptions {
   double grade = 0;  ///< sizes grow by at most ln(grade) per unit of length; 0 is off, or >= 1
   Interpolation interpolation = Interpolation::Linear;
@@ -52,7 +52,7 @@ struct ControlSpaceOptions {
 /// Throws   InvalidOption naming the option, its value and its range
 void check(const ControlSpaceOptions& options);
 
-/// The sizes of one patch, asked for anywhere in it.
+/// The sizes of one patch, at any point of it.
 ///
 /// Immutable after construction; queries are const and may come from several threads, each with a
 /// hint of its own.
@@ -73,8 +73,8 @@ class ControlSpace {
   /// The nodes with surf:uv, surf:size and positions in space, and the triangles between them.
   virtual const TriMesh& mesh() const = 0;
 
-  /// The nodes with the metrics of their sizes: where sizes change, so that no element may miss
-  /// them.
+  /// The nodes with the metrics of their sizes. Sizes change there, so every mesh must resolve
+  /// these points.
   const std::vector<MetricCorner>& node_metrics() const { return node_metrics_; }
 
  protected:
@@ -83,15 +83,15 @@ class ControlSpace {
 
   const ControlSpaceOptions& options() const { return options_; }
 
-  /// Tell the nodes after gradation.
+  /// Store the nodes after gradation.
   void take_node_metrics(const std::vector<ControlNode>& nodes);
 
-  /// Find the triangle that contains a point, for the questions below, and keep it in the hint; the
+  /// Find the triangle that contains a point, for the queries below, and store it in the hint. The
   /// cells of a grid need no search.
   virtual void locate(Uv, QueryHint&) const {}
 
-  /// The sizes of the extended nodes of the triangle that contains a point, in whose discs it lies;
-  /// a grid has no such triangles.
+  /// The sizes of the extended nodes at the triangle of a point whose discs contain the point; a
+  /// grid has no such triangles.
   /// Pre      locate() was called last for this point
   virtual std::optional<SizeTensor> extended_size_by_vertices(const SurfacePoint&,
                                                               const QueryHint&) const {

@@ -25,9 +25,9 @@ class NodeNeighbours {
 };
 
 /// Lower sizes until they grow by at most ln(grade) per unit of length from each node to its
-/// neighbours, up to 0.1 %. Sizes that do are unchanged, bit by bit.
+/// neighbours, to within 0.1 %. Sizes that already do are unchanged, bit by bit.
 ///
-/// Cost     about 0.1 µs a pair of neighbours, and as much for each size that is lowered
+/// Cost     about 0.1 µs per pair of neighbours, and as much for each size that is lowered
 /// Pre      grade is at least 1
 /// Source   graded()
 void grade_sizes(std::vector<ControlNode>& nodes, const NodeNeighbours& neighbours, double grade);

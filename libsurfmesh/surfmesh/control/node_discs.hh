@@ -9,8 +9,7 @@
 
 namespace surfmesh {
 
-/// The sizes that a node of an extended form asks for at a distance in space; nothing beyond its
-/// discs.
+/// The sizes that a node of an extended form asks for at a point in space; none beyond its discs.
 ///
 /// M within the first radius; over the second it changes to M′, linearly in H.
 /// Source   paper, section 3.1

@@ -16,8 +16,8 @@ namespace surfmesh {
 std::vector<ControlNode> corners_like_nearest(const Surface& surface,
                                               const std::vector<ControlNode>& nodes);
 
-/// Sizes between some nodes that are all there is: the nodes and the corners of the rectangle, with
-/// the value of the nearest node, triangulated and interpolated as a control space without
+/// Interpolates sizes that are given at nodes only. The nodes, and the corners of the rectangle
+/// with the value of the nearest node, are triangulated and interpolated as a control space without
 /// gradation.
 class NodeInterpolation {
  public:

@@ -18,21 +18,22 @@ Metric plane_metric(const std::vector<ControlNode>& nodes);
 /// that come alone it is that of the triangle they fall into, and at first plane_metric().
 class NodeTriangulation {
  public:
-  /// Insert the nodes. Those nearer to each other than a tenth of the size wanted there become one
+  /// Insert the nodes. Those nearer to each other than a tenth of the size wanted there are merged,
   /// with the minimum of both; the corners of the rectangle stay.
   ///
-  /// Cost     O(n log n), about 1 µs a node
+  /// Cost     O(n log n), about 1 µs per node
   /// Pre      the corners of the rectangle are among the nodes
   /// Throws   InvalidInput for a node outside the rectangle, naming its (u,v)
   /// Source   paper, section 3.2, steps 1 and 2
-  /// Differs: by the metric, which in the paper is the identity; see the decisions of the README
+  /// Differs: by the metric, which in the paper is the identity; see libsurfmesh/DECISIONS.md,
+  ///          control
   NodeTriangulation(const Domain& domain, const std::vector<ControlNode>& nodes);
 
   /// Add nodes until no triangle is badly shaped: circumcentres, or the middles of edges of the
-  /// rectangle that are in their way. Returns their places.
+  /// rectangle that are in their way. Returns their positions.
   ///
   /// Error    circumradius at most √2 times the shortest edge where the spacing is the same all
-  ///          over; at most eight nodes for each there was (test InnerNodes.*)
+  ///          over; at most eight new nodes for each given one (test InnerNodes.*)
   /// Cost     O(n log n)
   /// Source   paper, section 3.2, step 3; Ruppert, A Delaunay refinement algorithm for quality
   ///          2-dimensional mesh generation (1995)

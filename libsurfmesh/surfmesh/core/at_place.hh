@@ -7,7 +7,7 @@
 
 namespace surfmesh {
 
-/// Call `body`, and put the place in front of its errors: "place: reason".
+/// Run `body`. Its errors get the location as a prefix: "location: reason".
 ///
 /// Returns  what `body` returns
 template <class Body>

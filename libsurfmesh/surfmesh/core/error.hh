@@ -22,8 +22,8 @@ const char* name(ErrorCode code);
 
 /// The one exception type of the library.
 ///
-/// The text names the place of the fault (file and line, JSON pointer, patch, (u,v)) and the
-/// reason, and reads well after "error: ".
+/// The text says where the fault is (file and line, JSON pointer, patch, (u,v)) and gives the
+/// reason. It reads well after "error: ".
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& text) : std::runtime_error(text), code_(code) {}

@@ -9,16 +9,16 @@
 
 namespace surfmesh {
 
-/// Faces of any number of corners as their vertices, one face after the other in one array.
+/// Faces with any number of corners, stored as vertex indices in one array, face after face.
 class FaceList {
  public:
   std::size_t size() const { return first_.size() - 1; }
   bool empty() const { return size() == 0; }
 
-  /// Corners of all faces; they are numbered in the order of the faces.
+  /// Number of corners of all faces. Corners are numbered in the order of the faces.
   std::size_t corner_count() const { return vertices_.size(); }
 
-  /// Number of the first corner of a face; that of size() is corner_count().
+  /// Index of the first corner of a face; first_corner(size()) is corner_count().
   std::size_t first_corner(std::size_t face) const { return first_[face]; }
 
   int vertex(std::size_t corner) const { return vertices_[corner]; }
@@ -45,10 +45,10 @@ class FaceList {
   std::vector<std::size_t> first_ = {0};
 };
 
-/// Points and the faces between them, as files have them: may be anything but a proper mesh.
+/// Points and the faces between them, as read from a file. They need not form a proper mesh.
 struct FaceSet {
   std::vector<Vec3> points;
-  FaceList faces;            ///< vertices in range, at least three different ones a face
+  FaceList faces;            ///< all vertices in range, at least three different ones per face
   std::vector<int> patches;  ///< of each face, -1 for none; empty if no face has one
 };
 

@@ -15,17 +15,17 @@ using OpenMesh::FaceHandle;
 using OpenMesh::HalfedgeHandle;
 using OpenMesh::VertexHandle;
 
-/// Double precision points; no status bits, which cost time and memory in every operation (an
-/// application requests them on its own copy).
+/// Double precision points. No status bits, which cost time and memory in every operation; an
+/// application can request them on its own copy.
 struct MeshTraits : public OpenMesh::DefaultTraitsDouble {
   FaceAttributes(OpenMesh::Attributes::None);
   VertexAttributes(OpenMesh::Attributes::None);
 };
 
-/// Domain meshes (one a patch) and control meshes.
+/// Domain meshes (one per patch) and control meshes.
 using TriMesh = OpenMesh::TriMesh_ArrayKernelT<MeshTraits>;
 
-/// The result: polygons from the start, so that quads change no interface.
+/// The result. It holds polygons from the start, so that quads will change no interface.
 using PolyMesh = OpenMesh::PolyMesh_ArrayKernelT<MeshTraits>;
 
 inline Vec3 to_eigen(const OpenMesh::Vec3d& p) { return {p[0], p[1], p[2]}; }

@@ -10,12 +10,12 @@
 
 namespace surfmesh {
 
-/// How the names of all our properties begin.
+/// Prefix of the names of all our properties.
 inline constexpr std::string_view kPropertyPrefix = "surf:";
 
 /// The one way to name a mesh property: element, value type and name belong together.
 ///
-/// OpenMesh makes two silent properties of one name with two value types, and neither copies nor
+/// For one name with two value types, OpenMesh silently makes two properties. It neither copies nor
 /// saves names that begin with v:, e:, f: or h:, hence the prefix surf:.
 template <class ElementHandle, class ValueType>
 struct PropertyKey {
@@ -34,7 +34,7 @@ inline constexpr PropertyKey<VertexHandle, Uv> vertex_uv{"surf:uv", "control, re
 inline constexpr PropertyKey<VertexHandle, Metric> vertex_metric{"surf:metric", "refine"};
 /// Size tensor of a control node.
 inline constexpr PropertyKey<VertexHandle, SizeTensor> vertex_size{"surf:size", "control"};
-/// Of a control node of an extended form the sizes M that hold in its disc; unset for other nodes.
+/// Sizes M that hold in the disc of a control node of an extended form; unset for other nodes.
 inline constexpr PropertyKey<VertexHandle, SizeTensor> vertex_inner_size{"surf:inner_size",
                                                                          "control"};
 /// Radius r of the disc of a control node of an extended form, 0 for other nodes.
@@ -46,7 +46,7 @@ inline constexpr PropertyKey<VertexHandle, double> vertex_outer_radius{"surf:out
 /// 2 from all whose circumcircles contain the point (V_o), 4 linearly.
 inline constexpr PropertyKey<FaceHandle, int> face_class{"surf:class", "control"};
 /// 1 on edges that are segments of a contour: never swapped, never crossed by a cavity. A char,
-/// for OpenMesh packs bool into bits, which are slower to read in the kernel.
+/// because OpenMesh packs bool into bits, which the kernel reads more slowly.
 inline constexpr PropertyKey<EdgeHandle, char> edge_constrained{"surf:constrained", "delaunay"};
 /// Patch of a face of the result.
 inline constexpr PropertyKey<FaceHandle, int> face_patch{"surf:patch", "assemble"};
@@ -59,7 +59,8 @@ inline constexpr PropertyKey<HalfedgeHandle, Metric> corner_metric{"surf:metric"
 
 }  // namespace keys
 
-/// Make the property, persistent (.om files hold it), and set it to `initial` on every element.
+/// Add the property, persistent (so that .om files store it), and set it to `initial` on every
+/// element.
 /// Throws   InvalidInput if the mesh has it already
 template <class Mesh, class Element, class Value>
 auto attach(Mesh& mesh, const PropertyKey<Element, Value>& key, const Value& initial = Value()) {
@@ -75,7 +76,7 @@ auto attach(Mesh& mesh, const PropertyKey<Element, Value>& key, const Value& ini
   return handle;
 }
 
-/// Look the property up; an invalid handle if the mesh does not have it.
+/// Look up the property. The handle is invalid if the mesh does not have it.
 template <class Mesh, class Element, class Value>
 auto find(const Mesh& mesh, const PropertyKey<Element, Value>& key) {
   typename PropertyKey<Element, Value>::Handle handle;

@@ -14,11 +14,11 @@ struct Numbering {
   std::vector<int> face;
 };
 
-/// Number the elements of a mesh by a given order of its vertices: edges and faces by the first of
-/// their vertices, so that what is near each other in the mesh is near in memory.
+/// Number the elements of a mesh along a given order of its vertices. Edges and faces follow their
+/// first vertex, so that neighbours in the mesh are near each other in memory.
 ///
 /// Cost     O(n), sorts by counting
-/// Pre      `vertex_order` has every vertex once
+/// Pre      `vertex_order` contains every vertex once
 Numbering number_along(const TriMesh& mesh, const std::vector<int>& vertex_order);
 
 /// Give the elements their new numbers. Properties do not move: see renumber_values.

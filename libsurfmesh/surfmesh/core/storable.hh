@@ -13,7 +13,7 @@
 
 namespace surfmesh::detail {
 
-/// The value types that .om files hold, and their names there; nullptr for all other types.
+/// Names of our value types in .om files; nullptr for all other types.
 template <class T>
 inline constexpr const char* stored_name = nullptr;
 template <>
@@ -27,10 +27,10 @@ inline constexpr const char* stored_name<SizeTensor> = "surfmesh::SizeTensor";
 
 namespace OpenMesh::IO {
 
-/// How .om files hold our value types: as their doubles, one after the other.
+/// Stores our value types in .om files, as their doubles one after the other.
 ///
 /// Without it OpenMesh prints a warning for every persistent property of these types and leaves
-/// them out of the file. To be seen before any property of these types is made.
+/// them out of the file. Must be included before any property of these types is made.
 template <class T>
 struct binary<T, std::enable_if_t<surfmesh::detail::stored_name<T> != nullptr>> {
   using value_type = T;

@@ -13,13 +13,13 @@
 
 namespace surfmesh {
 
-// The only operations that change the connectivity of a TriMesh, with those of core/renumber.hh; in
-// place, the frequent ones inlined. OpenMesh's own are compiled with their assertions on in
-// Debian's library (a flip takes 218 ns against 26) and lose edge properties in a split. Properties
-// after an operation:
+// Only these operations and those of core/renumber.hh change the connectivity of a TriMesh. They
+// work in place; the frequent ones are inlined. OpenMesh's own operations are compiled with
+// assertions in Debian's library (a flip takes 218 ns instead of 26) and lose edge properties in a
+// split. Properties after an operation:
 //   flip            vertex, face: kept; edge, halfedge: those of the flipped edge are kept
-//   collapse        kept; of the elements that go those are lost, the last elements take their
-//                   places with their own values
+//   collapse        kept; those of removed elements are lost, and the last elements take over their
+//                   numbers with their own values
 //   fill_cavity     vertex: new ones have their type's default, to be set by the caller;
 //                   edge: those inside the cavity become spokes, surf:constrained is 0 there; both
 //                   parts of a split boundary edge keep its surf:constrained;
@@ -49,8 +49,8 @@ class ElementPool {
 
   /// Make sure that one more vertex can be inserted without another resize.
   ///
-  /// Cost     O(1) amortised by the memory of std::vector, which grows geometrically. To resize by
-  ///          a share of the mesh, too, would fill that share for a single vertex
+  /// Cost     O(1) amortised, because std::vector's memory grows geometrically. Also resizing by a
+  ///          share of the mesh would fill that share for a single vertex
   void prepare_insertion() {
     if (vertices_ + 1 > mesh_.n_vertices() || edges_ + 3 > mesh_.n_edges() ||
         faces_ + 2 > mesh_.n_faces()) {
@@ -62,8 +62,8 @@ class ElementPool {
   EdgeHandle take_edge() { return EdgeHandle(static_cast<int>(edges_++)); }
   FaceHandle take_face() { return FaceHandle(static_cast<int>(faces_++)); }
 
-  /// Let the last elements take the places of freed ones. Call `moved(from, to)` with the handles
-  /// of each for its properties.
+  /// Give the numbers of freed elements to the last elements. Calls `moved(from, to)` with the
+  /// handles of each one that moves, for its properties.
   template <class Moved>
   void take_out(FreedElements freed, Moved moved);
 
@@ -83,24 +83,24 @@ class ElementPool {
   std::size_t faces_;
 };
 
-/// What a half-edge mesh could not hold as it was given.
+/// What had to be separated because a half-edge mesh cannot represent it.
 struct Separation {
-  /// The vertex that each vertex from the given count on is a copy of.
+  /// For each vertex beyond the given count, the vertex that it copies.
   std::vector<int> copied;
-  std::size_t cut_edges = 0;  ///< sides that are not glued though other faces have them, too
+  std::size_t cut_edges = 0;  ///< sides that are not glued although other faces share them
 };
 
 /// Build the connectivity of a mesh without elements, in bulk.
 ///
 /// Two triangles are glued where one has the edge (a,b) and the other (b,a), and only if no third
-/// triangle has that edge; else the edge stays open on both. Where the triangles at a vertex do not
-/// form one fan (surfaces touch there, or edges were left open), each fan but the first gets a copy
-/// of the vertex. Edges are numbered by their twins, in the order of the triangles, the others
-/// after them by their vertices.
+/// triangle has that edge; otherwise the edge stays open on both. If the triangles at a vertex do
+/// not form one fan (surfaces touch there, or edges were left open), each fan but the first gets a
+/// copy of the vertex. Edges with given twins are numbered first, in the order of the triangles;
+/// the others follow, ordered by their vertices.
 ///
-/// `twins` tells what is known already: of each side, 3 × triangle + corner at its origin, the side
-/// it is glued to, which has the same two vertices and names it in turn, or -1 where vertices are
-/// to tell; empty for nothing.
+/// `twins` holds what is known already. For each side (3 × triangle + corner at its origin) it
+/// names the side it is glued to, which has the same two vertices and names it in turn; -1 leaves
+/// the decision to the vertices. Empty if nothing is known.
 ///
 /// Cost     O(n) for sides with twins; O(n log n) for others
 /// Pre      mesh without elements; indices in [0, vertex_count), three different ones a triangle
@@ -172,12 +172,12 @@ void ElementPool::take_out(FreedElements freed, Moved moved) {
   for (const FaceHandle fh : freed.faces) take(fh, faces_);
 }
 
-/// Merge the origin of a halfedge, an inner vertex, into its tip. The two triangles at the edge go;
-/// of each the side at the tip stays, with its properties.
+/// Merge the origin of a halfedge, an inner vertex, into its tip. The two triangles at the edge are
+/// removed; of each, the side at the tip stays, with its properties.
 ///
 /// Pre      the new triangles are valid: no vertex around the origin but the two apexes is joined
 ///          to the tip
-/// Returns  the elements to be taken out (see ElementPool::take_out)
+/// Returns  the elements to remove (see ElementPool::take_out)
 FreedElements collapse(TriMesh& mesh, HalfedgeHandle heh);
 
 /// Triangles that are to be replaced by the fan from one new vertex.
@@ -252,8 +252,8 @@ inline HalfedgeHandle split_boundary_edge(TriMesh& mesh, ElementPool& pool, Half
 
 /// Replace the triangles of a cavity by the fan from a new vertex to its rim.
 ///
-/// Nothing is deleted: the fan has two triangles and three edges more than the cavity (one and
-/// two where a boundary edge is split), old ones are used again first.
+/// Nothing is deleted: the fan has two triangles and three edges more than the cavity (one and two
+/// where a boundary edge is split), and old ones are reused first.
 ///
 /// Cost     O(size of the rim), no allocation after ElementPool::prepare_insertion
 /// Pre      the rim is as Cavity says; `constrained` is the mesh's surf:constrained

@@ -35,7 +35,7 @@ MeshTopology measure_topology(const TriMesh& mesh);
 /// Handles are in range; next and previous undo each other and stay at one face; the halfedges of a
 /// face are one cycle of at least three (in a TriMesh exactly three); a vertex reaches all its
 /// halfedges by turning around it, and starts at its boundary halfedge if it has one; no edge from
-/// a vertex to itself, no two edges between the same vertices; every edge has a face. Tells the
+/// a vertex to itself, no two edges between the same vertices; every edge has a face. Lists the
 /// first hundred faults of each kind.
 ///
 /// Reads    topology only

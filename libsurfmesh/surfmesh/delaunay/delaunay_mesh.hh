@@ -58,9 +58,9 @@ class DelaunayMesh {
   /// Cut off the surplus elements.
   void shrink() { pool_.shrink(); }
 
-  /// Renumber all elements along a Hilbert curve, but for the first `fixed` vertices, which stay.
+  /// Renumber all elements along a Hilbert curve, except the first `fixed` vertices, which stay.
   ///
-  /// For what visits every element once and more.
+  /// Pays off before anything that visits every element at least once.
   /// Cost     O(n)
   /// Pre      shrink() has been called
   void sort_spatially(std::size_t fixed);
@@ -71,14 +71,14 @@ class DelaunayMesh {
     return surfmesh::locate(mesh_, uv_, p, start, random_, n_faces());
   }
 
-  /// Collect the triangles that a point replaces: those around `location` that the rule names and
+  /// Collect the triangles that a point replaces: those around `location` that the rule selects and
   /// the point sees, in one piece.
   ///
   /// Pre      location.kind is Inside or OnEdge, and not on a constrained edge with two triangles
   template <class Rule>
   void find_cavity(Uv p, const Location& location, const Rule& rule, Cavity& cavity);
 
-  /// Replace the cavity by the fan from p. The new vertex' metric is unset.
+  /// Replace the cavity by the fan from p. The metric of the new vertex is unset.
   VertexHandle fill(const Cavity& cavity, Uv p) {
     const VertexHandle vh = fill_cavity(mesh_, pool_, cavity, constrained_);
     mesh_.property(uv_, vh) = p;
@@ -115,7 +115,7 @@ class DelaunayMesh {
   void flip(EdgeHandle eh) { surfmesh::flip(mesh_, eh); }
 
   /// Merge the origin of a halfedge, an inner vertex, into its tip. The last vertex, edges and
-  /// faces take the numbers of those that go, so handles of the last ones change.
+  /// faces take over the numbers of the removed ones, so their handles change.
   /// Pre      the tip sees all triangles around the origin that do not have it as a corner
   void collapse(HalfedgeHandle heh);
 
@@ -166,8 +166,8 @@ inline bool DelaunayMesh::sees_apex(Uv p, const TriangleVertices& triangle) cons
   return orient2d(p, uv(triangle[1]), apex) > 0 && orient2d(p, apex, uv(triangle[0])) > 0;
 }
 
-/// True if the triangle behind an edge is to be replaced, too. The rule comes first: it says no
-/// most often.
+/// True if the triangle behind an edge must be replaced, too. The rule comes first: it says no most
+/// often.
 template <class Rule>
 bool DelaunayMesh::is_replaced(Uv p, HalfedgeHandle from_outside, const Rule& rule) const {
   if (mesh_.is_boundary(from_outside)) return false;

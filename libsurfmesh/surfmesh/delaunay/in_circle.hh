@@ -9,10 +9,10 @@
 
 namespace surfmesh {
 
-// In-circle rules: function objects (mesh, triangle, point) that tell whether the point lies inside
-// the circumcircle of the triangle. The kernel takes them as argument; a rule decides which
-// triangles a new point replaces, never whether the result is valid, for the kernel asks exact
-// orientation on its own.
+// In-circle rules: function objects (mesh, triangle, point) that are true if the point lies inside
+// the circumcircle of the triangle. The kernel takes one as an argument. A rule decides which
+// triangles a new point replaces, never whether the result is valid: the kernel checks exact
+// orientation itself.
 
 /// The vertices of a triangle, counter-clockwise.
 using TriangleVertices = std::array<VertexHandle, 3>;
@@ -42,9 +42,9 @@ inline constexpr double kInCircleErrorBound = 1.6e-15;
 
 /// True if p lies inside the circumcircle of a counter-clockwise triangle in a constant metric.
 ///
-/// With d_i = corner − p and M = L Lᵀ the sign of in-circle is that of Σ (dᵢᵀ M dᵢ) (d_j × d_k).
-/// A sum within its own rounding error counts as outside, so cocircular points do not extend the
-/// cavity: which of the equal triangulations results does not matter, an exact sign is not needed.
+/// With d_i = corner − p and M = L Lᵀ the sign of in-circle is that of Σ (dᵢᵀ M dᵢ) (d_j × d_k). A
+/// sum within its own rounding error counts as outside, so cocircular points do not extend the
+/// cavity: which of the equal triangulations results does not matter, so no exact sign is needed.
 inline bool in_metric_circle(const std::array<Uv, 3>& triangle, Uv p, const Metric& m) {
   const Uv a = triangle[0] - p, b = triangle[1] - p, c = triangle[2] - p;
   const double la = squared_length(m, a), lb = squared_length(m, b), lc = squared_length(m, c);

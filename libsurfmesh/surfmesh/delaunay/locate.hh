@@ -21,9 +21,9 @@ struct Location {
 
 /// Walk through the triangles towards a point.
 ///
-/// A visibility walk with a random choice between two sides that both lead on: a fixed choice
-/// was seen to cycle in meshes of aspect 100. After a bounded number of steps all triangles are
-/// searched instead, so it always ends. Exact: the point is in the closed triangle told.
+/// A visibility walk with a random choice between two sides that both lead on: a fixed choice was
+/// seen to cycle in meshes of aspect 100. After a bounded number of steps all triangles are
+/// searched instead, so it always ends. Exact: the returned closed triangle contains the point.
 /// Across concave boundaries or holes the walk may end Outside although the point is inside.
 ///
 /// Cost     O(steps), about 10 ns each

@@ -15,16 +15,16 @@ inline MetricCorner corner(const DelaunayMesh& delaunay, VertexHandle vh) {
 /// Quality of a triangle of the mesh in the mean metric of its vertices.
 double quality(const DelaunayMesh& delaunay, FaceHandle fh);
 
-/// Swap edges of a list, and those around them, where that raises the lesser quality of the two
+/// Swap the edges of a list, and those around them, where that raises the lower quality of the two
 /// triangles at the edge.
 ///
-/// Each triangle is measured in its own mean metric: with a metric averaged over the four vertices
-/// swaps can cycle. Constrained edges stay. Every swap raises the quality by a least step, and the
-/// number of swaps is bounded, too.
+/// Each triangle is measured in its own mean metric: with a metric averaged over the four vertices,
+/// swaps can cycle. Constrained edges stay. Every swap raises the quality by a minimum step, and
+/// the number of swaps is bounded as well.
 ///
 /// Reads    surf:uv, surf:metric, surf:constrained
 /// Returns  the number of swaps
-/// Cost     about 150 ns an edge looked at
+/// Cost     about 150 ns per edge examined
 std::size_t swap_edges(DelaunayMesh& delaunay, std::vector<EdgeHandle> edges);
 
 /// The same for all edges of the mesh.

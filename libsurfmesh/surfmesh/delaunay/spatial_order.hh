@@ -19,15 +19,15 @@ namespace surfmesh {
 /// Source   Amenta, Choi, Rote, Incremental constructions con BRIO (2003)
 std::vector<int> spatial_order(const std::vector<Uv>& points);
 
-/// The order of points along one Hilbert curve, for what is read again and again: near in the plane
-/// is near in memory. Deterministic.
+/// The order of points along one Hilbert curve, for data that is read again and again: points near
+/// in the plane are near in memory. Deterministic.
 ///
 /// Returns  indices into `points`
 /// Cost     O(n log n), about 100 ns a point
 std::vector<int> hilbert_order(const std::vector<Uv>& points);
 
-/// The order of points by cells along one Hilbert curve, about four points a cell if they are
-/// spread evenly; within a cell points keep their order. Deterministic.
+/// The order of points by cells along one Hilbert curve, about four points per cell if they are
+/// spread evenly. Within a cell, points keep their order. Deterministic.
 ///
 /// Returns  indices into `points`
 /// Cost     O(n)

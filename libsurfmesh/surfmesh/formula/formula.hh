@@ -12,14 +12,14 @@
 
 namespace surfmesh {
 
-/// A formula of some variables, with exact derivatives by the first two of them.
+/// A formula of some variables, with exact derivatives with respect to the first two.
 ///
-/// Immutable; may be evaluated from several threads at once. Results may be not finite, where the
-/// formula is not defined: that is for the caller to deal with.
+/// Immutable; may be evaluated from several threads at once. Where the formula is not defined,
+/// results may not be finite; the caller must deal with that.
 class Formula {
  public:
   /// Evaluate a formula of one or two variables with derivatives up to `order` (0, 1, 2); for one
-  /// variable the derivatives by v are 0.
+  /// variable the derivatives with respect to v are 0.
   template <int order>
   JetNumber<order> evaluate(double u, double v = 0) const;
 
@@ -52,13 +52,13 @@ inline constexpr std::size_t kMaxFormulaVariables = 16;
 /// Angles are in radians.
 ///
 /// Throws   InvalidInput: for the text, with the column and what was expected and found there; for
-///          a constant that has a name in use (pi, e, u, v, t, variables, functions), that is no
+///          a constant whose name is in use (pi, e, u, v, t, variables, functions) or is not a
 ///          name, or whose value is not finite
 Formula parse_formula(std::string_view text, const std::vector<std::string>& variables,
                       const std::map<std::string, double>& constants = {});
 
-/// Read several formulas of the same variables into one program, which computes what they have in
-/// common only once.
+/// Read several formulas of the same variables into one program, which computes common parts only
+/// once.
 /// Throws   as parse_formula
 FormulaProgram parse_formulas(std::span<const std::string> texts,
                               const std::vector<std::string>& variables,

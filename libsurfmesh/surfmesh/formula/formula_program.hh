@@ -55,7 +55,7 @@ struct Instruction {
   int b = 0;
   double constant = 0;
 
-  /// An order of all instructions; constants by their bits, so that NaN and −0 have their place.
+  /// An order of all instructions; constants by their bits, so that NaN and −0 are ordered, too.
   friend bool operator<(const Instruction& x, const Instruction& y);
 };
 
@@ -86,7 +86,8 @@ class FormulaProgram {
   std::vector<int> results_;  // registers
 };
 
-/// Collects the operations of formulas; a node is named by its index, the variables come first.
+/// Collects the operations of formulas. A node is identified by its index; the variables come
+/// first.
 ///
 /// Constants are folded and equal operations on equal operands become one node.
 class FormulaBuilder {

@@ -6,9 +6,9 @@
 
 namespace surfmesh {
 
-/// A point near one without a tangent plane (a pole) that has one, a thousandth of the way towards
-/// the middle of the domain: near enough to have the sizes of the pole, far enough for full
-/// accuracy. The point itself if there is none around.
+/// Find a point that has a tangent plane near one that has none (a pole). It lies a thousandth of
+/// the way towards the middle of the domain: near enough to have the sizes of the pole, far enough
+/// for full accuracy. Returns the point itself if there is none nearby.
 ///
 /// Cost     one to three evaluations of first order
 Uv beside_pole(const Surface& surface, Uv uv);

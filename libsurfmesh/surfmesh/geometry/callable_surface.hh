@@ -14,13 +14,13 @@ namespace surfmesh {
 /// A surface given by a C++ callable f(u,v) that is generic in its number type, with exact
 /// derivatives.
 ///
-/// The callable gets two JetNumber of order 0, 1 or 2 and returns their position as an Eigen vector
-/// or std::array of three of them:
+/// The callable takes two JetNumbers of order 0, 1 or 2 and returns a position, an Eigen vector or
+/// std::array of three of them:
 ///
 ///   [](auto u, auto v) { return std::array{u, v, 1.5 * sin(2 * u) * cos(v / 5)}; }
 ///
-/// Functions are found by their arguments; no `std::` before them. The callable must be safe to
-/// call from several threads.
+/// Write `sin`, not `std::sin`: functions are found by the types of their arguments. The callable
+/// must be safe to call from several threads.
 template <class Function>
 class CallableSurface : public Surface {
  public:
@@ -52,7 +52,7 @@ class CallableSurface : public Surface {
   Function function_;
 };
 
-/// Make a surface of a generic callable.
+/// Make a surface from a generic callable.
 /// Throws   InvalidInput for an empty or infinite domain
 template <class Function>
 std::shared_ptr<const Surface> make_callable_surface(const Domain& domain, Function function) {

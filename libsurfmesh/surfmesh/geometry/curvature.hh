@@ -11,7 +11,7 @@ namespace surfmesh {
 /// Principal curvatures, k1 ≥ k2, and the direction of k1. All NaN where there is no tangent plane.
 ///
 /// The direction is an angle in the frame of FirstFormFactor, from p_u towards p_v; k2 lies across.
-/// Kept are cosine and sine of its double, which is all that tensors need.
+/// Stored are the cosine and sine of twice the angle, which is all that tensors need.
 ///
 /// Units    curvatures 1/length, positive where the surface bends towards the normal p_u × p_v
 struct PrincipalCurvatures {

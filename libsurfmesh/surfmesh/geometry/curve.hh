@@ -10,7 +10,8 @@
 
 namespace surfmesh {
 
-/// A curve in the parameters of a patch, over t in [0,1]. Immutable, safe from several threads.
+/// A curve in the parameters of a patch, over t in [0,1]. Immutable, safe to use from several
+/// threads.
 class Curve {
  public:
   virtual ~Curve() = default;
@@ -41,14 +42,15 @@ class CallableCurve : public Curve {
   std::function<Uv(double)> function_;
 };
 
-/// A curve in space, over t in [0,1]. Immutable, safe from several threads.
+/// A curve in space, over t in [0,1]. Immutable, safe to use from several threads.
 class SpaceCurve {
  public:
   virtual ~SpaceCurve() = default;
 
   virtual Vec3 evaluate(double t) const = 0;
 
-  /// Equal parts of t, in each of which there may be as much to see as in any other curve.
+  /// Number of equal parts of t that the curve consists of. Each may hold as much detail as another
+  /// whole curve: sample every part.
   virtual int part_count() const { return 1; }
 };
 
@@ -64,7 +66,7 @@ class CallableSpaceCurve : public SpaceCurve {
   std::function<Vec3(double)> function_;
 };
 
-/// The curve in space that a curve in the parameters of a surface is.
+/// A curve in the parameters of a surface, as a curve in space.
 class CurveOnSurface : public SpaceCurve {
  public:
   CurveOnSurface(std::shared_ptr<const Surface> surface, std::shared_ptr<const Curve> curve,
@@ -83,7 +85,7 @@ class CurveOnSurface : public SpaceCurve {
   int part_count_;
 };
 
-/// The range of the parameter in which its author wrote a curve: in messages t is taken there.
+/// The parameter range in which the author wrote a curve. Messages give t in this range.
 struct CurveRange {
   double from = 0;
   double to = 1;

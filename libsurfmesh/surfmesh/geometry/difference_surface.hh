@@ -5,15 +5,15 @@
 
 namespace surfmesh {
 
-/// A surface with derivatives by differences of its positions, for one that gives none of its own.
+/// Adds derivatives, by differences of positions, to a surface that has none of its own.
 ///
-/// Central differences over 1/4096 of the domain; where that would leave the domain, the place of
-/// all derivatives is moved inwards by as much.
+/// Central differences over 1/4096 of the domain; where that would leave the domain, the point of
+/// all derivatives moves inwards by the same amount.
 ///
-/// Error    relative 1e-7 of a surface that turns once over its domain, from the step in first and
-///          second derivatives alike, and up to 1e-8 from rounding in second ones; beside the
-///          border of the domain 1e-3 (test DifferenceSurface.*)
-/// Cost     up to 9 evaluations of position
+/// Error    for a surface that turns once over its domain: relative 1e-7 from the step, in first
+///          and second derivatives alike, and up to 1e-8 from rounding in second ones; 1e-3 beside
+///          the border of the domain (test DifferenceSurface.*)
+/// Cost     up to 9 evaluations of the position
 class DifferenceSurface : public Surface {
  public:
   /// The surface must outlive this one.

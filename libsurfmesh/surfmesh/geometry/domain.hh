@@ -30,7 +30,8 @@ struct Domain {
   /// The point at relative coordinates (s,t) of the bounding rectangle, each in [0,1].
   Uv at(double s, double t) const { return {(1 - s) * u0 + s * u1, (1 - t) * v0 + t * v1}; }
 
-  /// The point of the bounding rectangle nearest to one that may lie outside, by rounding say.
+  /// The point of the bounding rectangle nearest to p, which may lie outside, by rounding for
+  /// instance.
   Uv clamp(Uv p) const { return {std::clamp(p.u, u0, u1), std::clamp(p.v, v0, v1)}; }
 
   /// Bring a point of the bounding rectangle into the domain: for a triangle, points beyond the

@@ -19,7 +19,7 @@ inline FirstFormFactor first_form_factor(const Vec3& du, const Vec3& dv) {
   return {l11, l21, du.cross(dv).norm() / l11};
 }
 
-/// A point of a patch with what a query of sizes reads of the surface there.
+/// A point of a patch with the surface values that a query of sizes reads.
 struct SurfacePoint {
   Uv uv;
   Vec3 point;

@@ -7,20 +7,20 @@
 
 namespace surfmesh {
 
-/// A number that carries its derivatives by two parameters, up to order 0, 1 or 2.
+/// A number that carries its derivatives with respect to two parameters, up to order 0, 1 or 2.
 ///
-/// Computing with it as with a double gives exact derivatives: formulas and callables are
-/// evaluated so. It is used in place of Eigen's AutoDiffScalar, which has to be nested for second
-/// derivatives: that computes duv twice, returns expressions that dangle when kept in `auto`, and
-/// lacks pow with two variables, hypot, cbrt and the order 0.
+/// Arithmetic on it, as on a double, gives exact derivatives; formulas and callables are evaluated
+/// this way. Eigen's AutoDiffScalar would have to be nested for second derivatives: that computes
+/// duv twice, returns expressions that dangle when stored in `auto`, and lacks pow with two
+/// variables, hypot, cbrt and the order 0.
 ///
 /// The value is the same bit for bit at every order, and so are the first derivatives. A default
 /// constructed number is not initialised, like a double; JetNumber() is zero. Comparisons compare
 /// values only, so a callable may branch.
 ///
 /// Where a derivative does not exist it is not finite, except abs'(0) = 0; min and max have the
-/// derivatives of the operand they give, the first of two equal ones. A value that is not a number
-/// is never hidden by min or max.
+/// derivatives of the operand they return, the first of two equal ones. A value that is not a
+/// number is never hidden by min or max.
 template <int order>
 class JetNumber {
   static_assert(order >= 0 && order <= 2);

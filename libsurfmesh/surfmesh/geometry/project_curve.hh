@@ -8,18 +8,17 @@
 
 namespace surfmesh {
 
-/// Find a curve in space in the parameters of a surface on which it lies.
+/// Express a curve in space in the parameters of the surface on which it lies.
 ///
-/// The curve is followed from its start; where several places of the surface are its start (on a
-/// seam), from the first of them from which it can be followed inside of the domain. Every
-/// evaluation of the result projects the point anew, so the result is as smooth as the curve and
-/// the surface are.
+/// The curve is followed from its start. If several points of the domain are its start (on a seam),
+/// the first one is taken from which the curve can be followed inside the domain. Every evaluation
+/// of the result projects the point again, so the result is as smooth as the curve and the surface.
 ///
-/// `reach` is the distance from the surface that is too far; `range` is for messages.
+/// `reach` is the distance from the surface that counts as too far; `range` is for messages.
 /// Error    a few roundings of the parameters, if the curve lies on the surface (test
 ///          ProjectCurve.*)
-/// Cost     some thousand evaluations of the surface to make; an evaluation 2 to 4 of them, below
-///          2 µs for formulas
+/// Cost     a few thousand evaluations of the surface to set up; 2 to 4 of them for each
+///          evaluation, below 2 µs for formulas
 /// Pre      the domain is a rectangle
 /// Throws   Geometry if the curve is not on the surface, with t and the greatest gap, or if it
 ///          crosses a side of the domain, with t

@@ -8,30 +8,30 @@
 
 namespace surfmesh {
 
-/// A place of a surface as seen from a point in space.
+/// A point of a surface, as seen from a point in space.
 struct SurfaceFoot {
   Uv uv;
   double distance = kUnset;  ///< from the point, in model units
 };
 
-/// Find the place of a surface nearest to a point in space around a guess, within the domain.
+/// Find the point of a surface nearest to a point in space, near a guess and within the domain.
 ///
 /// Where the surface is singular (a pole) the parameter that has no effect keeps its guess.
 ///
 /// Error    for a point on the surface the distance is a few roundings of its coordinates (test
 ///          ProjectToSurface.*); for a point at distance d from a surface of curvature k, the
-///          place is good if k d is below 1/2
+///          result is good if k d is below 1/2
 /// Cost     for a point on the surface with a fair guess 2 to 4 evaluations of first order
 /// Pre      the domain is a rectangle
 SurfaceFoot project_to_surface(const Surface& surface, const Vec3& point, Uv guess);
 
-/// Find the places of a surface that are nearer to a point in space than all places around them,
+/// Find the points of a surface that are nearer to a point in space than all points around them,
 /// the nearest first.
 ///
-/// Places on both sides of a seam are both found. A place that comes near the point between four of
-/// the 33 × 33 samples of the domain only, may be missed.
+/// On a seam, the points of both sides are found. A point that is near only between four of the 33
+/// × 33 samples of the domain may be missed.
 ///
-/// Cost     1,089 evaluations, and some tens a place
+/// Cost     1,089 evaluations, and some tens for each point found
 /// Pre      the domain is a rectangle
 std::vector<SurfaceFoot> near_places(const Surface& surface, const Vec3& point);
 

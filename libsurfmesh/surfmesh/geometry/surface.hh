@@ -29,7 +29,7 @@ struct SingularPoint {
   double reach = 0;
 };
 
-/// How many cells a surface is made of, side by side along u and along v.
+/// How many cells a surface consists of, side by side along u and along v.
 struct CellCount {
   int u = 1;
   int v = 1;
@@ -52,16 +52,16 @@ class Surface {
 
   virtual Domain domain() const = 0;
 
-  /// Points that are extraordinary; none for analytic surfaces. They are corners of cells, and lie
-  /// on the border of the domain.
+  /// Extraordinary points; none for analytic surfaces. They are corners of cells, on the border of
+  /// the domain.
   virtual std::vector<SingularPoint> singular_points() const { return {}; }
 
-  /// Cells of equal width and height in parameters, in each of which there may be as much to see as
-  /// in any other surface: one who takes samples takes some in each.
+  /// Number of cells, of equal width and height in parameters. Each may hold as much detail as
+  /// another whole surface: sample every cell.
   virtual CellCount cells() const { return {}; }
 
-  /// The point itself, or one beside it where it lies in the narrow rounding of a semi-sharp crease
-  /// that elements are not to follow: the curvature there counts for sizes.
+  /// The point whose curvature counts for sizes: the given one, or one beside it if that lies in
+  /// the narrow rounding of a semi-sharp crease, which elements should not follow.
   virtual Uv beside_roundings(Uv uv) const { return uv; }
 };
 

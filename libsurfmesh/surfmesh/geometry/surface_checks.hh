@@ -13,7 +13,7 @@ void check(const Domain& domain);
 /// Throws   Geometry, naming (u,v), always
 [[noreturn]] void throw_not_finite(Uv uv, Order order);
 
-/// Check what an evaluation has found, up to the order asked for.
+/// Check the result of an evaluation, up to the requested order.
 /// Throws   Geometry if it is not finite, naming (u,v)
 inline void check_finite(const Jet& jet, Uv uv, Order order) {
   // x − x is 0 for every finite x, else NaN, which no sum loses.

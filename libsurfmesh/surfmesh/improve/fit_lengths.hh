@@ -18,9 +18,9 @@ struct FitReport {
 /// inverted, the worst one does not become worse or stays good, and no new edge leaves the unit
 /// range at the other end.
 ///
-/// Writes   surf:uv, surf:metric; the last elements take the numbers of those that go, those before
-///          the first inner vertex keep theirs
-/// Cost     a length of every edge, and up to nine moves a change
+/// Writes   surf:uv, surf:metric; the last elements take over the numbers of removed ones, vertices
+///          before the first inner one keep theirs
+/// Cost     the length of every edge, and up to nine moves per change
 FitReport fit_lengths(DelaunayMesh& delaunay, VertexMoves& moves);
 
 }  // namespace surfmesh

@@ -12,8 +12,8 @@ namespace surfmesh {
 struct ImproveOptions {
   /// Smoothing sweeps over all inner vertices; the first brings 75 % of the gain, the second 18 %.
   int sweeps = 2;
-  /// Collapses and splits of edges out of the unit range, then at most so many passes over the
-  /// triangles of low quality; 0 is off.
+  /// Greatest number of passes over the triangles of low quality, after edges outside the unit
+  /// range were collapsed or split; 0 turns both off.
   int repairs = 3;
 };
 
@@ -29,15 +29,16 @@ struct ImproveReport {
   friend bool operator==(const ImproveReport&, const ImproveReport&) = default;
 };
 
-/// Move inner vertices to where their edges are of unit length, swap edges by quality, collapse or
-/// split edges that are still far from unit length, and repair what is bad after that.
+/// Move inner vertices to where their edges have unit length, swap edges by quality, collapse or
+/// split edges that are still far from unit length, and repair the bad triangles that remain.
 ///
 /// A change is accepted only if no triangle is inverted and the worst of those around does not
 /// become worse, or stays good. Boundary vertices stay, and keep their numbers.
 ///
 /// Reads    surf:constrained
 /// Writes   surf:uv, surf:metric of moved and new vertices
-/// Cost     about 0.3 µs a triangle and half a metric query a sweep, for a mesh in spatial order
+/// Cost     about 0.3 µs and half a metric query per triangle and sweep, for a mesh in spatial
+///          order
 /// Throws   InvalidOption; Cancelled
 /// Source   paper, section 2.1, item 4
 ImproveReport improve(DelaunayMesh& delaunay, const MetricField& field,

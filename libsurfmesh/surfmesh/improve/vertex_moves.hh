@@ -6,26 +6,27 @@
 
 namespace surfmesh {
 
-/// Down to this least quality around them, vertices may lose quality in favour of edge lengths.
+/// While the least quality around them is above this, vertices may lose quality in favour of edge
+/// lengths.
 inline constexpr double kGoodQuality = 0.8;
 
 /// Moves single inner vertices of a mesh; those of the boundary stay.
 ///
-/// No triangle is ever inverted, and a moved vertex gets the metric of its new place.
+/// No triangle is ever inverted, and a moved vertex gets the metric of its new position.
 class VertexMoves {
  public:
   VertexMoves(DelaunayMesh& delaunay, const MetricField& field)
       : delaunay_(delaunay), field_(field) {}
 
-  /// Move a vertex to where its edges are of unit length, or half the way there, if the worst of
-  /// its triangles does not become worse or stays good.
+  /// Move a vertex to where its edges have unit length, or half the way there, if the worst of its
+  /// triangles does not become worse or stays good.
   ///
   /// A Gauss-Newton step for Σ (l − 1)² over its edges. A step below a hundredth of a unit is not
   /// worth its metric query.
   void smooth(VertexHandle vh);
 
-  /// Search a better place for the vertex of a bad triangle, in eight directions, with steps from
-  /// 0.2 to 0.02 units: the one of the greatest value, which is the least quality less half the
+  /// Search for a better position for the vertex of a bad triangle, in eight directions, with steps
+  /// from 0.2 to 0.02 units. The best one has the greatest score: the least quality minus half the
   /// excess of edges over the unit range.
   void search(VertexHandle vh);
 

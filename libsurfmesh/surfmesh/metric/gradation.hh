@@ -8,8 +8,8 @@ namespace surfmesh {
 /// Limit the sizes at node j so that they grow from node i by at most ln(grade) per unit of length:
 /// M_j >= M_i / (1 + ln g · l)², as the minimum of H_j and (1 + ln g · l) H_i.
 ///
-/// Returns H_j itself, bit by bit, where it is within the limit, as it is after one call: sweeps
-/// over the edges of a control mesh end when no tensor changes. Both are taken in one tangent
+/// Returns H_j itself, bit by bit, if it is within the limit. After one call it is, so sweeps over
+/// the edges of a control mesh end when no tensor changes. Both tensors are in the same tangent
 /// frame.
 ///
 /// Units    length_m is the metric length √(eᵀM_i e) of the edge in the metric of node i

@@ -16,10 +16,10 @@ inline SizeTensor lerp(const SizeTensor& a, const SizeTensor& b, double t) {
   return {a.h11 + t * (b.h11 - a.h11), a.h12 + t * (b.h12 - a.h12), a.h22 + t * (b.h22 - a.h22)};
 }
 
-/// Average size tensors of nodes with the inverse of their squared distances as weights.
+/// Average the size tensors of nodes, weighted by the inverse of their squared distances.
 ///
-/// Linear in H. At a node it gives that node's tensor exactly, the first one's if several nodes lie
-/// there.
+/// Linear in H. At a node the result is that node's tensor exactly, or the first one's if several
+/// nodes lie there.
 ///
 /// Units    squared distances in any one unit, 0 or more
 /// Pre      as many distances as tensors, at least one
@@ -44,7 +44,7 @@ inline SizeTensor interpolate(std::span<const SizeTensor> sizes,
   return {first.h11 + scale * sum.h11, first.h12 + scale * sum.h12, first.h22 + scale * sum.h22};
 }
 
-/// The same of exactly three nodes, with one division; exact where all tensors are equal.
+/// The same for exactly three nodes, with one division; exact where all tensors are equal.
 inline SizeTensor interpolate(const std::array<SizeTensor, 3>& sizes,
                               const std::array<double, 3>& squared_distances) {
   const auto& [d0, d1, d2] = squared_distances;
@@ -59,8 +59,8 @@ inline SizeTensor interpolate(const std::array<SizeTensor, 3>& sizes,
           a.h22 + (s1 * (b.h22 - a.h22) + s2 * (c.h22 - a.h22))};
 }
 
-/// Average size tensors at the corners of a triangle, counter-clockwise, linearly; at a point
-/// outside of it those of a point on its rim.
+/// Interpolate the size tensors at the corners of a triangle, counter-clockwise, linearly. A point
+/// outside gets the value of a point on the rim.
 ///
 /// Linear in H, so of second order, and continuous over neighbouring triangles. Exact at the
 /// corners, and where all tensors are equal.

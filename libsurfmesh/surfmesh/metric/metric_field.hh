@@ -28,17 +28,17 @@ struct QueryCounts {
   friend bool operator==(const QueryCounts&, const QueryCounts&) = default;
 };
 
-/// What a caller keeps from one query of a metric field to the next: its own, so that several
-/// threads may ask one field.
+/// What a caller keeps between queries of a metric field. Each caller has its own, so that several
+/// threads can query one field.
 struct QueryHint {
-  int triangle = -1;  ///< where the last point was found: near points are found fast
+  int triangle = -1;  ///< that contained the last point: a point near it is found fast
   RandomBits random;
   Uv last_uv;  ///< where the last answer was computed
   SizeTensor last_size;
   Metric last_metric;
   QueryCounts answers;
-  // Scratch of V_o, here so that a query does not allocate: the triangles around a point, their
-  // nodes, and what is averaged.
+  // Scratch space of V_o, kept here so that a query does not allocate: the triangles around a
+  // point, their nodes, and the values to average.
   std::vector<int> cavity;
   std::vector<int> cavity_nodes;
   std::vector<SizeTensor> sizes;

@@ -8,9 +8,9 @@ namespace surfmesh {
 /// Combine two metrics by simultaneous reduction: the shorter wanted length in each of their common
 /// directions.
 ///
-/// Asks for lengths that are never longer than those of either in any direction. Exactly
-/// commutative and idempotent; where one metric is nowhere longer it is returned as it is. Not
-/// associative: combine several in the order of their index.
+/// In no direction does the result ask for a longer length than either of the two. Exactly
+/// commutative and idempotent; if one metric asks for no longer length in any direction, it is
+/// returned unchanged. Not associative: combine several in the order of their index.
 ///
 /// Error    1e-14 × aspect² of the sum of both (test MetricMinimum.*)
 /// Pre      both positive semidefinite; one may be singular
@@ -18,8 +18,8 @@ Metric minimum(const Metric& a, const Metric& b);
 
 /// Combine two size tensors of one tangent frame, as for their metrics H⁻².
 ///
-/// Lengths that differ by less than 1e-10 count as equal, so that the result can be combined with
-/// either argument again and stays as it is, bit by bit, up to aspect 1e4.
+/// Lengths that differ by less than 1e-10 count as equal, so that combining the result with either
+/// argument again does not change a bit of it, up to aspect 1e4.
 ///
 /// Error    1e-10, and 1e-14 × aspect, by never forming the squares (test SizeMinimum.*)
 /// Pre      both positive definite

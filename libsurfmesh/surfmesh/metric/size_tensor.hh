@@ -5,7 +5,7 @@
 
 namespace surfmesh {
 
-/// The wanted edge lengths of a size tensor and where they are wanted.
+/// The wanted edge lengths of a size tensor and their directions.
 struct PrincipalSizes {
   double l_s = kUnset;    ///< the larger length, model units
   double l_t = kUnset;    ///< the smaller length, across
@@ -38,12 +38,12 @@ inline SizeTensor scaled(const SizeTensor& h, double factor) {
 ///          (test PrincipalSizes.*)
 PrincipalSizes principal_sizes(const SizeTensor& h);
 
-/// Bring both lengths into [hmin, hmax], keeping the directions; unchanged if they are inside.
+/// Clamp both lengths to [hmin, hmax] and keep the directions; unchanged if both are inside.
 ///
 /// Pre      0 < hmin <= hmax
 SizeTensor clamp_sizes(const SizeTensor& h, double hmin, double hmax);
 
-/// The matrix logarithm log H, of which averages are geometric in the lengths.
+/// The matrix logarithm log H. Averages of it are geometric in the lengths.
 /// Pre      positive definite
 SizeTensor log_size(const SizeTensor& h);
 

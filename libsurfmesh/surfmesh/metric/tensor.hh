@@ -23,9 +23,9 @@ inline double determinant(const Metric& m) { return m.m11 * m.m22 - m.m12 * m.m1
 
 inline double determinant(const SizeTensor& h) { return h.h11 * h.h22 - h.h12 * h.h12; }
 
-/// Half the difference of the eigenvalues of a symmetric matrix with half the difference of its
-/// diagonal entries and its other entry. As a plain root: entries whose squares are not numbers, or
-/// nothing, are of no use elsewhere either, and std::hypot took a seventh of all time.
+/// Half the difference of the eigenvalues of a symmetric matrix, from half the difference of its
+/// diagonal entries and from its other entry. A plain root: entries whose squares overflow or
+/// underflow are of no use elsewhere either, and std::hypot took a seventh of all time.
 inline double eigenvalue_radius(double half_difference, double other) {
   return std::sqrt(half_difference * half_difference + other * other);
 }
@@ -51,8 +51,8 @@ inline Metric metric_from_size(const FirstFormFactor& p, const SizeTensor& h) {
   return {b11 * b11 + b12 * b12, b11 * b21 + b12 * b22, b21 * b21 + b22 * b22};
 }
 
-/// Squared relative half difference of two lengths below which edge_length takes its series: there
-/// the first term left out, 44/945 of the cube, is below rounding.
+/// Squared relative half difference of two lengths below which edge_length uses its series: there,
+/// the first omitted term, 44/945 of the cube, is below rounding.
 inline constexpr double kNearlyEqualLengths = 1e-6;
 
 /// Metric length of an edge from its lengths in the metrics of its two ends: (l0−l1)/ln(l0/l1),

@@ -10,7 +10,7 @@
 
 namespace surfmesh {
 
-/// The finished mesh of one patch in its domain: its first vertices are the nodes of the loops in
+/// The finished mesh of one patch in its domain. Its first vertices are the nodes of the loops, in
 /// their order.
 struct PatchMesh {
   PatchBoundary boundary;
@@ -25,17 +25,17 @@ struct PatchMesh {
 /// Evaluate the surface at the vertices that have no position yet.
 void evaluate_vertices(PatchMesh& patch);
 
-/// Give an inner edge a node in its middle in (u,v), with its metric.
+/// Split an inner edge at its middle in (u,v). The new node gets its metric.
 ///
 /// Returns  false, and does nothing, if the middle as rounded does not lie strictly inside the two
 ///          triangles
 bool split_chord(PatchMesh& patch, EdgeHandle eh);
 
-/// Result vertices of the nodes of the loops, -1 for nodes that are the patch's own.
+/// The vertex of the result for each node of the loops, or -1 for nodes of the patch's own.
 std::vector<int> boundary_vertices(const PatchBoundary& boundary);
 
-/// Give inner nodes to chords that would make the result improper: edges from a vertex to itself,
-/// and edges between two vertices that another edge joins, also across patches.
+/// Split chords that would make the result improper: edges from a vertex to itself, and edges
+/// between two vertices that another edge joins, also across patches.
 ///
 /// Chords between boundary nodes, and from them to inner nodes (which see both sides of a seam in a
 /// coarse mesh), are split in their middle until none offends.
@@ -43,7 +43,7 @@ std::vector<int> boundary_vertices(const PatchBoundary& boundary);
 /// Reads    surf:constrained
 /// Writes   surf:uv, surf:metric of new vertices
 /// Returns  the number of nodes
-/// Cost     O(boundary nodes) a round, rarely more than two rounds
+/// Cost     O(boundary nodes) per round, rarely more than two rounds
 /// Throws   Geometry if rounds do not end
 std::size_t split_improper_chords(std::vector<PatchMesh>& patches);
 

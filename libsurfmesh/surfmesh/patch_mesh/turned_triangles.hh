@@ -20,13 +20,13 @@ std::size_t count_turned_triangles(const PatchMesh& patch);
 /// Pre      evaluate_vertices has been called
 std::optional<Vec3> find_turned_place(const PatchMesh& patch);
 
-/// Mend triangles that are valid in (u,v) but turned against the surface in space, where elements
-/// are large against its curvature: swap an edge if that mends both triangles, else give its
-/// longest chord a node in the middle, and again, for a few rounds.
+/// Fix triangles that are valid in (u,v) but turned against the surface in space, as happens where
+/// elements are large for its curvature: swap an edge if that fixes both triangles, otherwise split
+/// the longest chord in the middle. Repeat for a few rounds.
 ///
 /// Writes   surf:uv, surf:metric of new vertices; points and normals of the patch
 /// Some may stay turned: those at a contour whose own segments are too long.
-/// Returns  how many are turned at the end, those of fans around poles among them
+/// Returns  how many are turned at the end, including those of fans around poles
 /// Cost     O(faces) if none is turned
 std::size_t mend_turned_triangles(PatchMesh& patch);
 

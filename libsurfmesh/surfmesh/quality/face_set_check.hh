@@ -19,8 +19,8 @@ struct MeshFault {
 
   static constexpr std::size_t kMostPlaces = 10;
 
-  /// Count one more; `place()`, which makes the text of its place, is called if it is one of the
-  /// first.
+  /// Count one more. `place()` makes the text that says where it is, and is called only for the
+  /// first ones.
   template <class Place>
   void add(Place place) {
     if (count++ < kMostPlaces) places.push_back(place());
@@ -29,7 +29,7 @@ struct MeshFault {
   friend bool operator==(const MeshFault&, const MeshFault&) = default;
 };
 
-/// What can be said of a mesh without its surface.
+/// What can be said about a mesh without its surface.
 struct FaceSetCheck {
   std::size_t vertices = 0;
   std::size_t edges = 0;
@@ -43,7 +43,7 @@ struct FaceSetCheck {
   bool is_closed = false;          ///< no boundary edge
   bool is_manifold = false;        ///< no edge of three faces, one fan of faces around each vertex
   bool is_oriented = false;        ///< neighbours agree about their outside
-  /// The open edges with their places: no fault in itself.
+  /// The open edges with their locations; not faults in themselves.
   MeshFault open_edges{"open_edge", 0, {}};
   std::vector<MeshFault> faults;  ///< those that occur
 
@@ -52,11 +52,11 @@ struct FaceSetCheck {
 
 /// Count the elements of a mesh and find what is wrong with it.
 ///
-/// Kinds of faults: non_manifold_edge (of three faces or more), turned_neighbour (two faces pass
-/// their edge in the same direction), non_manifold_vertex (faces that meet in this vertex only),
-/// degenerate_face (no area, to rounding), duplicate_face (the same vertices), duplicate_vertex
-/// (the same coordinates), unused_vertex. Places tell the patch by its name, by its number where
-/// it has none, where the faces have patches.
+/// Kinds of faults: non_manifold_edge (of three faces or more), turned_neighbour (two faces
+/// traverse their edge in the same direction), non_manifold_vertex (faces that meet in this vertex
+/// only), degenerate_face (no area, to rounding), duplicate_face (the same vertices),
+/// duplicate_vertex (the same coordinates), unused_vertex. If the faces have patches, locations
+/// name the patch, or give its number if it has no name.
 /// Cost     O(n log n), about 1 µs a triangle
 FaceSetCheck check_face_set(const FaceSet& set, std::span<const std::string> patch_names = {});
 
@@ -80,7 +80,7 @@ struct ShapeStatistics {
 /// Cost     O(corners)
 ShapeStatistics measure_shape(const FaceSet& set);
 
-/// A point as it stands in messages: "(1, 2.5, 0)".
+/// A point as written in messages: "(1, 2.5, 0)".
 std::string place_text(const Vec3& point);
 
 }  // namespace surfmesh

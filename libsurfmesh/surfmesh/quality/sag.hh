@@ -19,18 +19,18 @@ struct Sag {
 
 /// Measure the distance between a mesh and its surface, both ways.
 ///
-/// Each face is sampled at 25 points a triangle, and on from the greatest one. A sample is a point
-/// of the triangle and the point of the surface with its parameters. The distance of the one from
-/// the nearest point of the surface and that of the other from the nearest triangle both count:
-/// the first alone would not see what the mesh cuts off, the second not what it has too much.
-/// Neither is the distance of the two points from each other, which also grows where parameters run
-/// unevenly.
+/// Each face is sampled at 25 points per triangle, and a search goes on from the greatest one. A
+/// sample is a point of the triangle and the point of the surface at the same parameters. Two
+/// distances count: from the former to the nearest point of the surface, and from the latter to the
+/// nearest triangle. The first alone would miss what the mesh cuts off, the second what it adds.
+/// The distance between the two points does not count, because it also grows where parameters are
+/// uneven.
 ///
-/// The nearest triangle is looked for among those that share a vertex with the face.
+/// The nearest triangle is searched among those that share a vertex with the face.
 /// Reads    surf:patch (face), surf:uv (halfedge)
 /// Error    a lower bound, by 3 % of the sag of a triangle over a sphere (test Sag.*); what lies
 ///          between a trimming curve and its chord is not sampled
-/// Cost     about 60 surface evaluations a triangle
+/// Cost     about 60 surface evaluations per triangle
 /// Throws   MissingProperty
 Sag measure_sag(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search);
 

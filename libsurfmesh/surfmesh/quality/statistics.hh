@@ -46,9 +46,9 @@ struct QualityStatistics {
 
 /// Measure every edge of a result mesh once.
 ///
-/// The length is edge_length of the lengths in the metrics of its two corners in one face, of the
-/// patch of that face: the face of the edge's first halfedge, of its second where the first is on
-/// the boundary. On a contour the other patch may see a slightly different length.
+/// The length is edge_length of the lengths in the metrics of the two corners in one face, in the
+/// patch of that face. That is the face of the edge's first halfedge, or of its second if the first
+/// is on the boundary. On a contour, the other patch may see a slightly different length.
 ///
 /// Reads    surf:uv, surf:metric (halfedge)
 /// Error    exact for sizes that change geometrically along the edge
@@ -58,10 +58,12 @@ EdgeStatistics measure_edges(const PolyMesh& mesh);
 
 /// Measure the triangles of a result mesh, each in the mean of the metrics of its corners.
 ///
-/// A patch may be turned as a whole against its parameters, to be oriented as its neighbours are: a
-/// triangle counts as turned over if its sign in (u,v) is not that of its patch's area.
+/// A whole patch may be reversed against its parameters, to be oriented like its neighbours. A
+/// triangle therefore counts as turned over if its sign in (u,v) differs from that of its patch's
+/// area.
 ///
-/// Reads    surf:uv, surf:metric (halfedge), surf:patch (face; without it all is one patch)
+/// Reads    surf:uv, surf:metric (halfedge), surf:patch (face; without it, all faces count as one
+///          patch)
 /// Throws   MissingProperty; InvalidInput where a corner is unset (NaN)
 QualityStatistics measure_quality(const PolyMesh& mesh);
 

@@ -15,13 +15,13 @@ namespace surfmesh {
 /// Give the corners of a mesh the patches and parameters of the nearest points of a model.
 ///
 /// The patch of a face is that of the point nearest to its middle, among the patches that have the
-/// name of the face's group, or are in the model's group of that name; among all where no patch
-/// or group has this name. Its corners are projected from there, so that a face at a seam stays on
-/// one side of it.
+/// name of the face's group, or are in the model's group of that name. If no patch or group has
+/// this name, all patches count. Its corners are projected from there, so that a face at a seam
+/// stays on one side of it.
 ///
 /// Reads    surf:patch (face; optional), with its names
 /// Writes   surf:patch (face), surf:uv (halfedge)
-/// Cost     about 10 surface evaluations a corner
+/// Cost     about 10 surface evaluations per corner
 void project_mesh(PolyMesh& mesh, const std::vector<std::string>& patch_names, const Model& model,
                   const SurfaceSearch& search);
 
@@ -42,8 +42,8 @@ struct SurfaceDistance {
 /// Measure the distance of a mesh from its surface, and find turned elements.
 ///
 /// Reads    surf:patch (face), surf:uv (halfedge)
-/// Error    a lower bound of the greatest distance: four samples a triangle
-/// Cost     about 15 surface evaluations a triangle
+/// Error    a lower bound of the greatest distance: four samples per triangle
+/// Cost     about 15 surface evaluations per triangle
 /// Throws   MissingProperty; InvalidInput for a patch that the model does not have
 SurfaceDistance measure_distance(const PolyMesh& mesh, const Model& model,
                                  const SurfaceSearch& search, bool is_projected);

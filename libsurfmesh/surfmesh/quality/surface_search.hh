@@ -18,27 +18,27 @@ struct NearPoint {
   bool is_on_border = false;  ///< of the domain: beyond it there might be nearer points
 };
 
-/// Find the point of a surface that is nearest to a point in space, from a guess downhill.
+/// Search downhill from a guess for the point of a surface that is nearest to a point in space.
 ///
-/// The way leads through decreasing distances within the domain, along its border where that is in
-/// the way; it ends at a local minimum.
+/// The distance decreases with every step. The search stays in the domain, follows its border where
+/// that is in the way, and ends at a local minimum.
 /// Error    at distance d of a surface of curvature k each step leaves d k of the way to the
 ///          minimum, until it is below 1e-12 of the domain; 40 steps at most
 /// Cost     2 to 5 evaluations of first order for a guess nearby
 NearPoint find_near_point(const Surface& surface, const Vec3& point, Uv guess);
 
-/// Finds the nearest points on all patches of a model: samples of the patches lead to a guess.
+/// Finds the nearest points on all patches of a model; samples of the patches provide the guess.
 class SurfaceSearch {
  public:
   /// The model must outlive the search.
-  /// Cost     at least 64 evaluations a cell of a patch, 100,000 in all for a few cells
+  /// Cost     at least 64 evaluations per cell of a patch, 100,000 in all for a few cells
   explicit SurfaceSearch(const Model& model);
 
-  /// The nearest point; `patches` are the ones to look at, empty for all.
+  /// The nearest point on `patches`, or on all patches if that is empty.
   ///
-  /// Of trimmed patches the whole domain counts, with its holes.
-  /// Error    may be a point that is nearest in its neighbourhood only, where two places of a patch
-  ///          are nearly as far from the point, compared with the distance of the samples
+  /// Trimmed patches count with their whole domain, holes included.
+  /// Error    may be only a local minimum, where two points of a patch are nearly equally far from
+  ///          the point, compared with the distance of the samples
   NearPoint nearest(const Vec3& point, const std::vector<int>& patches = {}) const;
 
  private:
@@ -51,7 +51,7 @@ class SurfaceSearch {
 
   void add_samples(int patch, int count);
   void sort_tree(std::size_t first, std::size_t end, int axis);
-  /// True if both lead to the same place of a patch.
+  /// True if both lead to the same point of a patch.
   bool are_beside(const Sample& a, const Sample& b) const;
   void search(std::size_t first, std::size_t end, int axis, Candidates& candidates) const;
 
