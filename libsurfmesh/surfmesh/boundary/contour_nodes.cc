@@ -46,9 +46,7 @@ constexpr double kFewest = 0.71, kMost = 4;
 constexpr int kSagSteps = 4;
 constexpr double kSagShare = 0.95;
 
-const Patch& patch_of(const Model& model, const ContourUse& use) {
-  return model.patches[static_cast<std::size_t>(use.patch)];
-}
+const Patch& patch_of(const Model& model, const ContourUse& use) { return model.patch(use); }
 
 /// The least number of segments with which the contour can be part of a proper mesh.
 class LeastSegments {
@@ -248,7 +246,7 @@ class ContourDivision {
     });
   }
 
-  Vec3 vertex(int index) const { return model_.vertices[static_cast<std::size_t>(index)].position; }
+  Vec3 vertex(int index) const { return model_.position(index); }
 
   /// The least count, a multiple, with which all segments are near enough.
   int count_for_sag(int least, const BoundaryOptions& options) const {
@@ -311,7 +309,7 @@ class ContourDivision {
   bool has_pole(const Patch& patch) const {
     for (const PatchLoop& loop : patch.loops) {
       for (const LoopEntry& entry : loop) {
-        if (model_.contours[static_cast<std::size_t>(entry.contour)].is_degenerate) return true;
+        if (model_.contour(entry).is_degenerate) return true;
       }
     }
     return false;
@@ -455,7 +453,7 @@ class Uncrossing {
 
   /// Add the nodes of a use but its last one, which the next use has, too.
   void append(const LoopEntry& entry, Loops& loops) const {
-    const Contour& contour = model_.contours[static_cast<std::size_t>(entry.contour)];
+    const Contour& contour = model_.contour(entry);
     const auto& division = divisions_[static_cast<std::size_t>(entry.contour)];
     const auto use = static_cast<std::size_t>(entry.use);
     const Curve& curve = *contour.uses[use].curve;
@@ -499,7 +497,7 @@ class Uncrossing {
   }
 
   bool is_pole(const ContourSegment& segment) const {
-    return model_.contours[static_cast<std::size_t>(segment.contour)].is_degenerate;
+    return model_.contour(segment.contour).is_degenerate;
   }
 
   /// `seams` are the contours that lead to the pole.
@@ -535,7 +533,7 @@ class Uncrossing {
 
 ContourNodes degenerate_nodes(const Model& model, const Contour& contour) {
   ContourNodes nodes;
-  nodes.points.assign(2, model.vertices[static_cast<std::size_t>(contour.start)].position);
+  nodes.points.assign(2, model.position(contour.start));
   for (const ContourUse& use : contour.uses) {
     nodes.uv.push_back({use.curve->evaluate(0), use.curve->evaluate(1)});
   }

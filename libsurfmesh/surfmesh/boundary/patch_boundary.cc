@@ -11,17 +11,16 @@ namespace {
 
 /// A segment of a loop that lies on a degenerate contour, before it is cut off.
 bool is_pole(const Model& model, const BoundaryNode& node) {
-  return node.contour >= 0 && model.contours[static_cast<std::size_t>(node.contour)].is_degenerate;
+  return node.contour >= 0 && model.contour(node.contour).is_degenerate;
 }
 
 BoundaryLoop chain_of_nodes(const Model& model, const PatchLoop& loop,
                             const std::vector<ContourNodes>& nodes, const NodeNumbers& numbers) {
   BoundaryLoop chain;
   for (const LoopEntry& entry : loop) {
-    const Contour& contour = model.contours[static_cast<std::size_t>(entry.contour)];
     const ContourNodes& list = nodes[static_cast<std::size_t>(entry.contour)];
     const auto& uv = list.uv[static_cast<std::size_t>(entry.use)];
-    const bool is_forward = contour.uses[static_cast<std::size_t>(entry.use)].is_forward;
+    const bool is_forward = model.use(entry).is_forward;
     const int count = list.segment_count();
     for (int i = 0; i < count; ++i) {
       const int node = is_forward ? i : count - i;
@@ -128,7 +127,7 @@ PatchBoundary collect_boundary(const Model& model, int patch,
                                const MetricField& field) {
   PatchBoundary boundary;
   int offset = 0;
-  for (const PatchLoop& loop : model.patches[static_cast<std::size_t>(patch)].loops) {
+  for (const PatchLoop& loop : model.patch(patch).loops) {
     const BoundaryLoop chain = chain_of_nodes(model, loop, nodes, numbers);
     boundary.loops.push_back(cut_off_poles(model, chain, offset, field, boundary.fans));
     offset += static_cast<int>(boundary.loops.back().size());

@@ -88,7 +88,7 @@ class Trimmer {
   }
 
  private:
-  Contour& contour(int index) { return model_.contours[static_cast<std::size_t>(index)]; }
+  Contour& contour(int index) { return model_.contour(index); }
   const ContourUse& use(const LoopEntry& entry) {
     return contour(entry.contour).uses[static_cast<std::size_t>(entry.use)];
   }
@@ -128,7 +128,7 @@ class Trimmer {
   void warn_of_neighbours();
 
   Vec3 point(const ContourUse& use, double t) const {
-    const Surface& surface = *model_.patches[static_cast<std::size_t>(use.patch)].surface;
+    const Surface& surface = model_.surface(use);
     return surface.evaluate(use.curve->evaluate(t), Order::Position).point;
   }
 
@@ -226,7 +226,7 @@ Steps Trimmer::side_steps(const std::string& name, const std::vector<ChainLink>&
       throw Error(ErrorCode::InvalidInput, fmt::format("{} is there twice", place));
     }
     if (!origins_[static_cast<std::size_t>(c)].xyz) {
-      const Patch& owner = model_.patches[static_cast<std::size_t>(own.patch)];
+      const Patch& owner = model_.patch(own.patch);
       origins_[static_cast<std::size_t>(c)].xyz =
           std::make_shared<CurveOnSurface>(owner.surface, own.curve);
     }
@@ -324,7 +324,7 @@ void Trimmer::check_same_place(const Contour& contour, const ContourUse& use,
     if (!contour.uses.empty()) {
       const double step = (point(first, t) - here).norm();
       if (!(step < reach_)) is_same_speed = false;
-      const Surface& surface = *model_.patches[static_cast<std::size_t>(first.patch)].surface;
+      const Surface& surface = model_.surface(first.patch);
       // Ends have to meet at the same t, so that the direction is the same.
       const double foot = t == 0 || t == 1 ? t : project_to_curve(surface, *first.curve, here, t);
       gap = std::min(gap, (point(first, foot) - here).norm());
@@ -408,7 +408,7 @@ void Trimmer::finish(int index, std::vector<Steps>& loops) {
           fmt::format("{}: the loop runs the wrong way round; it is turned", loop_label(index, l)));
       std::reverse(loops[l].begin(), loops[l].end());
     }
-    PatchLoop& loop = model_.patches[static_cast<std::size_t>(index)].loops.emplace_back();
+    PatchLoop& loop = model_.patch(index).loops.emplace_back();
     for (const Step& step : loops[l]) {
       contour(step.entry.contour).uses[static_cast<std::size_t>(step.entry.use)].is_forward =
           step.is_along != is_turned;

@@ -114,7 +114,7 @@ class SagCorrector {
   const TriMesh& mesh() const { return delaunay_.mesh(); }
 
   Corner corner(VertexHandle vh) const {
-    const auto v = static_cast<std::size_t>(vh.idx());
+    const auto v = index(vh);
     return {delaunay_.uv(vh), patch_.points[v], patch_.normals[v]};
   }
 
@@ -125,7 +125,7 @@ class SagCorrector {
 
   // --- sag ---
 
-  double& sag(FaceHandle fh) { return sags_[static_cast<std::size_t>(fh.idx())]; }
+  double& sag(FaceHandle fh) { return sags_[index(fh)]; }
 
   double sag_of(const Triangle& t) const {
     return plane_sag(*patch_.surface,
@@ -325,7 +325,7 @@ class SagCorrector {
   /// Move an inner node towards the middle of its neighbours if that makes the shapes around
   /// better.
   void smooth(VertexHandle vh) {
-    if (static_cast<std::size_t>(vh.idx()) < boundary_count_) return;
+    if (index(vh) < boundary_count_) return;
     const Corner now = corner(vh);
     const double shape = shape_of(star(vh, now));
     if (shape > kGoodShape) return;
@@ -347,7 +347,7 @@ class SagCorrector {
   }
 
   void move(VertexHandle vh, const Corner& to) {
-    const auto v = static_cast<std::size_t>(vh.idx());
+    const auto v = index(vh);
     QueryHint hint;
     delaunay_.uv(vh) = to.uv;
     delaunay_.metric(vh) = patch_.field->at(to.uv, hint);

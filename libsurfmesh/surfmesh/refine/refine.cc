@@ -124,8 +124,6 @@ class Refinement {
     return circle.squared_radius > kMissedSize * kMissedSize * accepted_size_;
   }
 
-  static std::size_t index(FaceHandle fh) { return static_cast<std::size_t>(fh.idx()); }
-
   /// Faces come two at a time; mesh and states grow in bulk, towards the count that is predicted by
   /// now: at first from the boundary alone, which may be far off.
   void grow() {
