@@ -135,28 +135,9 @@ TEST(ContourNodes, AreNotManyMoreThanTheFinestPatchWantsAtEachPlace) {
   }
 }
 
-/// The ring between circles of radius 1 and less, whose nodes are not at the same angles.
-Model narrow_ring(double radius) {
-  Model model = testing::square_with_hole(radius);
-  Contour outer = model.contours.back();
-  outer.name = "outer";
-  outer.start = outer.end = static_cast<int>(model.vertices.size());
-  const double phase = 0.37;
-  model.vertices.push_back({Vec3(std::cos(phase), std::sin(phase), 0)});
-  outer.uses[0] = {0, std::make_shared<CallableCurve>([=](double t) {
-                     const double angle = phase + 2 * pi * (t == 1 ? 0 : t);
-                     return Uv{std::cos(angle), std::sin(angle)};
-                   }),
-                   true, true};
-  model.patches[0].loops = {{{static_cast<int>(model.contours.size()), 0}},
-                            model.patches[0].loops.back()};
-  model.contours.push_back(outer);
-  return model;
-}
-
 TEST(ContourNodes, MakeLoopsThatDoNotCrossWhereTheirCurvesDoNot) {
   for (const double gap : {0.1, 0.01, 1e-3, 1e-5}) {
-    const Model model = narrow_ring(1 - gap);
+    const Model model = testing::narrow_ring(1 - gap);
     for (const int multiple : {1, 2}) {
       const BoundaryNodes nodes = place(model, 1.2, multiple);
       const auto& outer = nodes_of(model, nodes, "outer").uv[0];

@@ -42,5 +42,30 @@ TEST(CheckModel, NamesPatchesWithoutSurfaceOrLoop) {
   EXPECT_EQ(fault(model), "invalid input: patch p has no surface");
 }
 
+TEST(Model, LeadsFromALoopToTheUseOfItsPatch) {
+  const Model model = square();
+  for (const LoopEntry& entry : model.patch(0).loops.front()) {
+    EXPECT_EQ(&model.contour(entry), &model.contour(entry.contour));
+    EXPECT_EQ(&model.use(entry), &model.contour(entry).uses[0]);
+    EXPECT_EQ(&model.patch(model.use(entry)), &model.patches[0]);
+    EXPECT_EQ(&model.surface(model.use(entry)), model.patches[0].surface.get());
+  }
+}
+
+TEST(Model, HasItsVerticesAtTheEndsOfContours) {
+  const Model model = square();
+  for (const Contour& contour : model.contours) {
+    EXPECT_EQ(model.point(contour.uses[0], 0), model.position(contour.start)) << contour.name;
+    EXPECT_EQ(model.point(contour.uses[0], 1), model.position(contour.end)) << contour.name;
+  }
+}
+
+TEST(Model, HasPointsOfContoursOnTheirPatches) {
+  const Model model = square();
+  const Contour& right = model.contour(1);
+  ASSERT_EQ(right.name, "p:u1");
+  EXPECT_EQ(model.point(right.uses[0], 0.25), Vec3(1, 0.25, 0));
+}
+
 }  // namespace
 }  // namespace surfmesh

@@ -69,6 +69,25 @@ inline Model square_with_hole(double radius) {
   return model;
 }
 
+/// The ring between circles of radius 1 and less, whose nodes are not at the same angles.
+inline Model narrow_ring(double radius) {
+  Model model = square_with_hole(radius);
+  Contour outer = model.contours.back();
+  outer.name = "outer";
+  outer.start = outer.end = static_cast<int>(model.vertices.size());
+  const double phase = 0.37;
+  model.vertices.push_back({Vec3(std::cos(phase), std::sin(phase), 0)});
+  outer.uses[0] = {0, std::make_shared<CallableCurve>([=](double t) {
+                     const double angle = phase + 2 * std::numbers::pi * (t == 1 ? 0 : t);
+                     return Uv{std::cos(angle), std::sin(angle)};
+                   }),
+                   true, true};
+  model.patches[0].loops = {{{static_cast<int>(model.contours.size()), 0}},
+                            model.patches[0].loops.back()};
+  model.contours.push_back(outer);
+  return model;
+}
+
 /// The index of a contour by its name.
 inline int contour_index(const Model& model, std::string_view name) {
   for (std::size_t i = 0; i < model.contours.size(); ++i) {

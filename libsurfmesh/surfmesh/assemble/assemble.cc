@@ -97,7 +97,7 @@ class PatchTriangles {
     const TriMesh& mesh = patch_.delaunay->mesh();
     PatchTriangle triangle;
     for (std::size_t k = 0; k < 3; ++k, heh = mesh.next_halfedge_handle(heh)) {
-      const auto v = static_cast<std::size_t>(mesh.from_vertex_handle(heh).idx());
+      const auto v = index(mesh.from_vertex_handle(heh));
       triangle.vertices[k] = vertices_[v];
       triangle.corners[k] = value(v);
       triangle.contours[k] =
@@ -150,15 +150,14 @@ struct TriangleSoup {
       for (std::size_t k = 0; k < 3; ++k) {
         halfedges.push_back(triangle.sides[k]);
         if (!triangle.sides[k].is_valid()) continue;
-        side_of[static_cast<std::size_t>(triangle.sides[k].idx())] =
-            static_cast<int>(3 * triangles.size() + k);
+        side_of[index(triangle.sides[k])] = static_cast<int>(3 * triangles.size() + k);
       }
       triangles.push_back(triangle.vertices);
     });
     twins.resize(3 * triangles.size(), -1);
     for (std::size_t i = 0; i < halfedges.size(); ++i) {
       if (!halfedges[i].is_valid()) continue;
-      twins[3 * first + i] = side_of[static_cast<std::size_t>(patch.opposite(halfedges[i]).idx())];
+      twins[3 * first + i] = side_of[index(patch.opposite(halfedges[i]))];
     }
   }
 };
@@ -282,7 +281,7 @@ std::vector<std::string> warnings_of(const Model& model, const Separation& separ
                     separation.cut_edges));
   }
   if (const std::vector<int> touched = touched_vertices(model); !touched.empty()) {
-    const Vec3& first = model.vertices[static_cast<std::size_t>(touched.front())].position;
+    const Vec3& first = model.position(touched.front());
     warnings.push_back(
         fmt::format("vertices that are taken apart, as patches meet there in a point only: {}, the "
                     "first at {}",

@@ -38,7 +38,7 @@ PatchOrientation orient_patches(const Model& model) {
       reached.pop();
       const char here = result.is_turned[static_cast<std::size_t>(patch)];
       for (const int c : contours_of[static_cast<std::size_t>(patch)]) {
-        const Contour& contour = model.contours[static_cast<std::size_t>(c)];
+        const Contour& contour = model.contour(c);
         const int other = contour.uses[contour.uses[0].patch == patch ? 1 : 0].patch;
         char& there = result.is_turned[static_cast<std::size_t>(other)];
         if (there != kUnknown) continue;

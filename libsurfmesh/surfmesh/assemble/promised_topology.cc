@@ -101,14 +101,10 @@ class Gluing {
            !model_.contours[contour].uses.empty();
   }
 
-  const Contour& contour_of(const LoopEntry& entry) const {
-    return model_.contours[static_cast<std::size_t>(entry.contour)];
-  }
-
   /// The end of a use at which a loop enters it (or leaves it).
   std::size_t end_of(const LoopEntry& entry, bool is_leaving) const {
-    const auto use = static_cast<std::size_t>(entry.use);
-    return ends_(entry.contour, use, is_leaving == contour_of(entry).uses[use].is_forward);
+    return ends_(entry.contour, static_cast<std::size_t>(entry.use),
+                 is_leaving == model_.use(entry).is_forward);
   }
 
   /// Sides that follow each other, poles between them left out, have a corner of the patch in
@@ -116,7 +112,7 @@ class Gluing {
   void join_corners(const PatchLoop& loop) {
     PatchLoop sides;
     std::copy_if(loop.begin(), loop.end(), std::back_inserter(sides),
-                 [this](const LoopEntry& entry) { return !contour_of(entry).is_degenerate; });
+                 [this](const LoopEntry& entry) { return !model_.contour(entry).is_degenerate; });
     for (std::size_t i = 0; i < sides.size(); ++i) {
       const LoopEntry& next = sides[(i + 1) % sides.size()];
       fans_.unite(end_of(sides[i], true), end_of(next, false));
@@ -124,7 +120,7 @@ class Gluing {
   }
 
   void join_uses(int contour) {
-    const std::vector<ContourUse>& uses = model_.contours[static_cast<std::size_t>(contour)].uses;
+    const std::vector<ContourUse>& uses = model_.contour(contour).uses;
     for (const bool is_at_end : {false, true}) {
       fans_.unite(ends_(contour, 0, is_at_end), ends_(contour, 1, is_at_end));
     }
@@ -231,7 +227,7 @@ class Comparison {
     if (is_open && may_be) {
       const HalfedgeHandle heh = inner_halfedge(eh);
       for (const VertexHandle vh : {mesh_.from_vertex_handle(heh), mesh_.to_vertex_handle(heh)}) {
-        is_at_opening_[static_cast<std::size_t>(vh.idx())] = 1;
+        is_at_opening_[index(vh)] = 1;
       }
     } else if (is_open) {
       open_.add([&] { return place_of(eh); });
@@ -256,9 +252,7 @@ class Comparison {
     }
   }
 
-  bool is_at_opening(VertexHandle vh) const {
-    return is_at_opening_[static_cast<std::size_t>(vh.idx())] != 0;
-  }
+  bool is_at_opening(VertexHandle vh) const { return is_at_opening_[index(vh)] != 0; }
 
   /// True at a vertex of the model at which patches touch without a common contour.
   bool is_split(const Vec3& point) const {
@@ -274,8 +268,7 @@ class Comparison {
   }
 
   std::string place_text_on(int patch, const Vec3& point) const {
-    return fmt::format("patch {} at {}", model_.patches[static_cast<std::size_t>(patch)].name,
-                       place_text(point));
+    return fmt::format("patch {} at {}", model_.patch(patch).name, place_text(point));
   }
 
   static void compare(MeshFault& fault, long found, long promised) {

@@ -4,32 +4,37 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surfmesh/boundary/loop_steps.hh"
 #include "surfmesh/boundary/metric_arc.hh"
 
 namespace surfmesh {
 namespace {
 
-/// A segment of a loop that lies on a degenerate contour, before it is cut off.
-bool is_pole(const Model& model, const BoundaryNode& node) {
-  return node.contour >= 0 && model.contours[static_cast<std::size_t>(node.contour)].is_degenerate;
+using Steps = std::vector<LoopStep>;
+
+/// Start at a step that is neither on a pole nor behind one, so that none wraps around.
+/// Returns  false if there is none
+bool start_beside_poles(const Model& model, Steps& steps) {
+  const auto is_pole = [&](const LoopStep& step) { return is_on_pole(model, step); };
+  for (auto start = steps.begin(); start != steps.end(); ++start) {
+    const LoopStep& before = start == steps.begin() ? steps.back() : *(start - 1);
+    if (is_pole(*start) || is_pole(before)) continue;
+    std::rotate(steps.begin(), start, steps.end());
+    return true;
+  }
+  return false;
 }
 
-BoundaryLoop chain_of_nodes(const Model& model, const PatchLoop& loop,
-                            const std::vector<ContourNodes>& nodes, const NodeNumbers& numbers) {
-  BoundaryLoop chain;
-  for (const LoopEntry& entry : loop) {
-    const Contour& contour = model.contours[static_cast<std::size_t>(entry.contour)];
-    const ContourNodes& list = nodes[static_cast<std::size_t>(entry.contour)];
-    const auto& uv = list.uv[static_cast<std::size_t>(entry.use)];
-    const bool is_forward = contour.uses[static_cast<std::size_t>(entry.use)].is_forward;
-    const int count = list.segment_count();
-    for (int i = 0; i < count; ++i) {
-      const int node = is_forward ? i : count - i;
-      chain.push_back(
-          {uv[static_cast<std::size_t>(node)], numbers(entry.contour, node), entry.contour});
-    }
+/// The nodes from which steps start.
+BoundaryLoop nodes_of(const Steps& steps, const std::vector<ContourNodes>& nodes,
+                      const NodeNumbers& numbers) {
+  BoundaryLoop result;
+  for (const auto& [entry, node, segment] : steps) {
+    const auto& of_uses = nodes[static_cast<std::size_t>(entry.contour)].uv;
+    result.push_back({of_uses[static_cast<std::size_t>(entry.use)][node],
+                      numbers(entry.contour, static_cast<int>(node)), entry.contour});
   }
-  return chain;
+  return result;
 }
 
 /// The least number of segments of a ring that joins two nodes. Of two patches at a pole both rings
@@ -55,47 +60,44 @@ std::vector<Uv> ring_between(const BoundaryNode& from, const BoundaryNode& to, i
   return inner;
 }
 
-/// Replace each pole in a loop by a ring. `offset` is the number of nodes in earlier loops.
-BoundaryLoop cut_off_poles(const Model& model, const BoundaryLoop& chain, int offset,
-                           const MetricField& field, std::vector<PoleFan>& fans) {
-  BoundaryLoop loop = chain;
-  // Start at a node that is no end of a pole, so that none wraps around.
-  const std::size_t n = chain.size();
-  std::size_t start = 0;
-  while (start < n &&
-         (is_pole(model, chain[start]) || is_pole(model, chain[(start + n - 1) % n]))) {
-    ++start;
-  }
-  if (start == n) return loop;
-  loop.clear();
-  for (std::size_t i = 0; i < n; ++i) {
-    const BoundaryNode& node = chain[(start + i) % n];
-    if (!is_pole(model, node)) {
-      loop.push_back(node);
-      continue;
-    }
-    // `loop` ends with the node before the pole; all of the pole's own nodes are skipped.
-    std::size_t sides = 1;
-    while (is_pole(model, chain[(start + i + sides) % n])) ++sides;
-    PoleFan fan;
-    fan.pole = node.vertex;
-    for (std::size_t k = 0; k <= sides; ++k) fan.sides.push_back(chain[(start + i + k) % n].uv);
+/// The pole whose nodes are those of a run and the one behind it, without its ring.
+PoleFan fan_at(const PoleRun& run, const BoundaryLoop& chain) {
+  PoleFan fan;
+  fan.pole = chain[run.first].vertex;
+  for (std::size_t k = 0; k <= run.count; ++k) fan.sides.push_back(chain[run.first + k].uv);
+  fan.contour_to = chain[run.first - 1].contour;
+  fan.contour_from = chain[run.first + run.count].contour;
+  return fan;
+}
+
+/// Replace each pole in a loop by a ring. `offset` is the number of nodes in earlier loops; the
+/// loop begins and ends with steps that are not on poles.
+BoundaryLoop cut_off_poles(const Model& model, const BoundaryLoop& chain,
+                           const std::vector<PoleRun>& runs, int offset, const MetricField& field,
+                           std::vector<PoleFan>& fans) {
+  BoundaryLoop loop;
+  const auto next_number = [&] { return offset + static_cast<int>(loop.size()); };
+  std::size_t done = 0;
+  const auto copy_to = [&](std::size_t end) {
+    for (; done < end; ++done) loop.push_back(chain[done]);
+  };
+  for (const PoleRun& run : runs) {
+    copy_to(run.first);
+    PoleFan& fan = fans.emplace_back(fan_at(run, chain));
+    done = run.first + run.count + 1;
+    const bool is_last = done == chain.size();
     BoundaryNode& before = loop.back();
-    const BoundaryNode after = chain[(start + i + sides + 1) % n];
-    fan.contour_to = before.contour;
-    fan.contour_from = chain[(start + i + sides) % n].contour;
+    const BoundaryNode& after = is_last ? chain.front() : chain[done];
     before.contour = -1;
-    fan.ring.push_back(offset + static_cast<int>(loop.size()) - 1);
+    fan.ring.push_back(next_number() - 1);
     const int least = least_segments(model, fan.pole, before, after);
     for (const Uv uv : ring_between(before, after, least, field)) {
-      fan.ring.push_back(offset + static_cast<int>(loop.size()));
+      fan.ring.push_back(next_number());
       loop.push_back({uv, -1, -1});
     }
-    const bool wraps = i + sides + 1 >= n;
-    fan.ring.push_back(wraps ? offset : offset + static_cast<int>(loop.size()));
-    fans.push_back(std::move(fan));
-    i += sides;
+    fan.ring.push_back(is_last ? offset : next_number());
   }
+  copy_to(chain.size());
   return loop;
 }
 
@@ -128,9 +130,16 @@ PatchBoundary collect_boundary(const Model& model, int patch,
                                const MetricField& field) {
   PatchBoundary boundary;
   int offset = 0;
-  for (const PatchLoop& loop : model.patches[static_cast<std::size_t>(patch)].loops) {
-    const BoundaryLoop chain = chain_of_nodes(model, loop, nodes, numbers);
-    boundary.loops.push_back(cut_off_poles(model, chain, offset, field, boundary.fans));
+  for (const PatchLoop& loop : model.patch(patch).loops) {
+    Steps steps = steps_along(model, loop, [&](int contour) {
+      const int count = nodes[static_cast<std::size_t>(contour)].segment_count();
+      return static_cast<std::size_t>(count);
+    });
+    const bool can_cut_off = start_beside_poles(model, steps);
+    const BoundaryLoop chain = nodes_of(steps, nodes, numbers);
+    const std::vector<PoleRun> poles =
+        can_cut_off ? pole_runs(model, steps) : std::vector<PoleRun>{};
+    boundary.loops.push_back(cut_off_poles(model, chain, poles, offset, field, boundary.fans));
     offset += static_cast<int>(boundary.loops.back().size());
   }
   return boundary;

@@ -139,9 +139,7 @@ class CageCollector {
     return sharpness;
   }
 
-  int number(OpenMesh::VertexHandle vh) const {
-    return numbers_[static_cast<std::size_t>(vh.idx())];
-  }
+  int number(OpenMesh::VertexHandle vh) const { return numbers_[index(vh)]; }
 
   const Mesh& mesh_;
   Cage cage_;

@@ -176,7 +176,7 @@ class ModelBuilder {
   LoopEntry add_use(Chain chain, int patch) {
     const int known = contour_of_[static_cast<std::size_t>(chain[0].edge)];
     const int index = known >= 0 ? known : add_contour(chain);
-    Contour& contour = model.contours[static_cast<std::size_t>(index)];
+    Contour& contour = model.contour(index);
     const int from = vertex_of_[static_cast<std::size_t>(chain[0].from)];
     const Uv from_uv = chain.front().from_uv, to_uv = chain.back().to_uv;
     ContourUse use;
@@ -243,22 +243,15 @@ void add_groups(const Cage& cage, Model& model) {
 
 /// Greatest distance between the uses of a contour, or between one and a vertex at its ends.
 double gap_of(const Model& model, const Contour& contour) {
-  const auto point_of = [&](const ContourUse& use, double t) {
-    const Surface& surface = *model.patches[static_cast<std::size_t>(use.patch)].surface;
-    return surface.evaluate(use.curve->evaluate(t), Order::Position).point;
-  };
-  const auto vertex_at = [&](int v) {
-    return model.vertices[static_cast<std::size_t>(v)].position;
-  };
   double gap = 0;
   const int count = 4 * contour.part_count;
   for (int i = 0; i <= count; ++i) {
     const double t = static_cast<double>(i) / count;
-    const Vec3 wanted = t == 0   ? vertex_at(contour.start)
-                        : t == 1 ? vertex_at(contour.end)
-                                 : point_of(contour.uses[0], t);
+    const Vec3 wanted = t == 0   ? model.position(contour.start)
+                        : t == 1 ? model.position(contour.end)
+                                 : model.point(contour.uses[0], t);
     for (const ContourUse& use : contour.uses) {
-      gap = std::max(gap, (point_of(use, t) - wanted).norm());
+      gap = std::max(gap, (model.point(use, t) - wanted).norm());
     }
   }
   return gap;

@@ -114,7 +114,7 @@ void ControlGrid::make_mesh(const std::vector<ControlNode>& nodes) {
   const auto uv = attach(mesh_, keys::vertex_uv);
   const auto size = attach(mesh_, keys::vertex_size);
   for (const VertexHandle vh : mesh_.vertices()) {
-    const ControlNode& node = nodes[static_cast<std::size_t>(vh.idx())];
+    const ControlNode& node = nodes[index(vh)];
     mesh_.set_point(vh, to_openmesh(node.point));
     mesh_.property(uv, vh) = node.uv;
     mesh_.property(size, vh) = node.size;

@@ -78,7 +78,7 @@ void ControlMesh::make_mesh(const NodeTriangulation& triangulation,
   const auto radius = attach(mesh_, keys::vertex_radius);
   const auto outer_radius = attach(mesh_, keys::vertex_outer_radius);
   for (const VertexHandle vh : mesh_.vertices()) {
-    const ControlNode& from = nodes[static_cast<std::size_t>(vh.idx())];
+    const ControlNode& from = nodes[index(vh)];
     mesh_.set_point(vh, to_openmesh(from.point));
     mesh_.property(size, vh) = from.size;
     mesh_.property(inner_size, vh) = from.inner;
@@ -111,7 +111,7 @@ void ControlMesh::collect_triangles() {
   const auto least_node = [this](FaceHandle fh) {
     int least = static_cast<int>(nodes_.size());
     for (const VertexHandle vh : vertices(mesh_, fh)) {
-      least = std::min(least, node_of_[static_cast<std::size_t>(vh.idx())]);
+      least = std::min(least, node_of_[index(vh)]);
     }
     return static_cast<std::size_t>(least);
   };
@@ -122,7 +122,7 @@ void ControlMesh::collect_triangles() {
   face_of_.resize(mesh_.n_faces());
   for (const FaceHandle fh : mesh_.faces()) {
     const int place = next[least_node(fh)]++;
-    triangle_of[static_cast<std::size_t>(fh.idx())] = place;
+    triangle_of[index(fh)] = place;
     face_of_[static_cast<std::size_t>(place)] = fh.idx();
   }
   triangles_.resize(mesh_.n_faces());
@@ -130,10 +130,8 @@ void ControlMesh::collect_triangles() {
     HalfedgeHandle heh = mesh_.halfedge_handle(FaceHandle(face_of_[i]));
     for (std::size_t k = 0; k < 3; ++k, heh = mesh_.next_halfedge_handle(heh)) {
       const FaceHandle behind = mesh_.opposite_face_handle(heh);
-      triangles_[i].nodes[k] =
-          node_of_[static_cast<std::size_t>(mesh_.from_vertex_handle(heh).idx())];
-      triangles_[i].neighbours[k] =
-          behind.is_valid() ? triangle_of[static_cast<std::size_t>(behind.idx())] : -1;
+      triangles_[i].nodes[k] = node_of_[index(mesh_.from_vertex_handle(heh))];
+      triangles_[i].neighbours[k] = behind.is_valid() ? triangle_of[index(behind)] : -1;
     }
   }
 }
@@ -162,7 +160,7 @@ void ControlMesh::classify(const std::vector<ControlNode>& nodes) {
     std::array<FirstFormFactor, 3> forms;
     HalfedgeHandle heh = mesh_.halfedge_handle(FaceHandle(face_of_[i]));
     for (std::size_t k = 0; k < 3; ++k, heh = mesh_.next_halfedge_handle(heh)) {
-      forms[k] = nodes[static_cast<std::size_t>(mesh_.from_vertex_handle(heh).idx())].form;
+      forms[k] = nodes[index(mesh_.from_vertex_handle(heh))].form;
     }
     triangles_[i].interpolation = classify(static_cast<int>(i), forms, hint);
   }

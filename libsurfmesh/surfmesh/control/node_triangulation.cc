@@ -92,9 +92,8 @@ void NodeTriangulation::insert(const ControlNode& node) {
   if (!is_at_corner && merge_with_neighbour(node, location.face)) return;
   const Metric spacing = std::isfinite(node.spacing.m11) ? node.spacing : around(location.face);
   const VertexHandle vh = delaunay_.insert(node.uv, location.face, rule_);
-  const auto index = static_cast<std::size_t>(vh.idx());
-  if (index >= nodes_.size()) nodes_.resize(index + 1);
-  ControlNode& slot = nodes_[index];
+  if (index(vh) >= nodes_.size()) nodes_.resize(index(vh) + 1);
+  ControlNode& slot = nodes_[index(vh)];
   if (std::isfinite(slot.size.h11)) {
     merge(slot, node);
   } else {
@@ -132,7 +131,7 @@ bool NodeTriangulation::merge_with_neighbour(const ControlNode& node, FaceHandle
 
 /// Merge with the node of a vertex if the two are a tenth of the smaller size apart or less.
 bool NodeTriangulation::merge_with(const ControlNode& node, VertexHandle vh) {
-  ControlNode& old = nodes_[static_cast<std::size_t>(vh.idx())];
+  ControlNode& old = nodes_[index(vh)];
   if (!std::isfinite(old.size.h11)) return false;  // a corner of the rectangle, not met yet
   const Uv step = node.uv - old.uv;
   for (const ControlNode* either : {&node, static_cast<const ControlNode*>(&old)}) {

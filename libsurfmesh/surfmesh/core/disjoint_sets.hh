@@ -8,22 +8,28 @@
 
 namespace surfmesh {
 
-/// Numbers in sets that grow by union.
+/// Sets of the numbers 0 … count − 1, which grow by union; at first each number is a set of its
+/// own.
+///
+/// Cost     nearly constant for each call
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parents_(count) {
     std::iota(parents_.begin(), parents_.end(), std::size_t{0});
   }
 
+  /// The number that represents the set of i: the least one in it.
   std::size_t find(std::size_t i) {
     while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
     return i;
   }
 
-  /// The lower number represents the union.
-  void unite(std::size_t i, std::size_t j) {
+  /// Make one set of those of i and j.
+  /// Returns  true if they were apart
+  bool unite(std::size_t i, std::size_t j) {
     const auto [low, high] = std::minmax({find(i), find(j)});
     parents_[high] = low;
+    return low != high;
   }
 
  private:

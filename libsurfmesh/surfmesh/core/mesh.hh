@@ -4,6 +4,7 @@
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/Traits.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <cstddef>
 
 #include "surfmesh/core/storable.hh"
 #include "surfmesh/core/values.hh"
@@ -27,6 +28,11 @@ using TriMesh = OpenMesh::TriMesh_ArrayKernelT<MeshTraits>;
 
 /// The result. It holds polygons from the start, so that quads will change no interface.
 using PolyMesh = OpenMesh::PolyMesh_ArrayKernelT<MeshTraits>;
+
+/// The place of an element in lists with one entry an element; its handle must be valid.
+inline std::size_t index(OpenMesh::BaseHandle handle) {
+  return static_cast<std::size_t>(handle.idx());
+}
 
 inline Vec3 to_eigen(const OpenMesh::Vec3d& p) { return {p[0], p[1], p[2]}; }
 inline OpenMesh::Vec3d to_openmesh(const Vec3& p) { return {p[0], p[1], p[2]}; }

@@ -15,7 +15,7 @@ struct Links {
 
 template <class Handle>
 Handle renumbered(Handle handle, const std::vector<int>& new_number) {
-  return handle.is_valid() ? Handle(new_number[static_cast<std::size_t>(handle.idx())]) : handle;
+  return handle.is_valid() ? Handle(new_number[index(handle)]) : handle;
 }
 
 HalfedgeHandle renumbered_halfedge(HalfedgeHandle heh, const std::vector<int>& new_edge) {
@@ -46,7 +46,7 @@ Numbering number_along(const TriMesh& mesh, const std::vector<int>& vertex_order
     numbering.vertex[static_cast<std::size_t>(vertex_order[i])] = static_cast<int>(i);
   }
   const auto tip = [&](HalfedgeHandle heh) {
-    return numbering.vertex[static_cast<std::size_t>(mesh.to_vertex_handle(heh).idx())];
+    return numbering.vertex[index(mesh.to_vertex_handle(heh))];
   };
   numbering.edge = number_by(mesh.n_edges(), mesh.n_vertices(), [&](int e) {
     return std::min(tip(HalfedgeHandle(2 * e)), tip(HalfedgeHandle(2 * e + 1)));
@@ -64,10 +64,9 @@ void renumber(TriMesh& mesh, const Numbering& numbering) {
   for (std::size_t h = 0; h < links.size(); ++h) {
     const HalfedgeHandle heh(static_cast<int>(h));
     const HalfedgeHandle place = renumbered_halfedge(heh, numbering.edge);
-    links[static_cast<std::size_t>(place.idx())] = {
-        renumbered(mesh.to_vertex_handle(heh), numbering.vertex),
-        renumbered_halfedge(mesh.next_halfedge_handle(heh), numbering.edge),
-        renumbered(mesh.face_handle(heh), numbering.face)};
+    links[index(place)] = {renumbered(mesh.to_vertex_handle(heh), numbering.vertex),
+                           renumbered_halfedge(mesh.next_halfedge_handle(heh), numbering.edge),
+                           renumbered(mesh.face_handle(heh), numbering.face)};
   }
   std::vector<HalfedgeHandle> of_vertex(mesh.n_vertices()), of_face(mesh.n_faces());
   for (std::size_t v = 0; v < of_vertex.size(); ++v) {

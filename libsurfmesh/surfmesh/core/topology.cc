@@ -206,8 +206,7 @@ class FanSeparation {
       const HalfedgeHandle heh = of(corner);
       if (is_seen_[index(heh)]) continue;
       for_each_spoke(heh, [this](HalfedgeHandle spoke) { is_seen_[index(spoke)] = 1; });
-      HalfedgeHandle& first =
-          first_fan_[static_cast<std::size_t>(mesh_.from_vertex_handle(heh).idx())];
+      HalfedgeHandle& first = first_fan_[index(mesh_.from_vertex_handle(heh))];
       if (first.is_valid()) {
         further_fans.push_back(heh);
       } else {
@@ -218,8 +217,6 @@ class FanSeparation {
   }
 
  private:
-  static std::size_t index(HalfedgeHandle heh) { return static_cast<std::size_t>(heh.idx()); }
-
   template <class Visit>
   void for_each_spoke(HalfedgeHandle start, Visit visit) {
     HalfedgeHandle heh = start;
@@ -237,7 +234,7 @@ class FanSeparation {
       const VertexHandle old = mesh_.from_vertex_handle(heh);
       copied.push_back(old.idx());
       give(heh, VertexHandle(static_cast<int>(count++)));
-      give(first_fan_[static_cast<std::size_t>(old.idx())], old);
+      give(first_fan_[index(old)], old);
     }
     return copied;
   }

@@ -5,17 +5,16 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <type_traits>
 #include <utility>
+
+#include "surfmesh/core/disjoint_sets.hh"
 
 namespace surfmesh {
 namespace {
 
 /// Of a mesh that is broken everywhere more would tell nothing.
 constexpr std::size_t kMostFaultsOfAKind = 100;
-
-std::size_t index(OpenMesh::BaseHandle handle) { return static_cast<std::size_t>(handle.idx()); }
 
 /// Asks the mesh by index and believes nothing: every answer is checked before it is used as one.
 template <class Mesh>
@@ -174,23 +173,16 @@ class FaultFinder {
   std::size_t count_ = 0;  // of the current kind
 };
 
-/// Number of sets of vertices that edges connect (union-find with path halving).
+/// Number of sets of vertices that edges connect.
 template <class Mesh>
 std::size_t count_components(const Mesh& mesh) {
-  std::vector<std::size_t> parent(mesh.n_vertices());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&parent](std::size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  std::size_t count = parent.size();
+  DisjointSets sets(mesh.n_vertices());
+  std::size_t count = mesh.n_vertices();
   for (int i = 0; i < static_cast<int>(mesh.n_edges()); ++i) {
     const HalfedgeHandle heh = mesh.halfedge_handle(EdgeHandle(i), 0);
-    const std::size_t a = root(index(mesh.from_vertex_handle(heh)));
-    const std::size_t b = root(index(mesh.to_vertex_handle(heh)));
-    if (a == b) continue;
-    parent[std::max(a, b)] = std::min(a, b);
-    --count;
+    const bool were_apart =
+        sets.unite(index(mesh.from_vertex_handle(heh)), index(mesh.to_vertex_handle(heh)));
+    if (were_apart) --count;
   }
   return count;
 }

@@ -71,7 +71,7 @@ class LengthFit {
     VertexHandle kept = mesh().to_vertex_handle(heh);
     delaunay_.collapse(heh);
     // The last vertex has taken the number of the one that went.
-    if (static_cast<std::size_t>(kept.idx()) == delaunay_.n_vertices()) kept = gone;
+    if (index(kept) == delaunay_.n_vertices()) kept = gone;
     ++report_.collapsed;
     smooth_around(kept);
     return true;

@@ -87,7 +87,7 @@ class Improvement {
       for (int k = 0; k < 3; ++k, heh = delaunay_.mesh().next_halfedge_handle(heh)) {
         edges.push_back(delaunay_.mesh().edge_handle(heh));
         const VertexHandle vh = delaunay_.mesh().to_vertex_handle(heh);
-        char& flag = is_searched[static_cast<std::size_t>(vh.idx())];
+        char& flag = is_searched[index(vh)];
         if (flag) continue;
         flag = 1;
         moves_.search(vh);
@@ -97,7 +97,7 @@ class Improvement {
     report_.swapped += swap_edges(delaunay_, std::move(edges));
     std::vector<FaceHandle> left;
     for (const VertexHandle vh : searched) {
-      is_searched[static_cast<std::size_t>(vh.idx())] = 0;
+      is_searched[index(vh)] = 0;
       for (const FaceHandle fh : delaunay_.mesh().vf_range(vh)) add_if_bad(fh, left);
     }
     std::sort(left.begin(), left.end());

@@ -12,17 +12,15 @@ constexpr double kSmoothAngle = 0.01;
 
 /// True if all patches have the same tangent planes along the contour, also turned ones.
 bool has_common_planes(const Model& model, const Contour& contour) {
-  const auto surface = [&](const ContourUse& use) -> const Surface& {
-    return *model.patches[static_cast<std::size_t>(use.patch)].surface;
-  };
   const auto normal = [&](const ContourUse& use, const Vec3& near, double t) {
-    const double foot = use.is_same_speed ? t : project_to_curve(surface(use), *use.curve, near, t);
-    const Jet jet = surface(use).evaluate(use.curve->evaluate(foot), Order::First);
+    const Surface& surface = model.surface(use);
+    const double foot = use.is_same_speed ? t : project_to_curve(surface, *use.curve, near, t);
+    const Jet jet = surface.evaluate(use.curve->evaluate(foot), Order::First);
     return Vec3(jet.du.cross(jet.dv).normalized());
   };
   const ContourUse& front = contour.uses.front();
   for (const double t : sample_parameters(kLineSamples / 4)) {
-    const Vec3 near = surface(front).evaluate(front.curve->evaluate(t), Order::Position).point;
+    const Vec3 near = model.point(front, t);
     const Vec3 first = normal(front, near, t);
     for (const ContourUse& use : contour.uses) {
       if (first.cross(normal(use, near, t)).norm() > kSmoothAngle) return false;

@@ -92,7 +92,7 @@ SideChains chains_of(const Parts& parts) {
 PatchLoop whole_loop(const std::string& patch, const SideChains& chains) {
   PatchLoop loop;
   for (std::size_t k = 0; k < 4; ++k) {
-    std::vector<ChainLink> chain = chains.at(patch + ":" + kSideNames[k]);
+    Chain chain = chains.at(patch + ":" + kSideNames[k]);
     if (k >= 2) std::reverse(chain.begin(), chain.end());
     for (const ChainLink& link : chain) loop.push_back(link.entry);
   }

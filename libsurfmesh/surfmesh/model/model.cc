@@ -27,15 +27,15 @@ const ContourUse& use_of(const Model& model, std::size_t patch, const LoopEntry&
                 fmt::format("patch {}: a loop names contour {} of {}", patch_name, entry.contour,
                             model.contours.size()));
   }
-  const Contour& contour = model.contours[static_cast<std::size_t>(entry.contour)];
+  const Contour& contour = model.contour(entry);
   if (!is_index(entry.use, contour.uses.size()) ||
-      contour.uses[static_cast<std::size_t>(entry.use)].patch != static_cast<int>(patch)) {
+      model.use(entry).patch != static_cast<int>(patch)) {
     throw Error(
         ErrorCode::InvalidInput,
         fmt::format("patch {}: a loop names use {} of contour {}, which is not this patch's",
                     patch_name, entry.use, contour.name));
   }
-  return contour.uses[static_cast<std::size_t>(entry.use)];
+  return model.use(entry);
 }
 
 void check_use(const Model& model, const Contour& contour, const ContourUse& use) {
@@ -50,9 +50,8 @@ void check_use(const Model& model, const Contour& contour, const ContourUse& use
   }
 }
 
-Vec3 end_point(const Patch& patch, const ContourUse& use, bool at_end) {
-  const double t = at_end == use.is_forward ? 1.0 : 0.0;
-  return patch.surface->evaluate(use.curve->evaluate(t), Order::Position).point;
+Vec3 end_point(const Model& model, const ContourUse& use, bool at_end) {
+  return model.point(use, at_end == use.is_forward ? 1.0 : 0.0);
 }
 
 void check_loop(const Model& model, std::size_t patch_index, const PatchLoop& loop) {
@@ -62,15 +61,15 @@ void check_loop(const Model& model, std::size_t patch_index, const PatchLoop& lo
   }
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const LoopEntry& next = loop[(i + 1) % loop.size()];
-    const Vec3 end = end_point(patch, use_of(model, patch_index, loop[i]), true);
-    const Vec3 start = end_point(patch, use_of(model, patch_index, next), false);
+    const Vec3 end = end_point(model, use_of(model, patch_index, loop[i]), true);
+    const Vec3 start = end_point(model, use_of(model, patch_index, next), false);
     const double gap = (end - start).norm();
     if (!(gap <= kLoopGap * model.diagonal)) {
       throw Error(
           ErrorCode::Geometry,
           fmt::format("patch {}: the loop does not close, the gap between contours {} and {} is {}",
-                      patch.name, model.contours[static_cast<std::size_t>(loop[i].contour)].name,
-                      model.contours[static_cast<std::size_t>(next.contour)].name, gap));
+                      patch.name, model.contour(loop[i].contour).name, model.contour(next).name,
+                      gap));
     }
   }
 }

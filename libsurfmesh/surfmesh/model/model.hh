@@ -67,6 +67,8 @@ struct ModelVertex {
 };
 
 /// Patches and the contours and vertices they share.
+///
+/// The accessors take indices that lie in the model, as check() makes sure.
 struct Model {
   std::vector<ModelVertex> vertices;
   std::vector<Contour> contours;
@@ -75,6 +77,32 @@ struct Model {
   Eigen::AlignedBox3d box;            ///< of the cage's points, or of samples of the patches
   double diagonal = 0;                ///< of the box
   std::vector<std::string> warnings;  ///< of its construction, in plain English
+
+  const Contour& contour(int index) const { return contours[static_cast<std::size_t>(index)]; }
+  const Contour& contour(const LoopEntry& entry) const { return contour(entry.contour); }
+  const ContourUse& use(const LoopEntry& entry) const {
+    return contour(entry).uses[static_cast<std::size_t>(entry.use)];
+  }
+  const Patch& patch(int index) const { return patches[static_cast<std::size_t>(index)]; }
+  const Patch& patch(const ContourUse& use) const { return patch(use.patch); }
+  const Surface& surface(int patch_index) const { return *patch(patch_index).surface; }
+  const Surface& surface(const ContourUse& use) const { return surface(use.patch); }
+
+  /// The position of a vertex.
+  const Vec3& position(int vertex) const {
+    return vertices[static_cast<std::size_t>(vertex)].position;
+  }
+
+  /// The point of a contour in space, as the patch of a use has it.
+  Vec3 point(const ContourUse& use, double t) const {
+    return surface(use).evaluate(use.curve->evaluate(t), Order::Position).point;
+  }
+
+  Contour& contour(int index) { return contours[static_cast<std::size_t>(index)]; }
+  ContourUse& use(const LoopEntry& entry) {
+    return contour(entry.contour).uses[static_cast<std::size_t>(entry.use)];
+  }
+  Patch& patch(int index) { return patches[static_cast<std::size_t>(index)]; }
 };
 
 /// Check the indices, that the diagonal is between 1e-70 and 1e70, and that all loops close in

@@ -46,7 +46,7 @@ std::vector<OpenContour> open_contours(const Model& model, int first_patch) {
     const ContourUse& use = contour.uses[0];
     OpenContour& open = result.emplace_back();
     open.contour = &contour;
-    open.surface = model.patches[static_cast<std::size_t>(use.patch - first_patch)].surface.get();
+    open.surface = model.patch(use.patch - first_patch).surface.get();
     for (const double t : kPlaces) {
       open.points.push_back(open.surface->evaluate(use.curve->evaluate(t), Order::Position).point);
       open.box.extend(open.points.back());

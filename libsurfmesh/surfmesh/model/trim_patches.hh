@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "surfmesh/model/join_sides.hh"
 #include "surfmesh/model/model.hh"
+#include "surfmesh/model/side_chains.hh"
 
 /// The step of model_from_patches that makes loops of named contours.
 namespace surfmesh {
-
-/// A contour use as a part of a side.
-struct ChainLink {
-  LoopEntry entry;
-  bool is_along = true;  ///< the contour runs in the direction of the side's growing parameter
-};
-
-/// The contour uses of sides in the direction of the growing parameter, by the name of the side.
-using SideChains = std::map<std::string, std::vector<ChainLink>>;
 
 struct TrimInput {
   const std::vector<PatchInput>& patches;

@@ -47,7 +47,7 @@ class VertexNumbers {
   std::size_t boundary_count(std::size_t patch) const { return boundary_[patch].size(); }
 
   int operator()(std::size_t patch, VertexHandle vh) const {
-    const auto v = static_cast<std::size_t>(vh.idx());
+    const auto v = index(vh);
     const bool is_shared = v < boundary_[patch].size() && boundary_[patch][v] >= 0;
     return is_shared ? boundary_[patch][v] : first_own_[patch] + vh.idx();
   }

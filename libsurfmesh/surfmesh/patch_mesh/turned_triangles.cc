@@ -11,11 +11,10 @@ namespace {
 constexpr int kMaxFailures = 4;
 
 bool is_turned(const PatchMesh& patch, const TriangleVertices& triangle) {
-  const auto index = [&](std::size_t k) { return static_cast<std::size_t>(triangle[k].idx()); };
-  const Vec3& a = patch.points[index(0)];
-  const Vec3 normal = (patch.points[index(1)] - a).cross(patch.points[index(2)] - a);
-  return normal.dot(patch.normals[index(0)] + patch.normals[index(1)] + patch.normals[index(2)]) <=
-         0;
+  const std::size_t a = index(triangle[0]), b = index(triangle[1]), c = index(triangle[2]);
+  const Vec3& origin = patch.points[a];
+  const Vec3 normal = (patch.points[b] - origin).cross(patch.points[c] - origin);
+  return normal.dot(patch.normals[a] + patch.normals[b] + patch.normals[c]) <= 0;
 }
 
 std::vector<FaceHandle> turned_faces(const PatchMesh& patch) {
@@ -40,9 +39,9 @@ bool swap_mends(const PatchMesh& patch, HalfedgeHandle heh) {
 
 double squared_chord(const PatchMesh& patch, HalfedgeHandle heh) {
   const TriMesh& mesh = patch.delaunay->mesh();
-  const auto from = static_cast<std::size_t>(mesh.from_vertex_handle(heh).idx());
-  const auto to = static_cast<std::size_t>(mesh.to_vertex_handle(heh).idx());
-  return (patch.points[to] - patch.points[from]).squaredNorm();
+  const Vec3& from = patch.points[index(mesh.from_vertex_handle(heh))];
+  const Vec3& to = patch.points[index(mesh.to_vertex_handle(heh))];
+  return (to - from).squaredNorm();
 }
 
 /// Swap an edge of the triangle, or return its longest inner edge; invalid after a swap, and if all
@@ -112,7 +111,7 @@ std::optional<Vec3> find_turned_place(const PatchMesh& patch) {
   if (faces.empty()) return {};
   Vec3 sum = Vec3::Zero();
   for (const VertexHandle vh : vertices(patch.delaunay->mesh(), faces.front())) {
-    sum += patch.points[static_cast<std::size_t>(vh.idx())];
+    sum += patch.points[index(vh)];
   }
   return sum / 3;
 }

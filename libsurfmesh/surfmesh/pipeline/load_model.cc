@@ -125,7 +125,7 @@ std::vector<std::shared_ptr<const Curve>> curves_on(const Model& model, const st
   };
   if (name.find(':') != std::string::npos) {
     for (const LoopEntry& entry : side_uses(model, name)) {
-      add(model.contours[static_cast<std::size_t>(entry.contour)]);
+      add(model.contour(entry));
     }
     return curves;
   }

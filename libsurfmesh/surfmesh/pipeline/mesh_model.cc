@@ -268,8 +268,7 @@ class Run {
     report_.warnings.push_back(fmt::format(
         "triangles are as flat as quality {:.3g}, in patch {} at {}: the boundary leaves less room "
         "than the sizes ask for; gaps get their sizes by proximity, not below hmin",
-        quality.min, model_.patches[static_cast<std::size_t>(patch)].name,
-        place_text(to_eigen(mesh.calc_face_centroid(fh)))));
+        quality.min, model_.patch(patch).name, place_text(to_eigen(mesh.calc_face_centroid(fh)))));
   }
 
   const Model& model_;

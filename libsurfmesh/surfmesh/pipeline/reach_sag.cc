@@ -82,7 +82,7 @@ class SagLoop {
     return best > asked_ || now_.mesh.n_faces() < best_.mesh.n_faces();
   }
 
-  double sag_of(FaceHandle fh) const { return sag_.of_faces[static_cast<std::size_t>(fh.idx())]; }
+  double sag_of(FaceHandle fh) const { return sag_.of_faces[index(fh)]; }
 
   /// Sag goes by the square of sizes.
   double scale(double sag) const {
@@ -154,7 +154,7 @@ class SagLoop {
       middle.uv = middle.uv + share * mesh.property(uv_of, corner);
       metric = {metric.m11 + share * m.m11, metric.m12 + share * m.m12, metric.m22 + share * m.m22};
     }
-    const Surface& surface = *model_.patches[static_cast<std::size_t>(middle.patch)].surface;
+    const Surface& surface = model_.surface(middle.patch);
     const Jet jet = surface.evaluate(middle.uv, Order::First);
     middle.sizes = principal_sizes(size_from_metric(first_form_factor(jet.du, jet.dv), metric));
     return middle;

@@ -11,6 +11,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "surfmesh/core/disjoint_sets.hh"
+
 namespace surfmesh {
 namespace {
 
@@ -21,30 +23,6 @@ constexpr double kFlat = 1e-14;
 constexpr double kPoorQuality = 0.3;
 constexpr int kAngleBins = 18;
 constexpr double kDegree = std::numbers::pi / 180;
-
-/// Sets of numbers that are joined step by step.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parents_(count) {
-    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
-  }
-
-  std::size_t root(std::size_t i) {
-    while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
-    return i;
-  }
-
-  /// True if the two were apart.
-  bool join(std::size_t a, std::size_t b) {
-    a = root(a);
-    b = root(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
- private:
-  std::vector<std::size_t> parents_;
-};
 
 /// A side of a face, by its vertices.
 struct Side {
@@ -139,8 +117,8 @@ class Checker {
 
   void look_at_edges() {
     const std::vector<Side> sides = sorted_sides(set_.faces);
-    Sets corners(set_.faces.corner_count());
-    Sets vertices(set_.points.size()), open(set_.points.size());
+    DisjointSets corners(set_.faces.corner_count());
+    DisjointSets vertices(set_.points.size()), open(set_.points.size());
     std::vector<bool> is_open(set_.points.size(), false);
     check_.components = static_cast<std::size_t>(std::count_if(
         face_of_.begin(), face_of_.end(), [](std::size_t face) { return face != kNoFace; }));
@@ -152,11 +130,11 @@ class Checker {
       look_at_edge(sides, i, end, corners);
       const auto a = static_cast<std::size_t>(sides[i].low);
       const auto b = static_cast<std::size_t>(sides[i].high);
-      if (vertices.join(a, b)) --check_.components;
+      if (vertices.unite(a, b)) --check_.components;
       if (end == i + 1) {
         check_.boundary_loops += !is_open[a] + !is_open[b];
         is_open[a] = is_open[b] = true;
-        if (open.join(a, b)) --check_.boundary_loops;
+        if (open.unite(a, b)) --check_.boundary_loops;
       }
       i = end;
     }
@@ -164,14 +142,14 @@ class Checker {
   }
 
   void look_at_edge(const std::vector<Side>& sides, std::size_t first, std::size_t end,
-                    Sets& corners) {
+                    DisjointSets& corners) {
     ++check_.edges;
     for (std::size_t j = first + 1; j < end; ++j) {
       const Side& a = sides[first];
       const Side& b = sides[j];
       const bool is_same = a.is_rising == b.is_rising;
-      corners.join(a.corner, is_same ? b.corner : b.tip);
-      corners.join(a.tip, is_same ? b.tip : b.corner);
+      corners.unite(a.corner, is_same ? b.corner : b.tip);
+      corners.unite(a.tip, is_same ? b.tip : b.corner);
     }
     if (end - first == 1) check_.open_edges.add([&] { return edge_text(sides[first]); });
     if (end - first > 2) {
@@ -185,10 +163,10 @@ class Checker {
     }
   }
 
-  void count_fans(Sets& corners) {
+  void count_fans(DisjointSets& corners) {
     std::vector<char> fans(set_.points.size(), 0);
     for (std::size_t c = 0; c < set_.faces.corner_count(); ++c) {
-      if (corners.root(c) != c) continue;
+      if (corners.find(c) != c) continue;
       char& count = fans[static_cast<std::size_t>(set_.faces.vertex(c))];
       if (count < 2) ++count;
     }

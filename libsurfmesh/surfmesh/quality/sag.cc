@@ -62,7 +62,7 @@ class SagMeter {
   /// The sag of a face, and the sample at which it is.
   Greatest measure(FaceHandle fh) const {
     const int patch = mesh_.property(patch_of_, fh);
-    const Surface& surface = *model_.patches[static_cast<std::size_t>(patch)].surface;
+    const Surface& surface = model_.surface(patch);
     const std::vector<HalfedgeHandle> corners = detail::corners_of(mesh_, fh);
     Greatest greatest;
     for (std::size_t k = 2; k < corners.size(); ++k) {

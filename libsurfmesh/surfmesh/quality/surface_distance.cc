@@ -54,7 +54,7 @@ Vec3 middle_of(const PolyMesh& mesh, const std::vector<HalfedgeHandle>& corners)
 /// found on the wrong side of a seam.
 Uv project_corner(const Model& model, const SurfaceSearch& search, const Vec3& point,
                   const NearPoint& middle) {
-  const Surface& surface = *model.patches[static_cast<std::size_t>(middle.patch)].surface;
+  const Surface& surface = model.surface(middle.patch);
   const NearPoint near = find_near_point(surface, point, middle.uv);
   if (near.distance <= kOffSurface * model.diagonal) return near.uv;
   const NearPoint other = search.nearest(point, {middle.patch});
@@ -98,7 +98,7 @@ class DistanceMeter {
                   fmt::format("face {} lies on patch {}, but the model has {} patches", fh.idx(),
                               patch, model_.patches.size()));
     }
-    return *model_.patches[static_cast<std::size_t>(patch)].surface;
+    return model_.surface(patch);
   }
 
   std::string face_text(FaceHandle fh) const {
@@ -121,7 +121,7 @@ class DistanceMeter {
       measure_samples(surface, {a, b, c}, fh);
     }
     const double facing = area.dot(normal);
-    facing_[static_cast<std::size_t>(fh.idx())] = facing;
+    facing_[index(fh)] = facing;
     side_of_[static_cast<std::size_t>(mesh_.property(patch_of_, fh))] +=
         facing > 0 ? area.norm() : -area.norm();
   }
@@ -132,7 +132,7 @@ class DistanceMeter {
     const double distance = (jet.point - corner.point).norm();
     if (distance > result_.max_corner) {
       result_.max_corner = distance;
-      result_.max_corner_face = static_cast<std::size_t>(fh.idx());
+      result_.max_corner_face = index(fh);
     }
     if (!is_projected_ && distance > kOffSurface * model_.diagonal) {
       off_.add([&] {
@@ -158,7 +158,7 @@ class DistanceMeter {
       ++samples_;
       if (near.distance <= result_.max) continue;
       result_.max = near.distance;
-      result_.max_face = static_cast<std::size_t>(fh.idx());
+      result_.max_face = index(fh);
       result_.max_at = point;
     }
   }
@@ -166,7 +166,7 @@ class DistanceMeter {
   void find_turned() {
     for (const FaceHandle fh : mesh_.faces()) {
       const double side = side_of_[static_cast<std::size_t>(mesh_.property(patch_of_, fh))];
-      const double facing = facing_[static_cast<std::size_t>(fh.idx())];
+      const double facing = facing_[index(fh)];
       if (facing * (side < 0 ? -1 : 1) > 0) continue;
       turned_.add([&] {
         return fmt::format("{} at {}", face_text(fh),

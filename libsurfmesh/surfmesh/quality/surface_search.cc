@@ -176,7 +176,7 @@ SurfaceSearch::SurfaceSearch(const Model& model) : model_(model) {
 }
 
 void SurfaceSearch::add_samples(int patch, int count) {
-  const Surface& surface = *model_.patches[static_cast<std::size_t>(patch)].surface;
+  const Surface& surface = model_.surface(patch);
   const Domain domain = surface.domain();
   const CellCount cells = surface.cells();
   const int columns = count * cells.u, rows = count * cells.v;
@@ -219,7 +219,7 @@ void SurfaceSearch::search(std::size_t first, std::size_t end, int axis,
 
 bool SurfaceSearch::are_beside(const Sample& a, const Sample& b) const {
   if (a.patch != b.patch) return false;
-  const Domain domain = model_.patches[static_cast<std::size_t>(a.patch)].surface->domain();
+  const Domain domain = model_.surface(a.patch).domain();
   return std::abs(a.uv.u - b.uv.u) < kElsewhere * (domain.u1 - domain.u0) &&
          std::abs(a.uv.v - b.uv.v) < kElsewhere * (domain.v1 - domain.v0);
 }
@@ -235,8 +235,7 @@ NearPoint SurfaceSearch::nearest(const Vec3& point, const std::vector<int>& patc
         std::any_of(first, first + static_cast<std::ptrdiff_t>(i),
                     [&](const auto& candidate) { return are_beside(*candidate.second, sample); });
     if (is_tried && i > 1) continue;
-    NearPoint found = find_near_point(
-        *model_.patches[static_cast<std::size_t>(sample.patch)].surface, point, sample.uv);
+    NearPoint found = find_near_point(model_.surface(sample.patch), point, sample.uv);
     found.patch = sample.patch;
     if (found.distance < best.distance) best = found;
   }

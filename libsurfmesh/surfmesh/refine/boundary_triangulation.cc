@@ -77,7 +77,7 @@ class BoxTriangulation {
   std::vector<std::array<int, 3>> inside() const {
     std::vector<int> node_of(delaunay_.n_vertices(), -1);
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      node_of[static_cast<std::size_t>(vertices_[i].idx())] = static_cast<int>(i);
+      node_of[index(vertices_[i])] = static_cast<int>(i);
     }
     const std::vector<char> depth = depth_of_faces();
     std::vector<std::array<int, 3>> triangles;
@@ -86,7 +86,7 @@ class BoxTriangulation {
       std::array<int, 3> triangle{};
       std::size_t k = 0;
       for (const VertexHandle vh : delaunay_.mesh().fv_range(FaceHandle(static_cast<int>(f)))) {
-        triangle[k++] = node_of[static_cast<std::size_t>(vh.idx())];
+        triangle[k++] = node_of[index(vh)];
       }
       triangles.push_back(triangle);
     }
@@ -117,17 +117,16 @@ class BoxTriangulation {
     // The first vertex is a corner of the box.
     const FaceHandle first = *mesh.cvf_begin(VertexHandle(0));
     std::vector<FaceHandle> stack = {first};
-    depth[static_cast<std::size_t>(first.idx())] = 0;
+    depth[index(first)] = 0;
     while (!stack.empty()) {
       const FaceHandle fh = stack.back();
       stack.pop_back();
       for (const HalfedgeHandle heh : mesh.fh_range(fh)) {
         const FaceHandle next = mesh.face_handle(mesh.opposite_halfedge_handle(heh));
-        if (!next.is_valid() || depth[static_cast<std::size_t>(next.idx())] != unknown) continue;
-        const char here = depth[static_cast<std::size_t>(fh.idx())];
+        if (!next.is_valid() || depth[index(next)] != unknown) continue;
+        const char here = depth[index(fh)];
         const bool is_crossing = delaunay_.is_constrained(mesh.edge_handle(heh));
-        depth[static_cast<std::size_t>(next.idx())] =
-            is_crossing ? static_cast<char>(1 - here) : here;
+        depth[index(next)] = is_crossing ? static_cast<char>(1 - here) : here;
         stack.push_back(next);
       }
     }

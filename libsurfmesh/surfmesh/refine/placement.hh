@@ -12,6 +12,14 @@ struct BaseTriangle {
   MetricCorner a, b, apex;
 };
 
+/// The triangle on the left of a halfedge, with this as its base.
+inline BaseTriangle triangle_at(const DelaunayMesh& delaunay, HalfedgeHandle base) {
+  const TriMesh& mesh = delaunay.mesh();
+  return {corner(delaunay, mesh.from_vertex_handle(base)),
+          corner(delaunay, mesh.to_vertex_handle(base)),
+          corner(delaunay, mesh.to_vertex_handle(mesh.next_halfedge_handle(base)))};
+}
+
 /// The metric circumcentre of a triangle, in the mean metric of its corners; not finite for a
 /// degenerate triangle.
 Uv circumcentre(const BaseTriangle& triangle);

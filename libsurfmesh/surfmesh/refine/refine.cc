@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "surfmesh/delaunay/metric_swaps.hh"
-#include "surfmesh/refine/front_queue.hh"
+#include "surfmesh/refine/face_states.hh"
+#include "surfmesh/refine/front.hh"
 #include "surfmesh/refine/placement.hh"
 
 namespace surfmesh {
@@ -20,15 +21,13 @@ double accepted_size(Placement placement) {
 /// How many times too large a triangle may be for a place inside it that its vertices do not show.
 constexpr double kMissedSize = 2;
 
-/// Vertices for which room is made at least.
-constexpr std::size_t kLeastGrowth = 64;
-
 /// Least metric distance of a new node from the others.
 double least_distance(Placement placement) { return placement == Placement::Frontal ? 0.7 : 0.5; }
 
 /// Triangles for each that the metric area asks for above which a run is given up.
 constexpr double kMostTriangles = 3;
 
+/// Inserts nodes into the triangles of the front.
 class Refinement {
  public:
   Refinement(DelaunayMesh& delaunay, const MetricField& field, const RefineOptions& options,
@@ -40,59 +39,44 @@ class Refinement {
         most_faces_(context.elements_left()),
         rule_{delaunay.uv_handle(), delaunay.metric_handle()},
         accepted_size_(accepted_size(options.placement)),
-        least_distance_(least_distance(options.placement)) {}
+        least_distance_(least_distance(options.placement)),
+        slack_(delaunay.n_faces()),
+        states_(delaunay, accepted_size_),
+        front_(delaunay, states_, options.placement) {}
 
   RefineReport run() {
-    slack_ = delaunay_.n_faces();
-    states_.resize(delaunay_.n_faces());
-    for (std::size_t f = 0; f < delaunay_.n_faces(); ++f) {
-      measure(FaceHandle(static_cast<int>(f)));
-    }
-    for (std::size_t f = 0; f < delaunay_.n_faces(); ++f) {
-      activate(FaceHandle(static_cast<int>(f)));
-    }
-    empty_queue();
-    if (!report_.is_stopped && insert_missed_places()) empty_queue();
+    empty_front();
+    if (!report_.is_stopped && insert_missed_places()) empty_front();
     report_.queries = hint_.answers;
     return report_;
   }
 
  private:
-  struct State {
-    float squared_radius = 0;
-    float metric_area = 0;
-    std::uint32_t stamp = 0;
-    bool is_accepted = false;
-    bool is_active = false;
-  };
-
-  void empty_queue() {
+  void empty_front() {
     FrontQueue::Entry entry;
     std::size_t steps = 0;
-    while (queue_.pop(entry)) {
+    while (front_.pop(entry)) {
       if (is_astray()) {
         report_.is_stopped = true;
         return;
       }
-      State& state = states_[index(entry.face)];
-      if (state.stamp != entry.stamp || state.is_accepted) continue;
+      if (!front_.is_current(entry)) continue;
       if (++steps % kStepsBetweenCancellation == 0) context_.throw_if_cancelled();
-      const HalfedgeHandle base = base_of(entry.face);
+      const HalfedgeHandle base = front_.base_of(entry.face);
       if (!base.is_valid()) {
-        state.is_active = false;  // its accepted neighbour has been replaced since
+        states_[entry.face].is_active = false;  // its accepted neighbour has been replaced since
       } else if (!split(entry.face, base)) {
         ++report_.refused;
-        accept(entry.face);
+        front_.accept(entry.face);
       }
     }
   }
 
-  double predicted_count() const { return metric_area_ / kUnitTriangleArea; }
-
   /// True if there are far more triangles than the metric area of the mesh asks for: no triangles
   /// of unit edges follow a metric that turns too fast.
   bool is_astray() const {
-    return static_cast<double>(delaunay_.n_faces() - slack_) > kMostTriangles * predicted_count();
+    return static_cast<double>(delaunay_.n_faces() - slack_) >
+           kMostTriangles * states_.predicted_count();
   }
 
   /// Insert places of the field that lie in triangles much too large for them: what lies between
@@ -124,104 +108,8 @@ class Refinement {
     return circle.squared_radius > kMissedSize * kMissedSize * accepted_size_;
   }
 
-  static std::size_t index(FaceHandle fh) { return static_cast<std::size_t>(fh.idx()); }
-
-  /// Faces come two at a time; mesh and states grow in bulk, towards the count that is predicted by
-  /// now: at first from the boundary alone, which may be far off.
-  void grow() {
-    if (delaunay_.n_faces() + 2 <= states_.size()) return;
-    constexpr double reserve = 1.1, least = 1.5, most = 4;
-    const auto count = static_cast<double>(delaunay_.n_faces());
-    const double wanted = std::clamp(reserve * predicted_count(), least * count, most * count);
-    const auto added = static_cast<std::size_t>(wanted - count) / 2 + kLeastGrowth;
-    delaunay_.reserve(added);
-    states_.resize(delaunay_.n_faces() + 2 * added);
-  }
-
-  BaseTriangle triangle_at(HalfedgeHandle base) const {
-    const TriMesh& mesh = delaunay_.mesh();
-    return {corner(delaunay_, mesh.from_vertex_handle(base)),
-            corner(delaunay_, mesh.to_vertex_handle(base)),
-            corner(delaunay_, mesh.to_vertex_handle(mesh.next_halfedge_handle(base)))};
-  }
-
-  void measure(FaceHandle fh) {
-    const BaseTriangle t = triangle_at(delaunay_.mesh().halfedge_handle(fh));
-    set_size(fh, product_of_sides(t.a, t.b, t.apex), metric_area(t.a, t.b, t.apex));
-  }
-
-  void set_size(FaceHandle fh, double product_of_sides, double metric_area) {
-    State& state = states_[index(fh)];
-    metric_area_ -= static_cast<double>(state.metric_area);
-    state.metric_area = static_cast<float>(metric_area);
-    if (!std::isfinite(state.metric_area)) state.metric_area = 0;
-    metric_area_ += static_cast<double>(state.metric_area);
-    const double size = squared_circumradius(product_of_sides, metric_area);
-    state.squared_radius = static_cast<float>(size);
-    state.is_accepted = size <= accepted_size_;
-    state.is_active = false;
-    ++state.stamp;
-  }
-
-  bool is_front(HalfedgeHandle heh) const {
-    const FaceHandle neighbour =
-        delaunay_.mesh().face_handle(delaunay_.mesh().opposite_halfedge_handle(heh));
-    return !neighbour.is_valid() || states_[index(neighbour)].is_accepted;
-  }
-
-  /// Put a triangle into the queue if it is to be split and, with frontal placement, is at the
-  /// front.
-  void activate(FaceHandle fh) {
-    State& state = states_[index(fh)];
-    if (state.is_accepted || state.is_active) return;
-    const HalfedgeHandle a = delaunay_.mesh().halfedge_handle(fh);
-    const HalfedgeHandle b = delaunay_.mesh().next_halfedge_handle(a);
-    const HalfedgeHandle c = delaunay_.mesh().next_halfedge_handle(b);
-    if (options_.placement == Placement::Frontal && !is_front(a) && !is_front(b) && !is_front(c)) {
-      return;
-    }
-    state.is_active = true;
-    queue_.push({fh, state.stamp}, static_cast<double>(state.squared_radius));
-  }
-
-  void activate_neighbour(HalfedgeHandle heh) {
-    const FaceHandle neighbour =
-        delaunay_.mesh().face_handle(delaunay_.mesh().opposite_halfedge_handle(heh));
-    if (neighbour.is_valid()) activate(neighbour);
-  }
-
-  void accept(FaceHandle fh) {
-    states_[index(fh)].is_accepted = true;
-    HalfedgeHandle heh = delaunay_.mesh().halfedge_handle(fh);
-    for (int k = 0; k < 3; ++k, heh = delaunay_.mesh().next_halfedge_handle(heh)) {
-      activate_neighbour(heh);
-    }
-  }
-
-  /// The shortest side at the front (frontal; invalid if there is none), or the longest
-  /// (circumcentre).
-  HalfedgeHandle base_of(FaceHandle fh) const {
-    const TriMesh& mesh = delaunay_.mesh();
-    const bool is_frontal = options_.placement == Placement::Frontal;
-    HalfedgeHandle best;
-    double best_length = INFINITY;
-    HalfedgeHandle heh = mesh.halfedge_handle(fh);
-    for (int k = 0; k < 3; ++k, heh = mesh.next_halfedge_handle(heh)) {
-      if (is_frontal && !is_front(heh)) continue;
-      const MetricCorner a = corner(delaunay_, mesh.from_vertex_handle(heh));
-      const MetricCorner b = corner(delaunay_, mesh.to_vertex_handle(heh));
-      const double length = fast_edge_length(a.uv, a.metric, b.uv, b.metric);
-      const double rank = is_frontal ? length : -length;
-      if (rank < best_length) {
-        best_length = rank;
-        best = heh;
-      }
-    }
-    return best;
-  }
-
   bool split(FaceHandle fh, HalfedgeHandle base) {
-    const BaseTriangle triangle = triangle_at(base);
+    const BaseTriangle triangle = triangle_at(delaunay_, base);
     if (options_.placement == Placement::Frontal && try_frontal(fh, triangle)) return true;
     if (try_insert(circumcentre(triangle), fh, triangle, true)) return true;
     return options_.placement == Placement::Circumcentre &&
@@ -275,7 +163,7 @@ class Refinement {
   }
 
   void insert(Uv p, const Metric& metric, const Location& location) {
-    grow();
+    states_.grow();
     VertexHandle vh;
     if (options_.kernel == Kernel::Cavity) {
       vh = delaunay_.fill(cavity_, p);
@@ -285,54 +173,8 @@ class Refinement {
     delaunay_.metric(vh) = metric;
     ++report_.inserted;
     if (delaunay_.n_faces() > most_faces_) context_.throw_too_many_elements();
-    update_fan(vh);
-  }
-
-  /// Measure the triangles around a vertex: as measure() does, but each spoke once.
-  void measure_fan(VertexHandle vh) {
-    const TriMesh& mesh = delaunay_.mesh();
-    const MetricCorner centre = corner(delaunay_, vh);
-    const double centre_density = density(centre.metric);
-    const HalfedgeHandle start = mesh.halfedge_handle(vh);
-    HalfedgeHandle spoke = start;
-    FanCorner near = fan_corner(centre, spoke);
-    do {
-      const FaceHandle fh = mesh.face_handle(spoke);
-      spoke = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(spoke));
-      const FanCorner far = fan_corner(centre, spoke);
-      const double base = fast_edge_length(near.at.uv, near.at.metric, far.at.uv, far.at.metric);
-      const double area = 0.5 * cross(near.at.uv - centre.uv, far.at.uv - centre.uv);
-      set_size(fh, near.spoke * base * far.spoke,
-               area * (centre_density + near.density + far.density) / 3);
-      near = far;
-    } while (spoke != start);
-  }
-
-  /// A neighbour of a vertex, with its own density and its distance.
-  struct FanCorner {
-    MetricCorner at;
-    double density;
-    double spoke;
-  };
-
-  FanCorner fan_corner(const MetricCorner& centre, HalfedgeHandle spoke) const {
-    const MetricCorner at = corner(delaunay_, delaunay_.mesh().to_vertex_handle(spoke));
-    return {at, density(at.metric), fast_edge_length(centre.uv, centre.metric, at.uv, at.metric)};
-  }
-
-  void update_fan(VertexHandle vh) {
-    measure_fan(vh);
-    const TriMesh& mesh = delaunay_.mesh();
-    const HalfedgeHandle start = mesh.halfedge_handle(vh);
-    HalfedgeHandle spoke = start;
-    do {
-      activate(mesh.face_handle(spoke));
-      // A neighbour of an accepted triangle is at the front now.
-      if (states_[index(mesh.face_handle(spoke))].is_accepted) {
-        activate_neighbour(mesh.next_halfedge_handle(spoke));
-      }
-      spoke = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(spoke));
-    } while (spoke != start);
+    states_.measure_fan(vh);
+    front_.add_fan(vh);
   }
 
   DelaunayMesh& delaunay_;
@@ -343,11 +185,10 @@ class Refinement {
   TriangleMetricRule rule_;
   double accepted_size_;
   double least_distance_;
+  std::size_t slack_;  ///< triangles that the boundary alone makes
+  FaceStates states_;
+  Front front_;
   QueryHint hint_;
-  FrontQueue queue_;
-  std::vector<State> states_;
-  double metric_area_ = 0;  ///< of all triangles
-  std::size_t slack_ = 0;   ///< triangles that the boundary alone makes
   Cavity cavity_;
   RefineReport report_;
 };

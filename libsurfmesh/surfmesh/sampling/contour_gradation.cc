@@ -71,9 +71,11 @@ SizeTensor carried(const SizeTensor& h, const Side& from, const Side& to, bool i
 /// A contour and the places where its patches are compared.
 class ComparedContour {
  public:
-  ComparedContour(const Model& model, const Contour& contour) : model_(model), contour_(contour) {}
+  ComparedContour(const Model& model, std::size_t index)
+      : model_(model), contour_(model.contours[index]), index_(index) {}
 
-  const Contour& contour() const { return contour_; }
+  std::size_t index() const { return index_; }
+  const std::vector<ContourUse>& uses() const { return contour_.uses; }
 
   Station station(double t) const {
     const Vec3 point = space_point(t);
@@ -81,17 +83,13 @@ class ComparedContour {
   }
 
  private:
-  Vec3 space_point(double t) const {
-    const ContourUse& use = contour_.uses.front();
-    const Surface& surface = *model_.patches[static_cast<std::size_t>(use.patch)].surface;
-    return surface.evaluate(use.curve->evaluate(t), Order::Position).point;
-  }
+  Vec3 space_point(double t) const { return model_.point(contour_.uses.front(), t); }
 
   std::vector<Side> sides(double t, const Vec3& point) const {
     const Vec3 tangent = direction(t);
     std::vector<Side> result;
     for (const ContourUse& use : contour_.uses) {
-      const Surface& surface = *model_.patches[static_cast<std::size_t>(use.patch)].surface;
+      const Surface& surface = model_.surface(use);
       const bool is_same = use.is_same_speed && contour_.uses.front().is_same_speed;
       const double own_t = is_same ? t : project_to_curve(surface, *use.curve, point, t);
       const Uv uv = surface.domain().clamp(use.curve->evaluate(own_t));
@@ -114,6 +112,7 @@ class ComparedContour {
 
   const Model& model_;
   const Contour& contour_;
+  std::size_t index_;  ///< of the contour in the model
 };
 
 class ContourGradation {
@@ -132,7 +131,7 @@ class ContourGradation {
       context.throw_if_cancelled();
       // Spaces stay as they are until all contours are compared.
       share_indices(model_.contours.size(), [this](std::size_t c) {
-        if (is_compared(model_.contours[c])) compare(model_.contours[c]);
+        if (is_compared(model_.contours[c])) compare(c);
       });
       take_added();
       if (!remake_spaces()) return report_;
@@ -149,7 +148,7 @@ class ContourGradation {
            });
   }
 
-  void compare(const Contour& contour) {
+  void compare(std::size_t contour) {
     const ComparedContour compared(model_, contour);
     Station last = compared.station(0);
     lower(compared, last);
@@ -180,7 +179,7 @@ class ContourGradation {
     for (const Station* station : {&from, &to}) {
       for (std::size_t use = 0; use < station->sides.size(); ++use) {
         const Side& side = station->sides[use];
-        const SizeTensor along = to_contour(size(compared.contour().uses[use], side), side);
+        const SizeTensor along = to_contour(size(compared.uses()[use], side), side);
         units = std::max(units, length / along.h11);
       }
     }
@@ -196,7 +195,7 @@ class ContourGradation {
   void lower(const ComparedContour& compared, const Station& station) {
     const std::vector<Side>& sides = station.sides;
     if (sides.empty()) return;
-    const std::vector<ContourUse>& uses = compared.contour().uses;
+    const std::vector<ContourUse>& uses = compared.uses();
     std::vector<SizeTensor> sizes;
     for (std::size_t use = 0; use < uses.size(); ++use) {
       sizes.push_back(size(uses[use], sides[use]));
@@ -210,7 +209,7 @@ class ContourGradation {
       }
       if (log_conformity(sizes[to], least) > kAgreement &&
           is_news(compared, to, station.t, least)) {
-        add(compared.contour(), uses[to].patch, sides[to], least);
+        add(compared, to, sides[to], least);
       }
     }
   }
@@ -218,7 +217,7 @@ class ContourGradation {
   /// False if the patch has got such a size at this place before. That the control space gives
   /// another one is then interpolation, which further nodes at one place do not change.
   bool is_news(const ComparedContour& compared, std::size_t use, double t, const SizeTensor& size) {
-    auto& given = given_[index(compared.contour())];
+    auto& given = given_[compared.index()];
     const auto [entry, is_first] = given.try_emplace({use, t}, size);
     if (is_first) return true;
     const SizeTensor lowered = minimum(entry->second, size);
@@ -227,12 +226,10 @@ class ContourGradation {
     return true;
   }
 
-  std::size_t index(const Contour& contour) const {
-    return static_cast<std::size_t>(&contour - model_.contours.data());
-  }
-
-  void add(const Contour& contour, int patch, const Side& side, const SizeTensor& size) {
-    added_[index(contour)].push_back(
+  void add(const ComparedContour& compared, std::size_t use, const Side& side,
+           const SizeTensor& size) {
+    const int patch = compared.uses()[use].patch;
+    added_[compared.index()].push_back(
         {static_cast<std::size_t>(patch), {side.at.uv, side.at.point, side.at.form, size}});
   }
 

@@ -70,7 +70,7 @@ BoundaryPieces::BoundaryPieces(const Model& model, const std::vector<int>& patch
                                double tolerance, double least_gap, double reach)
     : model_(model), least_gap_(least_gap), reach_(reach) {
   for (const int p : patches) {
-    at_place(fmt::format("patch {}", patch(p).name), [&] { collect(p, tolerance); });
+    at_place(fmt::format("patch {}", model.patch(p).name), [&] { collect(p, tolerance); });
   }
   plant_tree();
   straighten();
@@ -78,8 +78,8 @@ BoundaryPieces::BoundaryPieces(const Model& model, const std::vector<int>& patch
 
 /// Set what follows from the contour between the ends; false where there is no tangent plane.
 bool BoundaryPieces::complete(BoundaryPiece& piece) const {
-  const ContourUse& use = contour(piece.contour).uses[static_cast<std::size_t>(piece.use)];
-  const Surface& surface = *patch(piece.patch).surface;
+  const ContourUse& use = model_.use({piece.contour, piece.use});
+  const Surface& surface = model_.surface(piece.patch);
   const Jet jet = surface.evaluate(use.curve->evaluate(0.5 * (piece.t0 + piece.t1)), Order::First);
   const Vec3 left = jet.du.cross(jet.dv).cross(piece.to - piece.from);
   const double norm = left.norm();
@@ -96,16 +96,16 @@ bool BoundaryPieces::complete(BoundaryPiece& piece) const {
 }
 
 void BoundaryPieces::collect(int index, double tolerance) {
-  for (const PatchLoop& loop : patch(index).loops) {
+  for (const PatchLoop& loop : model_.patch(index).loops) {
     for (const LoopEntry& entry : loop) collect(index, entry, tolerance);
   }
 }
 
 void BoundaryPieces::collect(int index, const LoopEntry& entry, double tolerance) {
-  const Contour& c = contour(entry.contour);
-  if (c.is_smooth || c.is_degenerate) return;
-  const CurveOnSurface curve(patch(index).surface,
-                             c.uses[static_cast<std::size_t>(entry.use)].curve, c.part_count);
+  const Contour& contour = model_.contour(entry);
+  if (contour.is_smooth || contour.is_degenerate) return;
+  const CurveOnSurface curve(model_.patch(index).surface, model_.use(entry).curve,
+                             contour.part_count);
   const auto points = curve_polyline(curve, tolerance);
   BoundaryPiece piece;
   piece.patch = index;
@@ -167,8 +167,8 @@ bool BoundaryPieces::are_joined(const BoundaryPiece& piece, const BoundaryPoint&
 /// Infinite if the contours have no vertex in common.
 double BoundaryPieces::way_between(const BoundaryPiece& piece, const BoundaryPoint& point) const {
   const BoundaryPiece& other = (*this)[point.piece];
-  const Contour& a = contour(piece.contour);
-  const Contour& b = contour(other.contour);
+  const Contour& a = model_.contour(piece.contour);
+  const Contour& b = model_.contour(other.contour);
   const double way = other.way + (point.share - 0.5) * other.way_length;
   if (piece.contour == other.contour) {
     const double between = std::abs(piece.way - way);

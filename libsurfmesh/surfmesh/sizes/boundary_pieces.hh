@@ -72,10 +72,6 @@ class BoundaryPieces {
   bool are_joined(const BoundaryPiece& piece, const BoundaryPoint& point) const;
 
  private:
-  const Contour& contour(int index) const {
-    return model_.contours[static_cast<std::size_t>(index)];
-  }
-  const Patch& patch(int index) const { return model_.patches[static_cast<std::size_t>(index)]; }
   bool complete(BoundaryPiece& piece) const;
   void collect(int patch, double tolerance);
   void collect(int patch, const LoopEntry& entry, double tolerance);

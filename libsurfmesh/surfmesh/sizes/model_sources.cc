@@ -25,8 +25,7 @@ void append(std::vector<PlacedSize>& all, const std::vector<PlacedSize>& more) {
 std::vector<PlacedSize> sizes_of_contour(const Model& model, const Contour& contour,
                                          const Sizing& sizing, const SizeBounds& bounds) {
   const ContourUse& use = contour.uses.front();
-  const CurveOnSurface curve(model.patches[static_cast<std::size_t>(use.patch)].surface, use.curve,
-                             contour.part_count);
+  const CurveOnSurface curve(model.patch(use).surface, use.curve, contour.part_count);
   std::vector<PlacedSize> sizes;
   if (sizing.contour_curvature && (sizing.curvature_factor() > 0 || sizing.sag)) {
     append(sizes, contour_curvature_sizes(curve, sizing, bounds));
@@ -43,9 +42,9 @@ std::vector<std::vector<PlacedSize>> contour_sizes(const Model& model, const Siz
     const Contour& contour = model.contours[c];
     if (contour.is_smooth || contour.is_degenerate || contour.uses.empty()) return;
     const int first = contour.uses.front().patch;
-    sizes[c] = at_place(fmt::format("contour {} on patch {}", contour.name,
-                                    model.patches[static_cast<std::size_t>(first)].name),
-                        [&] { return sizes_of_contour(model, contour, sizing, bounds); });
+    sizes[c] =
+        at_place(fmt::format("contour {} on patch {}", contour.name, model.patch(first).name),
+                 [&] { return sizes_of_contour(model, contour, sizing, bounds); });
   });
   return sizes;
 }
@@ -89,7 +88,7 @@ std::optional<std::string> clamp_warning(const Model& model, const Sources& sour
                                          const SizeBounds& bounds) {
   std::size_t count = count_clamped(sources, bounds);
   for (const TableSource& table : sources.tables) {
-    const Patch& patch = model.patches[static_cast<std::size_t>(table.patch)];
+    const Patch& patch = model.patch(table.patch);
     count += at_place(fmt::format("patch {}", patch.name),
                       [&] { return count_clamped(table, *patch.surface, bounds); });
   }

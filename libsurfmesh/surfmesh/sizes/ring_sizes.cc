@@ -75,12 +75,12 @@ double Ring::length_at(Uv uv) const {
 }
 
 std::vector<Ring> short_rings(const Model& model, int patch, const SizeBounds& bounds) {
-  const Patch& own = model.patches[static_cast<std::size_t>(patch)];
+  const Patch& own = model.patch(patch);
   const CellCount cells = own.surface->cells();
   std::vector<Ring> rings;
   if (cells.u * cells.v == 1) return rings;
   for (const LoopEntry& entry : own.loops.front()) {
-    const auto& uses = model.contours[static_cast<std::size_t>(entry.contour)].uses;
+    const auto& uses = model.contour(entry).uses;
     // Each seam is met twice.
     if (uses.size() != 2 || uses[0].patch != uses[1].patch || entry.use != 0) continue;
     std::optional<Ring> ring = seam_of(own.surface->domain(), uses[0], uses[1]);

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/boundary/segment_shape.hh"
+
+#include <algorithm>
+
+#include "surfmesh/quality/triangle_distance.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Samples of a segment, both ends included, less one.
+constexpr int kSagSteps = 4;
+
+/// Greatest distance of a segment's line in the parameters from contour and chord, in its length.
+constexpr double kMostDetour = 0.2;
+
+}  // namespace
+
+double segment_sag(const Model& model, const ContourUse& use, double from, double to) {
+  const Vec3 a = model.point(use, from), b = model.point(use, to);
+  double sag = 0;
+  for (int i = 1; i < kSagSteps; ++i) {
+    const Vec3 point = model.point(use, from + (to - from) * i / kSagSteps);
+    sag = std::max(sag, detail::segment_distance(point, a, b));
+  }
+  return sag;
+}
+
+bool makes_detour(const Model& model, const ContourUse& use, double from, double to) {
+  const Surface& surface = model.surface(use);
+  const auto point = [&](Uv uv) { return surface.evaluate(uv, Order::Position).point; };
+  const Uv uv_a = use.curve->evaluate(from), uv_b = use.curve->evaluate(to);
+  const Vec3 a = point(uv_a), b = point(uv_b);
+  const Vec3 middle = model.point(use, 0.5 * (from + to));
+  const Vec3 line = point(lerp(uv_a, uv_b, 0.5));
+  const double distance =
+      std::min({detail::segment_distance(line, a, b), detail::segment_distance(line, a, middle),
+                detail::segment_distance(line, middle, b)});
+  return distance > kMostDetour * (b - a).norm();
+}
+
+}  // namespace surfmesh

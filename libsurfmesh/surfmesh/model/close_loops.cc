@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/model/close_loops.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+#include "surfmesh/core/disjoint_sets.hh"
+#include "surfmesh/model/open_contours.hh"
+#include "surfmesh/model/patch_sides.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Contours that meet in space but differ by this share of the domain in (u,v) do not meet there.
+constexpr double kLoopJump = 1e-3;
+
+/// The loops of a patch with that of the greatest area first, which is the outer one.
+std::vector<std::size_t> outer_first(const std::vector<double>& areas) {
+  std::vector<std::size_t> order(areas.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto outer = std::max_element(order.begin(), order.end(), [&](auto a, auto b) {
+    return std::abs(areas[a]) < std::abs(areas[b]);
+  });
+  std::swap(order.front(), *outer);
+  return order;
+}
+
+/// Check that all loops but the first in order are holes of it, not of each other.
+void check_holes(const PatchInput& patch, const std::vector<LoopCurves>& curves,
+                 const std::vector<std::size_t>& order) {
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const std::size_t hole = order[i];
+    const Uv p = curves[hole].front().at(0.5);
+    const auto fail = [&](const char* reason) {
+      fail_loop(ErrorCode::Geometry, patch, hole,
+                fmt::format("the loop lies {} at (u,v) = ({:.6g}, {:.6g})", reason, p.u, p.v));
+    };
+    if (!is_inside(curves[order[0]], p)) fail("outside of the outer loop");
+    for (std::size_t j = 1; j < order.size(); ++j) {
+      if (j != i && is_inside(curves[order[j]], p)) fail("inside of a hole");
+    }
+  }
+}
+
+}  // namespace
+
+std::string loop_label(const PatchInput& patch, std::size_t loop) {
+  if (patch.origin.empty()) return fmt::format("patch {}: loop {}", patch.name, loop);
+  return fmt::format("{}/loops/{}: patch {}", patch.origin, loop, patch.name);
+}
+
+void fail_loop(ErrorCode code, const PatchInput& patch, std::size_t loop,
+               const std::string& reason) {
+  throw Error(code, fmt::format("{}: {}", loop_label(patch, loop), reason));
+}
+
+LoopCurves LoopCloser::curves_of(const Chain& chain) const {
+  LoopCurves result;
+  for (const ChainLink& link : chain) {
+    result.push_back({model_.contour(link.entry).name, model_.use(link.entry).curve, link.is_along,
+                      contours_.range(link.entry.contour)});
+  }
+  return result;
+}
+
+void LoopCloser::add_loops(int index, std::vector<Chain> loops) {
+  const PatchInput& input = patch(index);
+  std::vector<LoopCurves> curves;
+  std::vector<double> areas;
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    curves.push_back(curves_of(loops[l]));
+    if (const auto place = place_outside(curves[l], input.surface->domain())) {
+      fail_loop(ErrorCode::Geometry, input, l, "the loop leaves the domain: " + *place);
+    }
+    close(input, l, loops[l]);
+    check_extent(input, l, loops[l]);
+    areas.push_back(signed_area(curves[l]));
+  }
+  if (const auto place = crossing(curves)) {
+    throw Error(ErrorCode::Geometry, fmt::format("{}: loops cross: {}", label(input), *place));
+  }
+  warn_of_near_parts(input, curves);
+  const std::vector<std::size_t> order = outer_first(areas);
+  check_holes(input, curves, order);
+  for (const std::size_t l : order) {
+    const bool is_turned = (areas[l] > 0) != (l == order[0]);
+    if (is_turned) {
+      model_.warnings.push_back(
+          fmt::format("{}: the loop runs the wrong way round; it is turned", loop_label(input, l)));
+      std::reverse(loops[l].begin(), loops[l].end());
+    }
+    add(index, loops[l], is_turned);
+  }
+}
+
+/// Check that contours meet end to end, and note that their ends are the same vertices.
+void LoopCloser::close(const PatchInput& patch, std::size_t loop, const Chain& chain) {
+  const Domain domain = patch.surface->domain();
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const ChainLink& from = chain[i];
+    const ChainLink& to = chain[(i + 1) % chain.size()];
+    const Contour& a = model_.contour(from.entry.contour);
+    const Contour& b = model_.contour(to.entry.contour);
+    const ContourUse &use_a = model_.use(from.entry), &use_b = model_.use(to.entry);
+    const double end = from.is_along ? 1 : 0, start = to.is_along ? 0 : 1;
+    const double gap = (model_.point(use_a, end) - model_.point(use_b, start)).norm();
+    if (!(gap < reach_)) {
+      fail_loop(ErrorCode::Geometry, patch, loop,
+                fmt::format("the loop does not close, the gap between the end of {} and the start "
+                            "of {} is {:.3g}",
+                            a.name, b.name, gap));
+    }
+    const Uv p = use_a.curve->evaluate(end), q = use_b.curve->evaluate(start);
+    if (std::abs(p.u - q.u) > kLoopJump * (domain.u1 - domain.u0) ||
+        std::abs(p.v - q.v) > kLoopJump * (domain.v1 - domain.v0)) {
+      fail_loop(ErrorCode::Geometry, patch, loop,
+                fmt::format("between {} and {} the loop closes in space, but leaps from (u,v) = "
+                            "({:.6g}, {:.6g}) to ({:.6g}, {:.6g}): a seam or pole is missing",
+                            a.name, b.name, p.u, p.v, q.u, q.v));
+    }
+    equal_vertices_.emplace_back(from.is_along ? a.end : a.start, to.is_along ? b.start : b.end);
+  }
+}
+
+/// A hole that is a point has no nodes; on a pole the loop has other contours, too.
+void LoopCloser::check_extent(const PatchInput& patch, std::size_t loop, const Chain& chain) const {
+  const bool is_point = std::all_of(chain.begin(), chain.end(), [&](const ChainLink& link) {
+    return model_.contour(link.entry.contour).is_degenerate;
+  });
+  if (is_point) fail_loop(ErrorCode::Geometry, patch, loop, "the loop is a single point in space");
+}
+
+/// Elements between parts of the boundary that nearly meet are as flat as the gap is narrow.
+void LoopCloser::warn_of_near_parts(const PatchInput& patch,
+                                    const std::vector<LoopCurves>& curves) {
+  const auto point_at = [&](Uv uv) { return patch.surface->evaluate(uv, Order::Position).point; };
+  for (const NearParts& near : near_parts(curves, kNearShare)) {
+    model_.warnings.push_back(
+        fmt::format("{}: contours {} and {} nearly meet at (u,v) = ({:.6g}, {:.6g}): the gap "
+                    "between them is {:.3g}",
+                    label(patch), near.a, near.b, near.at_a.u, near.at_a.v,
+                    (point_at(near.at_a) - point_at(near.at_b)).norm()));
+  }
+}
+
+void LoopCloser::add(int patch, const Chain& chain, bool is_turned) {
+  PatchLoop& loop = model_.patch(patch).loops.emplace_back();
+  for (const ChainLink& link : chain) {
+    model_.use(link.entry).is_forward = link.is_along != is_turned;
+    loop.push_back(link.entry);
+  }
+}
+
+void LoopCloser::unite_vertices() {
+  DisjointSets sets(model_.vertices.size());
+  for (const auto& [a, b] : equal_vertices_) {
+    sets.unite(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+  }
+  std::vector<int> numbers(model_.vertices.size(), -1);
+  std::vector<ModelVertex> kept;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::size_t first = sets.find(i);
+    if (first == i) {
+      numbers[i] = static_cast<int>(kept.size());
+      kept.push_back(model_.vertices[i]);
+    } else {
+      numbers[i] = numbers[first];
+    }
+  }
+  model_.vertices = std::move(kept);
+  for (Contour& contour : model_.contours) {
+    contour.start = numbers[static_cast<std::size_t>(contour.start)];
+    contour.end = numbers[static_cast<std::size_t>(contour.end)];
+  }
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "surfmesh/geometry/curve.hh"
+#include "surfmesh/model/join_sides.hh"
+#include "surfmesh/model/model.hh"
+
+namespace surfmesh {
+
+/// Distances of contours, in model units.
+struct ContourLengths {
+  double join = 0;   ///< places this near are one place
+  double reach = 0;  ///< a contour is nearer than this to its patches and to the next one in a loop
+};
+
+/// Adds contours to a model, and finds their curves on the patches that use them.
+class NamedContours {
+ public:
+  /// `patches` are the inputs of those of the model.
+  NamedContours(Model& model, const std::vector<PatchInput>& patches,
+                const ContourLengths& lengths);
+
+  /// The contour of the model that an input makes; made when it is first asked for.
+  int contour_of(const ContourInput& input);
+
+  bool has(const ContourInput& input) const { return indices_.contains(&input); }
+
+  /// The range of a contour's parameter as the input gives it.
+  const CurveRange& range(int contour) const { return origin(contour).range; }
+
+  /// Let a contour that sides make lie in space where this use of it does, if that is not set.
+  void lie_along(const LoopEntry& entry);
+
+  /// Add a use of a contour by a patch, whose curve is found by projection if none is given.
+  ///
+  /// `place` names both, for messages.
+  /// Returns  the use
+  /// Throws   Geometry if the curve is elsewhere than the contour, or cannot be found
+  int add_use(int contour, int patch, std::shared_ptr<const Curve> curve, const std::string& place);
+
+ private:
+  /// What is known of a contour that is in the model.
+  struct Origin {
+    std::shared_ptr<const SpaceCurve> xyz;
+    CurveRange range;
+  };
+
+  Origin& origin(int contour) { return origins_[static_cast<std::size_t>(contour)]; }
+  const Origin& origin(int contour) const { return origins_[static_cast<std::size_t>(contour)]; }
+  std::shared_ptr<const SpaceCurve> curve_in_space(const ContourInput& input) const;
+  int vertex_at(const Vec3& point);
+  std::shared_ptr<const Curve> project(int contour, int patch, const std::string& place) const;
+  bool is_same_speed(int contour, const ContourUse& use) const;
+  void check_same_place(int contour, const ContourUse& use, const std::string& place) const;
+
+  Model& model_;
+  const std::vector<PatchInput>& patches_;
+  ContourLengths lengths_;
+  std::map<const ContourInput*, int> indices_;  ///< of contours that are in the model
+  std::vector<Origin> origins_;                 ///< by contour of the model
+};
+
+}  // namespace surfmesh
