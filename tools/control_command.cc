@@ -61,8 +61,9 @@ int ControlCommand::write_control_meshes(Progress& progress) const {
   settings.insert(settings.end(), set_.begin(), set_.end());
   ModelInput input = load_model(input_, cage_options(scheme_, settings));
   for (const auto& [name, value] : settings) set_option(input.options, name, value);
-  const ControlSpaces control =
-      make_control_spaces(input.model, input.sources, input.options, RunContext(&progress));
+  const ControlSpaces control = make_control_spaces(
+      input.model, input.sources, resolve(input.options.sizing, input.model.diagonal),
+      input.options.control, RunContext(&progress));
   const std::vector<ControlPicture> pictures = pictures_of(input.model, control);
   write_control(pictures, output_);
   progress.clear();

@@ -20,7 +20,7 @@ constexpr double kPi = 3.141592653589793;
 
 SizeField paper_field() {
   static const auto surface = testing::paper_wave();
-  return SizeField(*surface, testing::paper_sizing(), {}, 1);
+  return SizeField(*surface, resolve(testing::paper_sizing(), 1), {});
 }
 
 SurfacePoint query_at(const SizeField& field, double s, double t) {
@@ -56,7 +56,7 @@ SizeField fine_field() {
   static const auto surface = testing::paper_wave();
   Sizing sizing = testing::paper_sizing();
   sizing.hmax = {0.2, false};
-  return SizeField(*surface, sizing, {}, 1);
+  return SizeField(*surface, resolve(sizing, 1), {});
 }
 
 std::vector<ControlNode> regular_nodes(const SizeField& field, std::int64_t nodes) {
@@ -141,9 +141,10 @@ void make_whole_control(benchmark::State& state) {
   const auto surface = testing::paper_wave();
   std::size_t count = 0;
   for (auto _ : state) {
-    count = make_control(collect_control_input(*surface, testing::paper_sizing(), {}, 1, {}))
-                ->mesh()
-                .n_vertices();
+    count =
+        make_control(collect_control_input(*surface, resolve(testing::paper_sizing(), 1), {}, {}))
+            ->mesh()
+            .n_vertices();
   }
   state.counters["nodes"] = static_cast<double>(count);
 }

@@ -37,7 +37,7 @@ void field_at(benchmark::State& state) {
     sources.trees.push_back(
         spiral(static_cast<int>(state.range(0)), static_cast<double>(state.range(1))));
   }
-  const SizeField field(*surface, testing::paper_sizing(), sources, 1);
+  const SizeField field(*surface, resolve(testing::paper_sizing(), 1), sources);
   double s = 0.1, t = 0.2, whole = 0;
   for (auto _ : state) {
     s = std::modf(s + 0.7548776662466927, &whole);

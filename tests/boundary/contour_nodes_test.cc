@@ -306,7 +306,7 @@ TEST(ContourNodes, RefuseASagThatIsNone) {
   const Model model = testing::unit_square();
   EXPECT_NE(error_of([&] {
               place_contour_nodes(model, UniformSizes(model, 1), {1, 0.0});
-            }).find("sag = 0"),
+            }).find("a sag of 0 "),
             std::string::npos);
 }
 

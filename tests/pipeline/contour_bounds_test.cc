@@ -39,7 +39,10 @@ class ContourBounds : public ::testing::TestWithParam<Case> {
     input_ = load_model(kModels / GetParam().name);
     input_.options.sizing.grade = GetParam().grade;
     if (GetParam().has_sources) add_sources();
-    spaces_ = make_control_spaces(input_.model, input_.sources, input_.options).spaces;
+    spaces_ = make_control_spaces(input_.model, input_.sources,
+                                  resolve(input_.options.sizing, input_.model.diagonal),
+                                  input_.options.control)
+                  .spaces;
     for (std::size_t p = 0; p < spaces_.size(); ++p) {
       fields_.push_back(
           std::make_unique<SurfaceMetricField>(*input_.model.patches[p].surface, *spaces_[p]));

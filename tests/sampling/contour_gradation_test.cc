@@ -35,9 +35,9 @@ Controls graded_controls(Model model, const std::vector<Size>& sizes, double gra
   sizing.grade = grade;
   for (std::size_t p = 0; p < sizes.size(); ++p) {
     const PatchSources sources{{{static_cast<int>(p), sizes[p]}}, {}};
-    controls.inputs.push_back(collect_control_input(*controls.model.patches[p].surface, sizing,
-                                                    sources, controls.model.diagonal,
-                                                    {.kind = kind}));
+    controls.inputs.push_back(collect_control_input(*controls.model.patches[p].surface,
+                                                    resolve(sizing, controls.model.diagonal),
+                                                    sources, {.kind = kind}));
     controls.spaces.push_back(make_control(controls.inputs.back()));
   }
   controls.report = grade_across_contours(controls.model, controls.inputs, controls.spaces);

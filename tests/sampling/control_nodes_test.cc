@@ -22,7 +22,7 @@ using testing::sizing_of;
 
 std::vector<ControlNode> nodes_on(const Surface& surface, const Sizing& sizing,
                                   const ControlNodeOptions& options = {}) {
-  return choose_control_nodes(SizeField(surface, sizing, {}, 1), options).nodes;
+  return choose_control_nodes(SizeField(surface, resolve(sizing, 1), {}), options).nodes;
 }
 
 std::set<std::pair<double, double>> positions(const std::vector<ControlNode>& nodes) {
@@ -66,7 +66,7 @@ TEST(ControlNodes, HaveNoPositionTwice) {
 
 TEST(ControlNodes, CarryTheExactFieldAtTheirPosition) {
   const auto wave = testing::paper_wave();
-  const SizeField field(*wave, testing::paper_sizing(), {}, 1);
+  const SizeField field(*wave, resolve(testing::paper_sizing(), 1), {});
   for (const ControlNode& node : choose_control_nodes(field, {0, 0.5}).nodes) {
     const SizeField::Sample sample = field.at(node.uv);
     ASSERT_EQ(node.size, sample.size);
@@ -106,7 +106,7 @@ TEST(ControlNodes, AreMoreForAFinerPrecision) {
 TEST(ControlNodes, RepresentASmoothFieldToThePrecision) {
   // The outside of a torus, where no curvature is zero, has no kinks in its sizes.
   const test::Torus torus(3, 1, {0, 6, -1, 1});
-  const SizeField field(torus, sizing_of(0.25, 1e-3, 100, 100), {}, 1);
+  const SizeField field(torus, resolve(sizing_of(0.25, 1e-3, 100, 100), 1), {});
   for (const double precision : {0.2, 0.1, 0.05}) {
     const auto nodes = choose_control_nodes(field, {0, precision}).nodes;
     const ControlMesh control(torus.domain(), nodes, {});
@@ -151,7 +151,7 @@ SizeField turning_field(const Surface& plane, bool along_u) {
     return Metric{fine * c * c + coarse * s * s, (fine - coarse) * c * s,
                   fine * s * s + coarse * c * c};
   }});
-  return {plane, sizing_of(0, 1e-6, 1, 2), sources, 1};
+  return {plane, resolve(sizing_of(0, 1e-6, 1, 2), 1), sources};
 }
 
 TEST(ControlNodes, LieDenselyOnlyAlongTheDirectionInWhichTheFieldTurns) {

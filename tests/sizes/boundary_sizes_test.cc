@@ -29,7 +29,7 @@ Sizing sizing(double hmax, double proximity = 1) {
 
 std::vector<PlacedSize> gaps(const Model& model, double hmax, double proximity = 1) {
   const Sizing own = sizing(hmax, proximity);
-  return proximity_sizes(model, own, SizeBounds(own, 1))[0];
+  return proximity_sizes(model, resolve(own, 1))[0];
 }
 
 /// Size across a gap in which one row of unit triangles fits.
@@ -58,7 +58,7 @@ Model unjoined_tube() {
 TEST(Proximity, SeesNoGapWhereSidesCoincideThatAreNotJoined) {
   const Model model = unjoined_tube();
   const Sizing own = testing::sizing_of(0, 1e-3, 0.5, 2);
-  for (const auto& sizes : proximity_sizes(model, own, SizeBounds(own, model.diagonal))) {
+  for (const auto& sizes : proximity_sizes(model, resolve(own, model.diagonal))) {
     EXPECT_TRUE(sizes.empty());
   }
 }
@@ -126,7 +126,7 @@ TEST(Proximity, IsTheWidthOfACurvedStripWhateverHmax) {
     for (const double hmax : {0.1, 0.4, 1.0}) {
       Sizing own = sizing(hmax);
       own.hmin = {1e-7, false};
-      const auto sizes = proximity_sizes(half_ring(width), own, SizeBounds(own, 1))[0];
+      const auto sizes = proximity_sizes(half_ring(width), resolve(own, 1))[0];
       double covered = 0;
       for (const PlacedSize& placed : sizes) {
         EXPECT_NEAR(placed.at_from.along, kOfOneRow * width, 0.06 * width) << hmax;
@@ -141,7 +141,7 @@ TEST(Proximity, GoesAcrossPatchesThatASmoothContourJoins) {
   // Two halves of a strip along its middle line: the gap is the whole.
   const Model model = model_of({rectangle(0, 0, 3, 0.05), rectangle(0, 0.05, 3, 0.1)});
   const Sizing own = sizing(1);
-  for (const auto& sizes : proximity_sizes(model, own, SizeBounds(own, 1))) {
+  for (const auto& sizes : proximity_sizes(model, resolve(own, 1))) {
     ASSERT_FALSE(sizes.empty());
     for (const PlacedSize& placed : sizes) {
       EXPECT_NEAR(placed.at_from.along, kOfOneRow * 0.1, 1e-12);
@@ -162,7 +162,7 @@ TEST(Proximity, IsNotInACornerOfAStraightAndACurvedSide) {
 
 TEST(ClampWarning, CountsSourcesAndTables) {
   const Model model = model_of({rectangle(0, 0, 1, 1), rectangle(1, 0, 2, 1)});
-  const SizeBounds bounds(sizing(0.5), 1);
+  const SizeBounds bounds = resolve(sizing(0.5), 1).bounds;
   Sources sources;
   sources.everywhere = {{0, testing::size_of(0.2)}};
   EXPECT_FALSE(clamp_warning(model, sources, bounds).has_value());
@@ -195,7 +195,7 @@ std::vector<PlacedSize> features_of(double radius, double hmax, double grade) {
   });
   Sizing own = sizing(hmax);
   own.grade = grade;
-  return feature_sizes(circle, own, SizeBounds(own, 1));
+  return feature_sizes(circle, resolve(own, 1));
 }
 
 TEST(Features, HaveTheLengthOfAShortContour) {
@@ -265,7 +265,7 @@ TEST(ModelSources, GoToAllPatchesOfAContour) {
   Sizing own;
   own.proximity = 0;
   own.features = false;
-  for (const PatchSources& sources : model_sources(model, {}, own)) {
+  for (const PatchSources& sources : model_sources(model, {}, resolve(own, model.diagonal))) {
     ASSERT_EQ(sources.trees.size(), 1u);
     for (const PlacedSize& placed : sources.trees[0]->sizes()) {
       EXPECT_NEAR(placed.at_from.along, 0.25, 1e-6);
@@ -278,10 +278,10 @@ TEST(ModelSources, HaveNothingOfContoursThatIsOff) {
   Sizing own;
   own.contour_curvature = own.features = false;
   own.proximity = 0;
-  EXPECT_TRUE(model_sources(model, {}, own)[0].trees.empty());
+  EXPECT_TRUE(model_sources(model, {}, resolve(own, model.diagonal))[0].trees.empty());
   own.contour_curvature = true;
   own.curvature = 0;
-  EXPECT_TRUE(model_sources(model, {}, own)[0].trees.empty());
+  EXPECT_TRUE(model_sources(model, {}, resolve(own, model.diagonal))[0].trees.empty());
 }
 
 TEST(ModelSources, ShareWhatIsNearAPlaceInSpace) {
@@ -289,7 +289,7 @@ TEST(ModelSources, ShareWhatIsNearAPlaceInSpace) {
   sources.near.push_back({{Vec3::Zero()}, {testing::size_of(0.1)}});
   Sizing own = sizing(0.01);
   const auto all = model_sources(testing::model_of({rectangle(0, 0, 1, 1), rectangle(1, 0, 2, 1)}),
-                                 sources, own);
+                                 sources, resolve(own, 1));
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].trees.at(0), all[1].trees.at(0));
 }
@@ -300,10 +300,13 @@ TEST(ModelSources, NeedARadiusNearAPlaceWithoutGradation) {
   Sizing own = sizing(1);
   own.grade = 0;
   const Model model = model_of({rectangle(0, 0, 1, 1)});
-  EXPECT_NE(error_of([&] { model_sources(model, sources, own); }).find("near (1, 2, 3)"),
+  EXPECT_NE(error_of([&] {
+              model_sources(model, sources, resolve(own, model.diagonal));
+            }).find("near (1, 2, 3)"),
             std::string::npos);
   sources.near[0].wish.radius = testing::units(0.1);
-  EXPECT_EQ(error_of([&] { model_sources(model, sources, own); }), "no error");
+  EXPECT_EQ(error_of([&] { model_sources(model, sources, resolve(own, model.diagonal)); }),
+            "no error");
 }
 
 }  // namespace

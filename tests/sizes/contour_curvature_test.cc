@@ -27,7 +27,7 @@ std::vector<PlacedSize> sizes_of(const SpaceCurve& curve, double curvature = 0.2
                                  double grade = 1.5) {
   Sizing sizing = testing::sizing_of(curvature, 0.001, hmax, 2);
   sizing.grade = grade;
-  return contour_curvature_sizes(curve, sizing, SizeBounds(sizing, 1));
+  return contour_curvature_sizes(curve, resolve(sizing, 1));
 }
 
 TEST(ContourCurvature, IsThatOfACircle) {

@@ -32,7 +32,7 @@ Sizing sizing(double grade = 0) {
 }
 
 SizeField field_of(const PatchSources& sources, double grade = 0) {
-  return SizeField(kPlane, sizing(grade), sources, 1);
+  return SizeField(kPlane, resolve(sizing(grade), 1), sources);
 }
 
 std::string error_at(const PatchSources& sources, Uv uv) {
@@ -168,7 +168,8 @@ TEST(FieldSources, TellTheirPrecision) {
 TEST(MakeControl, RepresentsSizesAroundAPlace) {
   PatchSources sources{{{0, size_of(0.3)}}, {{0, {0.5, 0.5}, size_of(0.02), units(0.1)}}};
   const SizeField field = field_of(sources, 1.5);
-  const auto control = make_control(collect_control_input(kPlane, sizing(1.5), sources, 1, {}));
+  const auto control =
+      make_control(collect_control_input(kPlane, resolve(sizing(1.5), 1), sources, {}));
   QueryHint hint;
   for (double u = 0; u <= 1; u += 0.03) {
     const SizeField::Sample exact = field.at({u, 0.4});
@@ -182,7 +183,7 @@ TEST(PointNodes, HaveTheExtendedForms) {
       {0, {0, 0}, size_of(0.1)},
       {0, {1, 0}, size_of(0.1), units(0.2)},
       {0, {1, 1}, size_of(0.1), units(0.2), Outer{size_of(0.5), units(0.4)}}};
-  const auto nodes = point_nodes(sources, kPlane, SizeBounds(sizing(), 1));
+  const auto nodes = point_nodes(sources, kPlane, resolve(sizing(), 1).bounds);
   EXPECT_FALSE(std::isfinite(nodes[0].inner.h11));
   EXPECT_EQ(nodes[1].inner, isotropic(0.1));
   EXPECT_EQ(nodes[1].size, isotropic(0.1));
@@ -211,7 +212,7 @@ TEST(PlaceSources, KnowWhatIsInAPolygon) {
 
 TEST(PlaceSources, RefuseWhatIsNoPlace) {
   std::vector<PlacedSize> sizes;
-  const SizeBounds bounds(sizing(), 1);
+  const SizeBounds bounds = resolve(sizing(), 1).bounds;
   EXPECT_THROW(add_near({{}, {size_of(1)}}, bounds, sizes), Error);
   EXPECT_THROW(add_near({{Vec3(kUnset, 0, 0)}, {size_of(1)}}, bounds, sizes), Error);
   EXPECT_THROW(add_near({{Vec3::Zero()}, {size_of(1), units(-1)}}, bounds, sizes), Error);
@@ -224,11 +225,11 @@ TEST(SizeBounds, CountSizesBeyondThem) {
   Sources sources;
   sources.everywhere = {{0, size_of(0.5)}, {0, size_of(2)}, {1, size_of(2)}};  // a group's, once
   sources.at = {{0, {0, 0}, size_of(0.5, 1e-9), {}, Outer{size_of(7), units(1)}}};
-  EXPECT_EQ(count_clamped(sources, SizeBounds(sizing(), 1)), 3u);
+  EXPECT_EQ(count_clamped(sources, resolve(sizing(), 1).bounds), 3u);
 }
 
 TEST(SizeBounds, CountRowsOfTablesBeyondThem) {
-  const SizeBounds bounds(sizing(), 1);
+  const SizeBounds bounds = resolve(sizing(), 1).bounds;
   const TableSource sizes = {0, {{{0, 0}, size_of(3)}, {{0, 0}, size_of(1)}}};
   EXPECT_EQ(count_clamped(sizes, kPlane, bounds), 1u);
   // Lengths along u of 3, 1 (at the bound) and 0.5, where u is half of x.

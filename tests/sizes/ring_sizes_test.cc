@@ -8,12 +8,13 @@
 #include "cage/cages.hh"
 #include "support/waves.hh"
 #include "surfmesh/cage/cage_model.hh"
+#include "surfmesh/sizes/resolved_sizing.hh"
 
 namespace surfmesh {
 namespace {
 
 SizeBounds bounds(double hmin, double hmax) {
-  return SizeBounds(testing::sizing_of(0, hmin, hmax, 2), 1);
+  return resolve(testing::sizing_of(0, hmin, hmax, 2), 1).bounds;
 }
 
 /// Length of the line of constant v over the patch, by many chords.

@@ -18,7 +18,7 @@ void check(const ControlSpaceOptions& options) {
                 fmt::format("{} = {} is outside its range: {}", name, value, range));
   };
   const bool is_grade = options.grade == 0 || options.grade >= 1;
-  expect(is_grade && std::isfinite(options.grade), "sizing.grade", options.grade,
+  expect(is_grade && std::isfinite(options.grade), "grade", options.grade,
          "0 (off), or 1 and above");
   expect(options.epsilon > 0, "epsilon", options.epsilon, "above 0");
   expect(options.reuse >= 0 && std::isfinite(options.reuse), "reuse", options.reuse,

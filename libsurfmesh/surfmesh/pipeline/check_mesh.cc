@@ -37,12 +37,11 @@ bool has_parameters(const PolyMesh& mesh) {
 
 std::vector<std::unique_ptr<SizeField>> size_fields(const ModelInput& input) {
   std::vector<std::unique_ptr<SizeField>> fields;
-  const Sizing& sizing = input.options.sizing;
+  const ResolvedSizing sizing = resolve(input.options.sizing, input.model.diagonal);
   const auto sources = model_sources(input.model, input.sources, sizing);
   for (std::size_t p = 0; p < input.model.patches.size(); ++p) {
     fields.push_back(std::make_unique<SizeField>(*input.model.patches[p].surface, sizing,
-                                                 sources[p], input.model.diagonal,
-                                                 input.options.control.precision));
+                                                 sources[p], input.options.control.precision));
   }
   return fields;
 }

@@ -3,14 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "surfmesh/core/error.hh"
 #include "surfmesh/pipeline/for_each_patch.hh"
 #include "surfmesh/pipeline/patch_names.hh"
 #include "surfmesh/sampling/contour_gradation.hh"
 #include "surfmesh/sampling/make_control.hh"
-#include "surfmesh/sizes/length.hh"
 #include "surfmesh/sizes/model_sources.hh"
 
 namespace surfmesh {
@@ -35,26 +32,6 @@ void check_patches(const Model& model, const Sources& sources) {
   check_all(sources.sag);
 }
 
-void check_length(const char* name, const Length& length) {
-  if (length.value > 0 && std::isfinite(length.value)) return;
-  throw Error(ErrorCode::InvalidOption,
-              fmt::format("{} = {} is outside its range: a length above 0", name, to_text(length)));
-}
-
-/// Throws   InvalidOption if hmin or hmax is no length, or hmin above hmax, which only the size of
-///          the model may tell
-void check_bounds(const Model& model, const Sizing& sizing) {
-  check_length("hmin", sizing.hmin);
-  check_length("hmax", sizing.hmax);
-  const double hmin = sizing.hmin.in_units(model.diagonal);
-  const double hmax = sizing.hmax.in_units(model.diagonal);
-  if (hmin <= hmax) return;
-  throw Error(ErrorCode::InvalidOption,
-              fmt::format("hmin = {} must not be above hmax = {}, which are lengths of {:.6g} and "
-                          "{:.6g}",
-                          to_text(sizing.hmin), to_text(sizing.hmax), hmin, hmax));
-}
-
 /// What the work for the control space of a patch goes by, roughly.
 std::vector<std::size_t> cells_of_patches(const Model& model) {
   std::vector<std::size_t> cells;
@@ -68,18 +45,17 @@ std::vector<std::size_t> cells_of_patches(const Model& model) {
 }  // namespace
 
 ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
-                                  const PipelineOptions& options, const RunContext& context) {
-  check_bounds(model, options.sizing);
+                                  const ResolvedSizing& sizing, const ControlOptions& options,
+                                  const RunContext& context) {
   check_patches(model, sources);
   ControlSpaces result;
-  const SizeBounds bounds(options.sizing, model.diagonal);
-  if (auto warning = clamp_warning(model, sources, bounds)) result.warnings.push_back(*warning);
-  const auto patch_sources = model_sources(model, sources, options.sizing);
+  if (auto warning = clamp_warning(model, sources, sizing.bounds))
+    result.warnings.push_back(*warning);
+  const auto patch_sources = model_sources(model, sources, sizing);
   std::vector<ControlInput> inputs(model.patches.size());
   result.spaces.resize(model.patches.size());
   for_each_patch(model, "control", context, cells_of_patches(model), [&](std::size_t p) {
-    inputs[p] = collect_control_input(*model.patches[p].surface, options.sizing, patch_sources[p],
-                                      model.diagonal, options.control);
+    inputs[p] = collect_control_input(*model.patches[p].surface, sizing, patch_sources[p], options);
     result.spaces[p] = make_control(inputs[p]);
   });
   std::vector<char> is_coarse;

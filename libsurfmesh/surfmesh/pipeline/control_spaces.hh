@@ -8,8 +8,8 @@
 #include "surfmesh/control/control_space.hh"
 #include "surfmesh/core/run_context.hh"
 #include "surfmesh/model/model.hh"
-#include "surfmesh/pipeline/options.hh"
-#include "surfmesh/sizes/sizing.hh"
+#include "surfmesh/sampling/make_control.hh"
+#include "surfmesh/sizes/resolved_sizing.hh"
 
 namespace surfmesh {
 
@@ -26,7 +26,7 @@ struct ControlSpaces {
 /// that makes
 ///          no sense; Geometry; Limit; errors name the patch
 ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
-                                  const PipelineOptions& options,
+                                  const ResolvedSizing& sizing, const ControlOptions& options,
                                   const RunContext& context = RunContext());
 
 }  // namespace surfmesh

@@ -41,14 +41,15 @@ struct PatchReport {
 
 class Run {
  public:
-  Run(const Model& model, const Sources& sources, const PipelineOptions& options,
-      const RunContext& context, std::optional<double> corrected_sag = {})
+  Run(const Model& model, const Sources& sources, const ResolvedSizing& sizing,
+      const PipelineOptions& options, const RunContext& context,
+      std::optional<double> corrected_sag = {})
       : model_(model),
         sources_(sources),
         options_(options),
         context_(context),
+        sizing_(sizing),
         corrected_sag_(corrected_sag) {
-    if (options.sizing.sag) sag_ = options.sizing.sag->in_units(model.diagonal);
     report_.options = options;
     report_.warnings = model.warnings;
   }
@@ -69,7 +70,7 @@ class Run {
  private:
   void make_spaces() {
     const StageClock clock(report_.seconds.control);
-    ControlSpaces made = make_control_spaces(model_, sources_, options_, context_);
+    ControlSpaces made = make_control_spaces(model_, sources_, sizing_, options_.control, context_);
     std::move(made.warnings.begin(), made.warnings.end(), std::back_inserter(report_.warnings));
     std::move(made.shortfalls.begin(), made.shortfalls.end(),
               std::back_inserter(report_.shortfalls));
@@ -109,11 +110,17 @@ class Run {
   void place_nodes() {
     const StageClock clock(report_.seconds.boundary);
     context_.tell("boundary", 0, model_.contours.size());
-    BoundaryNodes boundary = place_contour_nodes(model_, fields_, {.sag = sag_});
+    BoundaryNodes boundary = place_contour_nodes(model_, fields_, demands());
     nodes_ = std::move(boundary.contours);
     report_.control.queries.boundary = boundary.report.queries;
     numbers_ = std::make_unique<NodeNumbers>(model_, nodes_);
     context_.tell("boundary", model_.contours.size(), model_.contours.size());
+  }
+
+  ContourDemands demands() const {
+    ContourDemands demands;
+    if (sizing_.sag > 0) demands.sag = sizing_.sag;
+    return demands;
   }
 
   void mesh_patches() {
@@ -275,8 +282,8 @@ class Run {
   const Sources& sources_;
   const PipelineOptions& options_;
   const RunContext& context_;
+  const ResolvedSizing& sizing_;
   std::optional<double> corrected_sag_;  ///< triangles above this are corrected one by one
-  std::optional<double> sag_;            ///< asked for, model units
   Report report_;
   std::vector<std::unique_ptr<ControlSpace>> spaces_;
   std::vector<std::unique_ptr<SurfaceMetricField>> surface_fields_;
@@ -290,16 +297,17 @@ class Run {
 /// Mesh the model once or until the sag is reached.
 void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOptions& options,
                    const RunContext& context, MeshResult& result) {
-  if (!options.sizing.sag) {
-    Run(model, sources, options, context).mesh(result);
+  const ResolvedSizing sizing = resolve(options.sizing, model.diagonal);
+  if (sizing.sag == 0) {
+    Run(model, sources, sizing, options, context).mesh(result);
     return;
   }
-  result = detail::reach_sag(model, sources, options,
-                             [&](const Sources& corrected, std::optional<double> corrected_sag) {
-                               MeshResult once;
-                               Run(model, corrected, options, context, corrected_sag).mesh(once);
-                               return once;
-                             });
+  result = detail::reach_sag(
+      model, sources, sizing, [&](const Sources& corrected, std::optional<double> corrected_sag) {
+        MeshResult once;
+        Run(model, corrected, sizing, options, context, corrected_sag).mesh(once);
+        return once;
+      });
 }
 
 /// The same; of a cancelled run no other error counts, for which patch was at work then is a matter

@@ -14,7 +14,6 @@
 #include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/metric/size_tensor.hh"
 #include "surfmesh/quality/sag.hh"
-#include "surfmesh/sizes/length.hh"
 #include "surfmesh/sizes/size_bounds.hh"
 #include "surfmesh/sizes/tables_from_mesh.hh"
 
@@ -41,12 +40,12 @@ constexpr double kReach = 0.6;
 
 class SagLoop {
  public:
-  SagLoop(const Model& model, const Sources& sources, const PipelineOptions& options,
+  SagLoop(const Model& model, const Sources& sources, const ResolvedSizing& sizing,
           const MeshOnce& mesh_once)
       : model_(model),
         sources_(sources),
-        bounds_(options.sizing, model.diagonal),
-        asked_(options.sizing.sag->in_units(model.diagonal)),
+        bounds_(sizing.bounds),
+        asked_(sizing.sag),
         mesh_once_(mesh_once),
         search_(model) {}
 
@@ -183,18 +182,18 @@ void finish_clocks(Report& report, const StageSeconds& spent) {
 
 }  // namespace
 
-MeshResult reach_sag(const Model& model, const Sources& sources, const PipelineOptions& options,
+MeshResult reach_sag(const Model& model, const Sources& sources, const ResolvedSizing& sizing,
                      const MeshOnce& mesh_once) {
   const auto start = std::chrono::steady_clock::now();
-  SagLoop loop(model, sources, options, mesh_once);
+  SagLoop loop(model, sources, sizing, mesh_once);
   MeshResult result = loop.run();
   finish_clocks(result.report, loop.seconds());
   const double asked = *result.report.sag.asked, reached = *result.report.sag.reached;
   if (reached > asked) {
-    result.report.shortfalls.push_back(
-        fmt::format("mesh and surface are up to {:.6g} from each other, sag = {} asks for {:.6g}; "
-                    "a smaller hmin helps where that is in the way",
-                    reached, to_text(*options.sizing.sag), asked));
+    result.report.shortfalls.push_back(fmt::format(
+        "mesh and surface are up to {:.6g} from each other, more than sag = {:.6g} (in model "
+        "units) allows; a smaller hmin helps where that is in the way",
+        reached, asked));
   }
   result.report.seconds.wall =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -25,9 +25,9 @@ using MeshOnce = std::function<MeshResult(const Sources&, std::optional<double> 
 ///          is not reached
 /// Error    the sag is measured as by measure_sag
 /// Cost     two to eight meshes, 15 µs a triangle to measure each
-/// Pre      options.sizing.sag is set
+/// Pre      the sizing has a sag
 /// Throws   as mesh_model
-MeshResult reach_sag(const Model& model, const Sources& sources, const PipelineOptions& options,
+MeshResult reach_sag(const Model& model, const Sources& sources, const ResolvedSizing& sizing,
                      const MeshOnce& mesh_once);
 
 }  // namespace surfmesh::detail

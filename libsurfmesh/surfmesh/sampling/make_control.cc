@@ -30,12 +30,12 @@ ControlSpaceOptions space_options(const ControlOptions& options) {
 
 /// True if there is nothing but `at`, not even curvature, and it takes more than its own nodes to
 /// hold the sizes: on a grid, and where discs end and gradation begins.
-bool needs_interpolated_points(const PatchSources& sources, const Sizing& sizing,
+bool needs_interpolated_points(const PatchSources& sources, const ResolvedSizing& sizing,
                                const ControlOptions& options) {
-  const bool has_others = sizing.curvature_factor() > 0 || sizing.sag ||
-                          !sources.everywhere.empty() || !sources.along.empty() ||
-                          !sources.inside.empty() || !sources.fields.empty() ||
-                          !sources.tables.empty() || !sources.trees.empty();
+  const bool has_others = sizing.follows_curvature() || !sources.everywhere.empty() ||
+                          !sources.along.empty() || !sources.inside.empty() ||
+                          !sources.fields.empty() || !sources.tables.empty() ||
+                          !sources.trees.empty();
   const bool has_disc = std::any_of(
       sources.at.begin(), sources.at.end(),
       [](const AtSource& source) { return source.radius.value > 0 || source.outer.has_value(); });
@@ -90,17 +90,15 @@ void check(const ControlOptions& options) {
   check(space_options(options));
 }
 
-ControlInput collect_control_input(const Surface& surface, const Sizing& sizing,
-                                   const PatchSources& sources, double diagonal,
-                                   const ControlOptions& options) {
+ControlInput collect_control_input(const Surface& surface, const ResolvedSizing& sizing,
+                                   const PatchSources& sources, const ControlOptions& options) {
   if (needs_interpolated_points(sources, sizing, options)) {
-    return collect_control_input(surface, sizing, with_interpolated_points(sources), diagonal,
-                                 options);
+    return collect_control_input(surface, sizing, with_interpolated_points(sources), options);
   }
   ControlNodeOptions own = node_options(options);
   own.precision = sources.precision().value_or(own.precision);
   check(own);
-  const SizeField field(surface, sizing, sources, diagonal, own.precision);
+  const SizeField field(surface, sizing, sources, own.precision);
   std::vector<ControlNode> places = field_nodes(sources, field, sizing.grade > 0);
   ControlInput input{surface.domain(), {}, {}, options.kind, space_options(options)};
   input.options.grade = sizing.grade;

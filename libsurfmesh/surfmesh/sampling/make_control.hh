@@ -7,7 +7,7 @@
 #include "surfmesh/control/control_space.hh"
 #include "surfmesh/sampling/control_nodes.hh"
 #include "surfmesh/sizes/patch_sources.hh"
-#include "surfmesh/sizes/sizing.hh"
+#include "surfmesh/sizes/resolved_sizing.hh"
 
 namespace surfmesh {
 
@@ -50,12 +50,11 @@ struct ControlInput {
 /// it.
 ///
 /// Cost     about 5 µs a node
-/// Throws   InvalidOption for sizing out of range; InvalidInput for a source that is, or that lies
-///          outside the domain, naming its (u,v)
+/// Throws   InvalidOption; InvalidInput for a source that is out of range, or that lies outside the
+///          domain, naming its (u,v)
 /// Source   paper, section 3.2
-ControlInput collect_control_input(const Surface& surface, const Sizing& sizing,
-                                   const PatchSources& sources, double diagonal,
-                                   const ControlOptions& options);
+ControlInput collect_control_input(const Surface& surface, const ResolvedSizing& sizing,
+                                   const PatchSources& sources, const ControlOptions& options);
 
 /// Make the control space of what was collected; gradation comes last.
 std::unique_ptr<ControlSpace> make_control(const ControlInput& input);

@@ -27,8 +27,8 @@ constexpr double kHalo = 0.5;
 
 class Sampler {
  public:
-  Sampler(const SpaceCurve& curve, const Sizing& sizing, const SizeBounds& bounds)
-      : curve_(curve), grade_(sizing.grade), length_(sizing, bounds.diagonal), bounds_(bounds) {}
+  Sampler(const SpaceCurve& curve, const ResolvedSizing& sizing)
+      : curve_(curve), grade_(sizing.grade), length_(sizing), bounds_(sizing.bounds) {}
 
   std::vector<PlacedSize> run() {
     Place last = at(0);
@@ -97,9 +97,9 @@ double curve_curvature(const SpaceCurve& curve, double t) {
   return sides > 0 ? 2 * a.cross(b).norm() / sides : 0;
 }
 
-std::vector<PlacedSize> contour_curvature_sizes(const SpaceCurve& curve, const Sizing& sizing,
-                                                const SizeBounds& bounds) {
-  return Sampler(curve, sizing, bounds).run();
+std::vector<PlacedSize> contour_curvature_sizes(const SpaceCurve& curve,
+                                                const ResolvedSizing& sizing) {
+  return Sampler(curve, sizing).run();
 }
 
 }  // namespace surfmesh

@@ -5,6 +5,7 @@
 
 #include "surfmesh/geometry/curve.hh"
 #include "surfmesh/sizes/placed_size.hh"
+#include "surfmesh/sizes/resolved_sizing.hh"
 
 namespace surfmesh {
 
@@ -29,7 +30,7 @@ double curve_curvature(const SpaceCurve& curve, double t);
 /// them.
 ///
 /// Cost     40 evaluations of the curve for a simple one
-std::vector<PlacedSize> contour_curvature_sizes(const SpaceCurve& curve, const Sizing& sizing,
-                                                const SizeBounds& bounds);
+std::vector<PlacedSize> contour_curvature_sizes(const SpaceCurve& curve,
+                                                const ResolvedSizing& sizing);
 
 }  // namespace surfmesh

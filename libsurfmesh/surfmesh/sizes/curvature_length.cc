@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "surfmesh/sizes/size_bounds.hh"
-
 namespace surfmesh {
 namespace {
 
@@ -17,13 +15,6 @@ constexpr double kVertexShare = 0.5;
 constexpr double kCurveShare = 0.9;
 
 }  // namespace
-
-CurvatureLength::CurvatureLength(const Sizing& sizing, double diagonal)
-    : factor_(sizing.curvature_factor()), sag_(sizing.sag ? sizing.sag->in_units(diagonal) : 0) {
-  check_sizing(factor_ >= 0 && std::isfinite(factor_), "curvature", factor_, "0 (off) or above");
-  if (!sizing.sag) return;
-  check_sizing(sizing.sag->value > 0 && std::isfinite(sag_), "sag", sizing.sag->value, "above 0");
-}
 
 double CurvatureLength::of_surface(double curvature) const {
   return shorter(curvature, kSurfaceShare);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "surfmesh/sizes/sizing.hh"
+#include "surfmesh/sizes/resolved_sizing.hh"
 
 namespace surfmesh {
 
@@ -15,8 +15,8 @@ namespace surfmesh {
 /// Units    curvatures 1/length, of either sign; lengths in model units, infinite at curvature 0
 class CurvatureLength {
  public:
-  /// Throws   InvalidOption for a factor below 0, a sag not above 0, or one that is not finite
-  CurvatureLength(const Sizing& sizing, double diagonal);
+  explicit CurvatureLength(const ResolvedSizing& sizing)
+      : factor_(sizing.curvature), sag_(sizing.sag) {}
 
   /// True if no curvature asks for any length.
   bool is_off() const { return factor_ == 0 && sag_ == 0; }

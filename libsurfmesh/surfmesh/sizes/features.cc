@@ -15,13 +15,12 @@ constexpr double kChordShare = 0.01;
 
 }  // namespace
 
-std::vector<PlacedSize> feature_sizes(const SpaceCurve& curve, const Sizing& sizing,
-                                      const SizeBounds& bounds) {
-  const auto points = curve_polyline(curve, kChordShare * bounds.hmax);
+std::vector<PlacedSize> feature_sizes(const SpaceCurve& curve, const ResolvedSizing& sizing) {
+  const auto points = curve_polyline(curve, kChordShare * sizing.bounds.hmax);
   const double whole = length(points);
-  if (!(whole < bounds.hmax) || whole == 0) return {};
+  if (!(whole < sizing.bounds.hmax) || whole == 0) return {};
   PlacedSize placed;
-  const double size = bounds.clamp(whole);
+  const double size = sizing.bounds.clamp(whole);
   placed.at_from = placed.at_to = {size, size};
   if (sizing.grade == 0) placed.radius = kHalo * size;
   std::vector<PlacedSize> sizes;

@@ -5,6 +5,7 @@
 
 #include "surfmesh/geometry/curve.hh"
 #include "surfmesh/sizes/placed_size.hh"
+#include "surfmesh/sizes/resolved_sizing.hh"
 
 namespace surfmesh {
 
@@ -13,7 +14,6 @@ namespace surfmesh {
 ///
 /// Without gradation they hold within half of that length around the contour.
 /// Cost     40 evaluations of the curve for a simple one
-std::vector<PlacedSize> feature_sizes(const SpaceCurve& curve, const Sizing& sizing,
-                                      const SizeBounds& bounds);
+std::vector<PlacedSize> feature_sizes(const SpaceCurve& curve, const ResolvedSizing& sizing);
 
 }  // namespace surfmesh

@@ -23,20 +23,20 @@ void append(std::vector<PlacedSize>& all, const std::vector<PlacedSize>& more) {
 
 /// Sizes that a contour wants on the patches that share it.
 std::vector<PlacedSize> sizes_of_contour(const Model& model, const Contour& contour,
-                                         const Sizing& sizing, const SizeBounds& bounds) {
+                                         const ResolvedSizing& sizing) {
   const ContourUse& use = contour.uses.front();
   const CurveOnSurface curve(model.patch(use).surface, use.curve, contour.part_count);
   std::vector<PlacedSize> sizes;
-  if (sizing.contour_curvature && (sizing.curvature_factor() > 0 || sizing.sag)) {
-    append(sizes, contour_curvature_sizes(curve, sizing, bounds));
+  if (sizing.contour_curvature && sizing.follows_curvature()) {
+    append(sizes, contour_curvature_sizes(curve, sizing));
   }
-  if (sizing.features) append(sizes, feature_sizes(curve, sizing, bounds));
+  if (sizing.features) append(sizes, feature_sizes(curve, sizing));
   return sizes;
 }
 
 /// By contour.
-std::vector<std::vector<PlacedSize>> contour_sizes(const Model& model, const Sizing& sizing,
-                                                   const SizeBounds& bounds) {
+std::vector<std::vector<PlacedSize>> contour_sizes(const Model& model,
+                                                   const ResolvedSizing& sizing) {
   std::vector<std::vector<PlacedSize>> sizes(model.contours.size());
   share_indices(model.contours.size(), [&](std::size_t c) {
     const Contour& contour = model.contours[c];
@@ -44,22 +44,22 @@ std::vector<std::vector<PlacedSize>> contour_sizes(const Model& model, const Siz
     const int first = contour.uses.front().patch;
     sizes[c] =
         at_place(fmt::format("contour {} on patch {}", contour.name, model.patch(first).name),
-                 [&] { return sizes_of_contour(model, contour, sizing, bounds); });
+                 [&] { return sizes_of_contour(model, contour, sizing); });
   });
   return sizes;
 }
 
 /// By patch.
-std::vector<std::vector<PlacedSize>> boundary_sizes(const Model& model, const Sizing& sizing) {
-  const SizeBounds bounds(sizing, model.diagonal);
+std::vector<std::vector<PlacedSize>> boundary_sizes(const Model& model,
+                                                    const ResolvedSizing& sizing) {
   std::vector<std::vector<PlacedSize>> sizes(model.patches.size());
-  const auto of_contours = contour_sizes(model, sizing, bounds);
+  const auto of_contours = contour_sizes(model, sizing);
   for (std::size_t c = 0; c < of_contours.size(); ++c) {
     std::set<int> patches;
     for (const ContourUse& use : model.contours[c].uses) patches.insert(use.patch);
     for (const int patch : patches) append(sizes[static_cast<std::size_t>(patch)], of_contours[c]);
   }
-  const auto of_gaps = proximity_sizes(model, sizing, bounds);
+  const auto of_gaps = proximity_sizes(model, sizing);
   for (std::size_t p = 0; p < of_gaps.size(); ++p) append(sizes[p], of_gaps[p]);
   return sizes;
 }
@@ -67,16 +67,13 @@ std::vector<std::vector<PlacedSize>> boundary_sizes(const Model& model, const Si
 }  // namespace
 
 std::vector<PatchSources> model_sources(const Model& model, const Sources& sources,
-                                        const Sizing& sizing) {
-  check_sizing(sizing.proximity >= 0 && std::isfinite(sizing.proximity), "proximity",
-               sizing.proximity, "0 (off) or above");
+                                        const ResolvedSizing& sizing) {
   auto boundary = boundary_sizes(model, sizing);
-  const auto near = near_tree(sources, sizing, model.diagonal);
-  const SizeBounds bounds(sizing, model.diagonal);
+  const auto near = near_tree(sources, sizing);
   std::vector<PatchSources> result;
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
     PatchSources& patch = result.emplace_back(sources_of_patch(sources, static_cast<int>(p)));
-    patch.rings = short_rings(model, static_cast<int>(p), bounds);
+    patch.rings = short_rings(model, static_cast<int>(p), sizing.bounds);
     if (near) patch.trees.push_back(near);
     if (boundary[p].empty()) continue;
     patch.trees.push_back(std::make_shared<SourceTree>(std::move(boundary[p]), sizing.grade));

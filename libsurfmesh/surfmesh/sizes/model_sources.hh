@@ -16,10 +16,9 @@ namespace surfmesh {
 /// These three come from contours that are not smooth (true boundaries, creases, trims), and go to
 /// all patches that share the contour.
 /// Cost     about 0.1 ms a contour that is not smooth, and proximity_sizes
-/// Throws   InvalidInput for a size or radius of `near` that is none; InvalidOption for a sizing
-///          out of range
+/// Throws   InvalidInput for a size or radius of `near` that is none
 std::vector<PatchSources> model_sources(const Model& model, const Sources& sources,
-                                        const Sizing& sizing);
+                                        const ResolvedSizing& sizing);
 
 /// A warning that tells how many sizes of the user lie beyond hmin and hmax; none if there are
 /// none. Sizes of fields are not known.

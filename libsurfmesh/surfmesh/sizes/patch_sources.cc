@@ -75,13 +75,11 @@ PatchSources sources_of_patch(const Sources& sources, int patch) {
           select(sources.sag, patch),        {}};
 }
 
-std::shared_ptr<const SourceTree> near_tree(const Sources& sources, const Sizing& sizing,
-                                            double diagonal) {
+std::shared_ptr<const SourceTree> near_tree(const Sources& sources, const ResolvedSizing& sizing) {
   if (sources.near.empty()) return nullptr;
-  const SizeBounds bounds(sizing, diagonal);
   std::vector<PlacedSize> sizes;
   for (const NearSource& source : sources.near) {
-    add_near(source, bounds, sizes);
+    add_near(source, sizing.bounds, sizes);
     if (sizing.grade == 0 && !(reach(sizes.back()) > 0)) {
       const Vec3& p = source.line.front();
       throw Error(ErrorCode::InvalidInput,

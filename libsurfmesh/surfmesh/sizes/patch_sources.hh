@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "surfmesh/sizes/resolved_sizing.hh"
 #include "surfmesh/sizes/ring_sizes.hh"
 #include "surfmesh/sizes/size_bounds.hh"
 #include "surfmesh/sizes/sizing.hh"
@@ -36,8 +37,7 @@ PatchSources sources_of_patch(const Sources& sources, int patch);
 ///
 /// Throws   InvalidInput for a size or radius that is none, a line without points, or without a
 ///          radius where gradation is off
-std::shared_ptr<const SourceTree> near_tree(const Sources& sources, const Sizing& sizing,
-                                            double diagonal);
+std::shared_ptr<const SourceTree> near_tree(const Sources& sources, const ResolvedSizing& sizing);
 
 /// Number of sizes of the user beyond hmin and hmax, without those of fields and tables.
 ///

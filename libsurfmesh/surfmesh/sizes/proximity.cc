@@ -42,12 +42,12 @@ constexpr double kRowHeight = std::numbers::sqrt3 / 2;
 class GapSearch {
  public:
   /// Adds to `sizes`, by patch.
-  GapSearch(const Model& model, const std::vector<int>& patches, const Sizing& sizing,
-            const SizeBounds& bounds, std::vector<std::vector<PlacedSize>>& sizes)
-      : bounds_(bounds),
+  GapSearch(const Model& model, const std::vector<int>& patches, const ResolvedSizing& sizing,
+            std::vector<std::vector<PlacedSize>>& sizes)
+      : bounds_(sizing.bounds),
         rows_height_(sizing.proximity * kRowHeight),
-        pieces_(model, patches, kChordShare * bounds.hmax, rows_height_ * bounds.hmin,
-                rows_height_ * bounds.hmax),
+        pieces_(model, patches, kChordShare * sizing.bounds.hmax, rows_height_ * sizing.bounds.hmin,
+                rows_height_ * sizing.bounds.hmax),
         sizes_(sizes) {}
 
   void run() {
@@ -120,13 +120,13 @@ std::vector<std::vector<int>> smooth_groups(const Model& model) {
 
 }  // namespace
 
-std::vector<std::vector<PlacedSize>> proximity_sizes(const Model& model, const Sizing& sizing,
-                                                     const SizeBounds& bounds) {
+std::vector<std::vector<PlacedSize>> proximity_sizes(const Model& model,
+                                                     const ResolvedSizing& sizing) {
   std::vector<std::vector<PlacedSize>> sizes(model.patches.size());
   if (sizing.proximity == 0) return sizes;
   const auto groups = smooth_groups(model);
   share_indices(groups.size(),
-                [&](std::size_t g) { GapSearch(model, groups[g], sizing, bounds, sizes).run(); });
+                [&](std::size_t g) { GapSearch(model, groups[g], sizing, sizes).run(); });
   return sizes;
 }
 

@@ -17,21 +17,6 @@ constexpr double kRounding = 1e-12;
 
 }  // namespace
 
-void check_sizing(bool is_good, const char* member, double value, const char* range) {
-  if (!is_good) {
-    throw Error(ErrorCode::InvalidOption,
-                fmt::format("sizing.{} = {} is outside its range: {}", member, value, range));
-  }
-}
-
-SizeBounds::SizeBounds(const Sizing& sizing, double model_diagonal)
-    : hmin(sizing.hmin.in_units(model_diagonal)),
-      hmax(sizing.hmax.in_units(model_diagonal)),
-      diagonal(model_diagonal) {
-  check_sizing(hmin > 0 && std::isfinite(hmin), "hmin", hmin, "above 0");
-  check_sizing(hmax >= hmin && std::isfinite(hmax), "hmax", hmax, "at least hmin");
-}
-
 double SizeBounds::clamp(double length) const { return std::clamp(length, hmin, hmax); }
 
 SizeTensor SizeBounds::clamp(const SizeTensor& size) const { return clamp_sizes(size, hmin, hmax); }

@@ -12,14 +12,12 @@ struct SizeLengths {
   double across = kUnset;  ///< l_t, above 0
 };
 
-/// The bounds of all sizes in model units, and the diagonal that shares refer to.
+/// The bounds of all sizes in model units, and the diagonal that shares refer to; see
+/// ResolvedSizing.
 struct SizeBounds {
   double hmin = 0;
   double hmax = 0;
   double diagonal = 0;
-
-  /// Throws   InvalidOption for bounds out of range
-  SizeBounds(const Sizing& sizing, double model_diagonal);
 
   double clamp(double length) const;
   SizeTensor clamp(const SizeTensor& size) const;
@@ -42,9 +40,5 @@ struct SizeBounds {
   /// Throws   InvalidInput if it is negative or not finite
   double radius(const Length& length) const;
 };
-
-/// Throw InvalidOption, naming the member of the sizing, its value and its range, if it is not
-/// good.
-void check_sizing(bool is_good, const char* member, double value, const char* range);
 
 }  // namespace surfmesh

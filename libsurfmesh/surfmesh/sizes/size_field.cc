@@ -33,30 +33,25 @@ constexpr double kCellShare = 0.45;
 
 /// What the curvature of the surface asks for: where sizes that hold the sag are known, its factor
 /// alone.
-CurvatureLength length_on(const Sizing& sizing, const PatchSources& sources, double diagonal) {
-  if (sources.sag.empty()) return CurvatureLength(sizing, diagonal);
-  Sizing by_factor = sizing;
-  by_factor.curvature = sizing.curvature_factor();
-  by_factor.sag.reset();
-  return CurvatureLength(by_factor, diagonal);
+CurvatureLength length_on(const ResolvedSizing& sizing, const PatchSources& sources) {
+  ResolvedSizing used = sizing;
+  if (!sources.sag.empty()) used.sag = 0;
+  return CurvatureLength(used);
 }
 
 }  // namespace
 
-SizeField::SizeField(const Surface& surface, const Sizing& sizing, const PatchSources& sources,
-                     double diagonal, double precision)
+SizeField::SizeField(const Surface& surface, const ResolvedSizing& sizing,
+                     const PatchSources& sources, double precision)
     : surface_(surface),
       differences_(sizing.curvature_from == CurvatureFrom::Differences
                        ? std::make_shared<DifferenceSurface>(surface)
                        : nullptr),
       domain_(surface.domain()),
-      bounds_(sizing, diagonal),
-      length_(length_on(sizing, sources, diagonal)),
+      bounds_(sizing.bounds),
+      length_(length_on(sizing, sources)),
       stretch_(sizing.stretch) {
-  check_sizing(stretch_ >= 1, "stretch", stretch_, "1 or above");
-  check_sizing(sizing.grade == 0 || (sizing.grade >= 1 && std::isfinite(sizing.grade)), "grade",
-               sizing.grade, "0 (off), or 1 and above");
-  take_sources(sources, sizing, precision);
+  take_sources(sources, sizing.grade, precision);
   if (length_.is_off()) return;
   take_discs();
 }
@@ -96,7 +91,7 @@ const std::vector<SizeField::Disc>& SizeField::discs_at(Uv uv) const {
                 static_cast<std::size_t>(column)];
 }
 
-void SizeField::take_sources(const PatchSources& sources, const Sizing& sizing, double precision) {
+void SizeField::take_sources(const PatchSources& sources, double grade, double precision) {
   for (const EverywhereSource& source : sources.everywhere) {
     const SizeTensor size = bounds_.clamp(bounds_.tensor(source.size));
     everywhere_ = everywhere_ ? bounds_.clamp(minimum(*everywhere_, size)) : size;
@@ -126,7 +121,7 @@ void SizeField::take_sources(const PatchSources& sources, const Sizing& sizing, 
   for (const AtSource& source : sources.at) add_at(source, surface_, bounds_, placed);
   take_places(sources);
   take_cells();
-  take_tree(std::make_shared<SourceTree>(std::move(placed), sizing.grade));
+  take_tree(std::make_shared<SourceTree>(std::move(placed), grade));
   for (const auto& tree : sources.trees) take_tree(tree);
   has_wishes_ =
       everywhere_ || !areas_.empty() || !fields_.empty() || !tables_.empty() || !trees_.empty();

@@ -31,9 +31,9 @@ class SizeField {
   ///
   /// Sources of `at` alone are interpolated between each other, as nodes of a table are, where
   /// another source with a place meets them.
-  /// Throws   InvalidOption for sizing outside its legal range, InvalidInput for a bad source
-  SizeField(const Surface& surface, const Sizing& sizing, const PatchSources& sources,
-            double diagonal, double precision = 0.1);
+  /// Throws   InvalidInput for a bad source
+  SizeField(const Surface& surface, const ResolvedSizing& sizing, const PatchSources& sources,
+            double precision = 0.1);
 
   /// Position, first form and wanted sizes at a point of the bounding rectangle of the domain;
   /// beyond the diagonal of a triangular domain those of its mirror point.
@@ -79,7 +79,7 @@ class SizeField {
     SizeTensor size;
   };
 
-  void take_sources(const PatchSources& sources, const Sizing& sizing, double precision);
+  void take_sources(const PatchSources& sources, double grade, double precision);
   void take_tree(std::shared_ptr<const SourceTree> tree);
   void take_places(const PatchSources& sources);
   void take_cells();

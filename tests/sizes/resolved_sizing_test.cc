@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/sizes/resolved_sizing.hh"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "support/errors.hh"
+
+namespace surfmesh {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(ResolvedSizing, IsInModelUnits) {
+  const ResolvedSizing sizing = resolve(
+      {.hmin = {0.01, true}, .hmax = {5, false}, .sag = Length{0.001, true}}, /*diagonal=*/10);
+  EXPECT_DOUBLE_EQ(sizing.bounds.hmin, 0.1);
+  EXPECT_EQ(sizing.bounds.hmax, 5);
+  EXPECT_DOUBLE_EQ(sizing.sag, 0.01);
+  EXPECT_EQ(sizing.bounds.diagonal, 10);
+}
+
+TEST(ResolvedSizing, TurnsTheFactorOffBesideASag) {
+  EXPECT_EQ(resolve({}, 1).curvature, 0.25);
+  EXPECT_EQ(resolve({.sag = Length{0.1, false}}, 1).curvature, 0);
+  EXPECT_EQ(resolve({.curvature = 0.2, .sag = Length{0.1, false}}, 1).curvature, 0.2);
+}
+
+TEST(ResolvedSizing, FollowsCurvatureWithAFactorOrASag) {
+  EXPECT_TRUE(resolve({}, 1).follows_curvature());
+  EXPECT_TRUE(resolve({.sag = Length{0.1, false}}, 1).follows_curvature());
+  EXPECT_FALSE(resolve({.curvature = 0}, 1).follows_curvature());
+}
+
+/// A sizing with one member out of range, and how its error begins.
+struct Fault {
+  Sizing sizing;
+  std::string option;
+};
+
+TEST(ResolvedSizing, RefusesWhatIsOutOfRangeByName) {
+  for (const double bad : {-1.0, kUnset, kInfinity}) {
+    const Fault faults[] = {
+        {{.curvature = bad}, "curvature"}, {{.hmin = {bad, false}}, "hmin"},
+        {{.hmax = {bad, false}}, "hmax"},  {{.grade = bad}, "grade"},
+        {{.proximity = bad}, "proximity"}, {{.sag = Length{bad, false}}, "sag"}};
+    for (const auto& [sizing, option] : faults) {
+      EXPECT_EQ(error_of([&, s = sizing] { resolve(s, 1); }).find("invalid option: " + option), 0U)
+          << option << " " << bad;
+    }
+  }
+  for (const double bad : {0.99, -1.0, kUnset}) {
+    EXPECT_EQ(error_of([&] { resolve({.stretch = bad}, 1); }).find("invalid option: stretch"), 0U);
+  }
+}
+
+TEST(ResolvedSizing, RefusesNoLength) {
+  EXPECT_NE(error_of([] { resolve({.hmin = {0, false}}, 1); }), "no error");
+  EXPECT_NE(error_of([] { resolve({.sag = Length{0, true}}, 1); }), "no error");
+}
+
+TEST(ResolvedSizing, RefusesAnHminAboveHmaxThatOnlyTheSizeOfTheModelTells) {
+  const Sizing sizing{.hmin = {0.1, true}, .hmax = {5, false}};
+  EXPECT_EQ(resolve(sizing, 50).bounds.hmin, 5);
+  EXPECT_EQ(error_of([&] { resolve(sizing, 60); }),
+            "invalid option: hmin = 10% must not be above hmax = 5, which are lengths of 6 and 5");
+}
+
+}  // namespace
+}  // namespace surfmesh
