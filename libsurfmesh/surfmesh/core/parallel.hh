@@ -5,6 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "surfmesh/core/language_standard.hh"
+
 namespace surfmesh {
 
 /// More threads than these only stand in each other's way.
