@@ -1,4 +1,5 @@
-# What find_package(surfmesh) needs: library, headers, targets, config.
+# What find_package(surfmesh) needs: library, headers, targets, config; what pkg-config needs; and
+# what users read.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -8,11 +9,22 @@ install(TARGETS surfmesh EXPORT surfmeshTargets FILE_SET HEADERS)
 install(EXPORT surfmeshTargets NAMESPACE surfmesh:: DESTINATION ${config_folder})
 
 configure_package_config_file(cmake/surfmeshConfig.cmake.in surfmeshConfig.cmake
-  INSTALL_DESTINATION ${config_folder} NO_SET_AND_CHECK_MACRO)
+  INSTALL_DESTINATION ${config_folder} NO_SET_AND_CHECK_MACRO
+  NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file(surfmeshConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES
   ${CMAKE_CURRENT_BINARY_DIR}/surfmeshConfig.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/surfmeshConfigVersion.cmake
   cmake/FindOpenSubdiv.cmake
   DESTINATION ${config_folder})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+include(cmake/pkg_config.cmake)
+
+# Models with their JSON schema, to try and to copy from.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/surfmesh)
+# CMAKE_INSTALL_DOCDIR belongs to the project around this one, if there is one.
+set(document_folder ${CMAKE_INSTALL_DATAROOTDIR}/doc/surfmesh)
+if(PROJECT_IS_TOP_LEVEL)
+  set(document_folder ${CMAKE_INSTALL_DOCDIR})
+endif()
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
+  DESTINATION ${document_folder})

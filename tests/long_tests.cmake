@@ -11,7 +11,7 @@ function(surfmesh_add_package_test name mode labels)
   surfmesh_add_building_test(${name} "${labels}"
     ${CMAKE_COMMAND} -D MODE=${mode} -D SOURCE=${PROJECT_SOURCE_DIR} -D BUILD=${PROJECT_BINARY_DIR}
     -D GENERATOR=${CMAKE_GENERATOR} -D BUILD_TYPE=${CMAKE_BUILD_TYPE}
-    -D LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
+    -D COMPILER=${CMAKE_CXX_COMPILER} -D LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
     -P ${CMAKE_CURRENT_SOURCE_DIR}/package/package_test.cmake)
 endfunction()
 

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <ctime>
 
 #include "output_paths.hh"
 #include "progress.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/formats/write_mesh.hh"
 #include "surfmesh/io/output_file.hh"
 #include "surfmesh/pipeline/load_model.hh"
@@ -17,14 +17,6 @@
 
 namespace surfmesh {
 namespace {
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  const std::chrono::duration<double> seconds =
-      std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
-  return seconds.count();
-}
 
 std::string footer() {
   return fmt::format(

@@ -7,6 +7,7 @@
 #include "control_command.hh"
 #include "convert_command.hh"
 #include "mesh_command.hh"
+#include "surfmesh/core/version.hh"
 #include "usage.hh"
 
 namespace {

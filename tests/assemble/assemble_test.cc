@@ -26,6 +26,8 @@ struct Shape {
   bool is_closed;
 };
 
+void PrintTo(const Shape& shape, std::ostream* out) { *out << shape.name; }
+
 std::vector<Shape> shapes() {
   return {{"Sphere", testing::sphere_of(1), 2, true},
           {"SphereOfTwo", testing::sphere_of(2), 2, true},

@@ -22,6 +22,8 @@ struct Expected {
   std::size_t open_contours;
 };
 
+void PrintTo(const Expected& shape, std::ostream* out) { *out << shape.name; }
+
 std::vector<Expected> expected() {
   return {{"Sphere", testing::sphere_of(1), 1, 2, 0},
           {"SphereOfThree", testing::sphere_of(3), 1, 2, 0},

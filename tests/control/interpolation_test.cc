@@ -89,10 +89,23 @@ TEST(SingleInterpolation, GivesTheSizeOfAVertexOfTheTriangle) {
   }
 }
 
-class Interpolations : public ::testing::TestWithParam<std::tuple<Interpolation, Blend>> {
+template <class Choice>
+struct Named {
+  const char* name;
+  Choice choice;
+};
+
+template <class Choice>
+void PrintTo(const Named<Choice>& named, std::ostream* out) {
+  *out << named.name;
+}
+
+class Interpolations
+    : public ::testing::TestWithParam<std::tuple<Named<Interpolation>, Named<Blend>>> {
  protected:
   ControlSpaceOptions options() const {
-    return {.interpolation = std::get<0>(GetParam()), .blend = std::get<1>(GetParam())};
+    return {.interpolation = std::get<0>(GetParam()).choice,
+            .blend = std::get<1>(GetParam()).choice};
   }
 };
 
@@ -101,7 +114,7 @@ TEST_P(Interpolations, ReproduceAConstantField) {
   const ControlMesh control({}, testing::grid({}, 7, [&](Uv) { return size; }), options());
   for (const Uv uv : random_points({}, 500)) {
     const SizeTensor answer = query(control, uv, {2, 0.5, 3});
-    if (std::get<1>(GetParam()) == Blend::Linear) {
+    if (options().blend == Blend::Linear) {
       ASSERT_EQ(answer, size);
     } else {
       expect_near(answer, size, 1e-14);
@@ -134,10 +147,16 @@ TEST_P(Interpolations, DoNotDependOnTheHint) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, Interpolations,
-    ::testing::Combine(::testing::Values(Interpolation::Single, Interpolation::Triangle,
-                                         Interpolation::Circles, Interpolation::Automatic,
-                                         Interpolation::Linear),
-                       ::testing::Values(Blend::Linear, Blend::Logarithmic)));
+    ::testing::Combine(::testing::Values(Named{"Single", Interpolation::Single},
+                                         Named{"Triangle", Interpolation::Triangle},
+                                         Named{"Circles", Interpolation::Circles},
+                                         Named{"Automatic", Interpolation::Automatic},
+                                         Named{"Linear", Interpolation::Linear}),
+                       ::testing::Values(Named{"LinearBlend", Blend::Linear},
+                                         Named{"LogarithmicBlend", Blend::Logarithmic})),
+    [](const auto& test) {
+      return std::string(std::get<0>(test.param).name) + std::get<1>(test.param).name;
+    });
 
 TEST(LogarithmicBlend, IsTheGeometricMeanMidwayBetweenTwoNodes) {
   const auto nodes = testing::grid({}, 2, [](Uv uv) { return isotropic(uv.u == 0 ? 0.1 : 0.4); });

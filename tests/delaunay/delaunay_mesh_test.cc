@@ -50,6 +50,8 @@ struct InsertionCase {
   Metric metric;
 };
 
+void PrintTo(const InsertionCase& insertion, std::ostream* out) { *out << insertion.name; }
+
 class Insertion : public testing::TestWithParam<InsertionCase> {
  protected:
   static VertexHandle insert(DelaunayMesh& delaunay, Uv p) {

@@ -27,9 +27,16 @@ std::unique_ptr<DelaunayMesh> random_mesh(int count, const FunctionField& field)
   return delaunay;
 }
 
-class MetricSwaps : public ::testing::TestWithParam<std::pair<const char*, FunctionField>> {
+struct NamedField {
+  const char* name;
+  FunctionField field;
+};
+
+void PrintTo(const NamedField& named, std::ostream* out) { *out << named.name; }
+
+class MetricSwaps : public ::testing::TestWithParam<NamedField> {
  protected:
-  const FunctionField& field() const { return GetParam().second; }
+  const FunctionField& field() const { return GetParam().field; }
 };
 
 TEST_P(MetricSwaps, NeverLowerTheLeastQuality) {
@@ -64,12 +71,12 @@ TEST_P(MetricSwaps, KeepConstrainedEdges) {
 
 INSTANTIATE_TEST_SUITE_P(
     Fields, MetricSwaps,
-    ::testing::Values(std::pair("Aspect10", testing::constant_field({1, 0, 100})),
-                      std::pair("Turned", testing::constant_field({2, 1.3, 1})),
-                      std::pair("FourPoints", testing::four_point_field()),
-                      std::pair("Shock1000", testing::shock_field(1000)),
-                      std::pair("Ring", testing::ring_field(1e-3))),
-    [](const auto& test) { return std::string(test.param.first); });
+    ::testing::Values(NamedField{"Aspect10", testing::constant_field({1, 0, 100})},
+                      NamedField{"Turned", testing::constant_field({2, 1.3, 1})},
+                      NamedField{"FourPoints", testing::four_point_field()},
+                      NamedField{"Shock1000", testing::shock_field(1000)},
+                      NamedField{"Ring", testing::ring_field(1e-3)}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 /// The unit square cut from (0,0) to (1,1), in one metric.
 std::unique_ptr<DelaunayMesh> square(const Metric& metric) {

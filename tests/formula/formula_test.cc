@@ -203,7 +203,7 @@ TEST(FormulaProgram, FoldingKeepsEveryBit) {
   }
 }
 
-class FormulaOrders : public testing::TestWithParam<const char*> {};
+class FormulaOrders : public testing::TestWithParam<std::string> {};
 
 TEST_P(FormulaOrders, AgreeBitByBitInTheirCommonMembers) {
   const Formula formula = parse_formula(GetParam(), kUv);

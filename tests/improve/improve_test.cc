@@ -32,6 +32,8 @@ struct Start {
   Placement placement;
 };
 
+void PrintTo(const Start& start, std::ostream* out) { *out << start.name; }
+
 std::vector<Start> starts() {
   return {{"FourPoints", testing::four_point_field(), Placement::Frontal},
           {"FourPointsFine", testing::four_point_field(2), Placement::Frontal},

@@ -18,7 +18,9 @@ const std::array<std::string, 21> kFolders = {
     "quality", "delaunay", "boundary", "refine",   "improve", "patch_mesh", "patch",
     "control", "sizes",    "sampling", "assemble", "formats", "model_file", "pipeline"};
 
+/// What lies in no folder, surfmesh.hh, stands above all of them.
 std::optional<std::size_t> rank(const std::string& folder) {
+  if (folder.empty()) return kFolders.size();
   const auto found = std::find(kFolders.begin(), kFolders.end(), folder);
   if (found == kFolders.end()) return std::nullopt;
   return static_cast<std::size_t>(found - kFolders.begin());
@@ -28,9 +30,9 @@ bool may_include(const std::string& from, const std::string& folder) {
   return rank(from) && rank(folder) && *rank(folder) <= *rank(from);
 }
 
-/// The folder of ours that a line includes, if it does.
+/// The folder of ours that a line includes, if it does; empty for what lies in none.
 std::optional<std::string> included_folder(const std::string& line) {
-  static const std::regex pattern(R"re(^\s*#\s*include\s*["<]surfmesh/([^/">]+)/)re");
+  static const std::regex pattern(R"re(^\s*#\s*include\s*["<]surfmesh/(?:([^/">]+)/)?)re");
   std::smatch match;
   if (!std::regex_search(line, match, pattern)) return std::nullopt;
   return match[1].str();
@@ -65,6 +67,8 @@ TEST(Layering, FollowsTheDataFlow) {
   EXPECT_TRUE(may_include("pipeline", "formats"));
   EXPECT_FALSE(may_include("geometry", "metric"));
   EXPECT_FALSE(may_include("core", "elsewhere"));
+  EXPECT_TRUE(may_include("", "pipeline"));
+  EXPECT_FALSE(may_include("pipeline", ""));
 }
 
 /// A patch can be meshed where there is no control space: they see a metric field only.
@@ -79,6 +83,7 @@ TEST(Layering, KeepsTheControlSpaceFromTheMeshingStages) {
 TEST(Layering, SeesAnInclude) {
   EXPECT_EQ(included_folder("#include \"surfmesh/core/mesh.hh\""), "core");
   EXPECT_EQ(included_folder("#include <surfmesh/quad/front.hh>"), "quad");
+  EXPECT_EQ(included_folder("#include <surfmesh/surfmesh.hh>"), "");
   EXPECT_EQ(included_folder("#include <vector>"), std::nullopt);
 }
 

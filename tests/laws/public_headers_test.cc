@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -14,9 +15,10 @@
 namespace surfmesh {
 namespace {
 
-/// The headers that the build installs, as "core/mesh.hh"; all others are the library's own.
+/// The headers that the build installs, as "core/mesh.hh", or "core/version.hh.in" where CMake
+/// fills it in; all others are the library's own.
 std::multiset<std::string> public_headers() {
-  static const std::regex pattern(R"(\n\s*surfmesh/(\w+/\w+\.hh))");
+  static const std::regex pattern(R"(\n\s*surfmesh/((?:\w+/)?\w+\.hh(?:\.in)?))");
   std::ifstream stream(std::filesystem::path(SURFMESH_SOURCE_DIR) / "libsurfmesh/CMakeLists.txt");
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   std::multiset<std::string> result;
@@ -44,11 +46,15 @@ std::optional<std::string> included_header(const std::string& line) {
   return match[1].str();
 }
 
+bool is_listed(const std::string& header, const std::multiset<std::string>& listed) {
+  return listed.count(header) + listed.count(header + ".in") > 0;
+}
+
 /// A consumer has neither our private headers nor the libraries that only our sources use.
 bool is_private_include(const std::string& line, const std::multiset<std::string>& listed) {
   static const std::regex library(R"re(^\s*#\s*include\s*<(nlohmann|fmt|boost|opensubdiv|tbb)/)re");
   const auto header = included_header(line);
-  return std::regex_search(line, library) || (header && listed.count(*header) == 0);
+  return std::regex_search(line, library) || (header && !is_listed(*header, listed));
 }
 
 TEST(PublicHeaders, IncludeNothingPrivate) {
@@ -61,9 +67,25 @@ TEST(PublicHeaders, IncludeNothingPrivate) {
   }
 }
 
+bool includes_one_of_ours(const testing::SourceFile& file) {
+  return std::any_of(file.code.begin(), file.code.end(),
+                     [](const std::string& line) { return included_header(line).has_value(); });
+}
+
+/// Then each reaches it: following what they include ends at the one that includes nothing.
+TEST(PublicHeaders, IncludeTheCheckOfTheLanguageOrAnotherOfOurs) {
+  const auto listed = public_headers();
+  for (const auto& file : testing::library_sources()) {
+    if (listed.count(file.path) == 0 || file.path == "core/language_standard.hh") continue;
+    EXPECT_TRUE(includes_one_of_ours(file))
+        << file.path << " must include surfmesh/core/language_standard.hh";
+  }
+}
+
 TEST(PublicHeaders, SeesWhatIsPrivate) {
-  const std::multiset<std::string> listed = {"core/mesh.hh"};
+  const std::multiset<std::string> listed = {"core/mesh.hh", "core/version.hh.in"};
   EXPECT_FALSE(is_private_include("#include \"surfmesh/core/mesh.hh\"", listed));
+  EXPECT_FALSE(is_private_include("#include \"surfmesh/core/version.hh\"", listed));
   EXPECT_FALSE(is_private_include("#include <vector>", listed));
   EXPECT_TRUE(is_private_include("#include \"surfmesh/io/json_node.hh\"", listed));
   EXPECT_TRUE(is_private_include("#include <fmt/format.h>", listed));

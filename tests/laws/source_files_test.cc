@@ -69,7 +69,10 @@ int check_format(const std::string& before, const std::string& arguments) {
 TEST(SourceFiles, AreFormatted) {
   if (!has_formatter()) GTEST_SKIP() << kFormatter << " is not installed";
   std::string paths;
-  for (const auto& file : testing::project_sources()) paths += " '" + file.path + "'";
+  for (const auto& file : testing::project_sources()) {
+    if (file.path.ends_with(".in")) continue;  // @NAME@ is no code before CMake fills it in
+    paths += " '" + file.path + "'";
+  }
   EXPECT_EQ(check_format("cd '" SURFMESH_SOURCE_DIR "' && ", paths), 0)
       << "run " << kFormatter << " -i on the files named above";
 }

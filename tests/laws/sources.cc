@@ -79,8 +79,14 @@ SourceFile read(const std::filesystem::path& root, const std::filesystem::path& 
   std::ifstream stream(path);
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   const std::filesystem::path relative = path.lexically_relative(root);
-  return {relative.generic_string(), relative.begin()->string(), lines_of(text),
-          lines_of(without_comments(text))};
+  const std::string folder = relative.has_parent_path() ? relative.begin()->string() : "";
+  return {relative.generic_string(), folder, lines_of(text), lines_of(without_comments(text))};
+}
+
+/// True for sources, and for headers that CMake fills in ("version.hh.in").
+bool is_source(const std::filesystem::path& path) {
+  const auto ending = (path.extension() == ".in" ? path.stem() : path).extension();
+  return ending == ".hh" || ending == ".cc";
 }
 
 /// The sources in some folders of a root.
@@ -89,8 +95,7 @@ std::vector<SourceFile> sources_in(const std::filesystem::path& root,
   std::vector<std::filesystem::path> paths;
   for (const std::string& folder : folders) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
-      const std::filesystem::path& path = entry.path();
-      if (path.extension() == ".hh" || path.extension() == ".cc") paths.push_back(path);
+      if (is_source(entry.path())) paths.push_back(entry.path());
     }
   }
   std::sort(paths.begin(), paths.end());

@@ -10,12 +10,13 @@ namespace surfmesh::testing {
 /// A source file as lines; line numbers count from 1.
 struct SourceFile {
   std::string path;    ///< from the folder that is looked through on: "core/mesh.hh"
-  std::string folder;  ///< "core"
+  std::string folder;  ///< "core"; empty at the top
   std::vector<std::string> lines;
   std::vector<std::string> code;  ///< the lines without their comments
 };
 
-/// All .hh and .cc files of the library, in the order of their paths.
+/// All .hh and .cc files of the library, and those that CMake fills in (.hh.in), in the order of
+/// their paths.
 std::vector<SourceFile> library_sources();
 
 /// All .hh and .cc files of the project, from its root on, in the order of their paths.

@@ -7,9 +7,7 @@
 #include <exception>
 #include <vector>
 
-#include "surfmesh/cage/cage_from_mesh.hh"
-#include "surfmesh/cage/cage_model.hh"
-#include "surfmesh/pipeline/mesh_model.hh"
+#include <surfmesh/surfmesh.hh>
 
 using Cube = OpenMesh::PolyMesh_ArrayKernelT<>;  // its points are three floats
 

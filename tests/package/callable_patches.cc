@@ -6,9 +6,7 @@
 #include <exception>
 #include <numbers>
 
-#include "surfmesh/geometry/callable_surface.hh"
-#include "surfmesh/model/join_sides.hh"
-#include "surfmesh/pipeline/mesh_model.hh"
+#include <surfmesh/surfmesh.hh>
 
 int main() try {
   using std::numbers::pi;

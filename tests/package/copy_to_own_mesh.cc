@@ -4,10 +4,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "surfmesh/assemble/copy_result.hh"
-#include "surfmesh/cage/cage_model.hh"
-#include "surfmesh/formats/read_cage.hh"
-#include "surfmesh/pipeline/mesh_model.hh"
+#include <surfmesh/surfmesh.hh>
 
 struct OwnTraits : OpenMesh::DefaultTraits {
   VertexAttributes(OpenMesh::Attributes::Normal | OpenMesh::Attributes::Status);

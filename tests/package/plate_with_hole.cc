@@ -8,9 +8,7 @@
 #include <memory>
 #include <numbers>
 
-#include "surfmesh/geometry/callable_surface.hh"
-#include "surfmesh/model/join_sides.hh"
-#include "surfmesh/pipeline/mesh_model.hh"
+#include <surfmesh/surfmesh.hh>
 
 int main() try {
   const auto bent = [](auto u, auto v) { return std::array{u, v, 0.1 * u * u}; };

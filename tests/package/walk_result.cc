@@ -5,10 +5,7 @@
 #include <exception>
 #include <vector>
 
-#include "surfmesh/cage/cage_model.hh"
-#include "surfmesh/core/properties.hh"
-#include "surfmesh/formats/read_cage.hh"
-#include "surfmesh/pipeline/mesh_model.hh"
+#include <surfmesh/surfmesh.hh>
 
 int main(int argc, char** argv) try {
   if (argc != 2) return std::fprintf(stderr, "usage: walk_result CAGE\n"), 2;

@@ -33,6 +33,11 @@ struct Case {
   bool has_sources = false;  ///< sizes that differ from patch to patch by up to twenty times
 };
 
+void PrintTo(const Case& bounds, std::ostream* out) {
+  *out << bounds.name << (bounds.grade > 0 ? ", graded" : "")
+       << (bounds.has_sources ? ", with sources" : "");
+}
+
 class ContourBounds : public ::testing::TestWithParam<Case> {
  protected:
   void SetUp() override {

@@ -59,6 +59,8 @@ struct Example {
   std::size_t components;
 };
 
+void PrintTo(const Example& example, std::ostream* out) { *out << example.name; }
+
 class ExampleModels : public ::testing::TestWithParam<Example> {};
 
 TEST_P(ExampleModels, MeshCleanly) {

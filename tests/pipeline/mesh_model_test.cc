@@ -173,10 +173,17 @@ TEST(MeshModel, IsTheSameTwiceBitByBit) {
   }
 }
 
-class HugeSize : public ::testing::TestWithParam<std::pair<const char*, Model>> {};
+struct NamedModel {
+  const char* name;
+  Model model;
+};
+
+void PrintTo(const NamedModel& named, std::ostream* out) { *out << named.name; }
+
+class HugeSize : public ::testing::TestWithParam<NamedModel> {};
 
 TEST_P(HugeSize, StillMakesAClosedMesh) {
-  const Model& model = GetParam().second;
+  const Model& model = GetParam().model;
   PipelineOptions options;
   options.sizing = {.curvature = 0, .hmax = {1000, false}};
   const MeshResult coarse = mesh_model(model, {}, options);
@@ -187,16 +194,16 @@ TEST_P(HugeSize, StillMakesAClosedMesh) {
 
 INSTANTIATE_TEST_SUITE_P(
     Models, HugeSize,
-    ::testing::Values(std::pair("Torus", testing::torus_of(1)),
-                      std::pair("HalfTori", testing::torus_of(2)),
-                      std::pair("Sphere", testing::sphere_of(1)),
-                      std::pair("HalfSpheres", testing::sphere_of(2)),
-                      std::pair("CubeCage", model_from_cage(testing::cube())),
-                      std::pair("TorusCage", model_from_cage(testing::torus())),
-                      std::pair("SmallTorusCage", model_from_cage(testing::torus(3, 3))),
-                      std::pair("TetrahedronCage", model_from_cage(testing::tetrahedron())),
-                      std::pair("PrismCage", model_from_cage(testing::pentagon_prism()))),
-    [](const auto& test) { return std::string(test.param.first); });
+    ::testing::Values(NamedModel{"Torus", testing::torus_of(1)},
+                      NamedModel{"HalfTori", testing::torus_of(2)},
+                      NamedModel{"Sphere", testing::sphere_of(1)},
+                      NamedModel{"HalfSpheres", testing::sphere_of(2)},
+                      NamedModel{"CubeCage", model_from_cage(testing::cube())},
+                      NamedModel{"TorusCage", model_from_cage(testing::torus())},
+                      NamedModel{"SmallTorusCage", model_from_cage(testing::torus(3, 3))},
+                      NamedModel{"TetrahedronCage", model_from_cage(testing::tetrahedron())},
+                      NamedModel{"PrismCage", model_from_cage(testing::pentagon_prism())}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 class Recorder : public Observer {
  public:
@@ -285,8 +292,15 @@ TEST(MeshModel, IsNotFlatOnATubeThinnerThanItsElements) {
   EXPECT_TRUE(result.report.shortfalls.empty()) << result.report.shortfalls.front();
 }
 
+struct NamedCage {
+  const char* name;
+  Cage cage;
+};
+
+void PrintTo(const NamedCage& named, std::ostream* out) { *out << named.name; }
+
 /// Cages with extraordinary vertices of valence 3, 4, 5 and 6 (after refinement).
-std::vector<std::pair<std::string, Cage>> extraordinary_cages() {
+std::vector<NamedCage> extraordinary_cages() {
   return {{"Cube", testing::cube()},
           {"Tetrahedron", testing::tetrahedron()},
           {"Octahedron", testing::octahedron()},
@@ -296,10 +310,10 @@ std::vector<std::pair<std::string, Cage>> extraordinary_cages() {
           {"Prism8", testing::prism(8)}};
 }
 
-class Extraordinary : public ::testing::TestWithParam<std::pair<std::string, Cage>> {
+class Extraordinary : public ::testing::TestWithParam<NamedCage> {
  protected:
   static Model model(int level) {
-    return model_from_cage(GetParam().second,
+    return model_from_cage(GetParam().cage,
                            {.scheme = Scheme::CatmullClark, .approximation_level = level});
   }
 };
@@ -328,7 +342,7 @@ TEST_P(Extraordinary, HasAsManyTrianglesWithHalfOfTheLeastSize) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cages, Extraordinary, ::testing::ValuesIn(extraordinary_cages()),
-                         [](const auto& test) { return test.param.first; });
+                         [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace surfmesh

@@ -78,11 +78,18 @@ struct OddCage {
 
 void PrintTo(const OddCage& odd, std::ostream* out) { *out << odd.name; }
 
-class OddCages : public ::testing::TestWithParam<std::tuple<OddCage, PatchKind>> {};
+struct Patches {
+  const char* name;
+  PatchKind kind;
+};
+
+void PrintTo(const Patches& patches, std::ostream* out) { *out << patches.name; }
+
+class OddCages : public ::testing::TestWithParam<std::tuple<OddCage, Patches>> {};
 
 TEST_P(OddCages, AreMeshedAndCutWhereNoHalfEdgeMeshFollows) {
-  const auto& [odd, kind] = GetParam();
-  const MeshResult result = mesh_model(model_from_cage(odd.cage, {.patches = kind}));
+  const auto& [odd, patches] = GetParam();
+  const MeshResult result = mesh_model(model_from_cage(odd.cage, {.patches = patches.kind}));
   testing::expect_valid(result.mesh);
   EXPECT_EQ(result.report.shortfalls, std::vector<std::string>{});
   const MeshTopology topology = measure_topology(result.mesh);
@@ -115,10 +122,10 @@ INSTANTIATE_TEST_SUITE_P(
             OddCage{"MobiusBand", testing::mobius_strip(10, 2), 1, 1, kCut},
             OddCage{"VertexOfTwoQuads", cube_with_vertex_of_two_faces(), 1, 2, ""},
             OddCage{"PoleOfQuads", pole_of_quads(), 1, 1, ""}),
-        ::testing::Values(PatchKind::Blocks, PatchKind::Faces)),
+        ::testing::Values(Patches{"AsBlocks", PatchKind::Blocks},
+                          Patches{"AsFaces", PatchKind::Faces})),
     [](const auto& param) {
-      return std::get<0>(param.param).name +
-             (std::get<1>(param.param) == PatchKind::Blocks ? "AsBlocks" : "AsFaces");
+      return std::get<0>(param.param).name + std::get<1>(param.param).name;
     });
 
 TEST(PoleOfQuads, HasItsVertexWhereTheCageHasIt) {

@@ -22,6 +22,8 @@ struct CageCase {
   double curvature;
 };
 
+void PrintTo(const CageCase& cage, std::ostream* out) { *out << cage.name; }
+
 /// Euler characteristic of a cage, and whether every edge has two faces.
 struct CageTopology {
   long euler = 0;

@@ -36,6 +36,8 @@ struct Shape {
   int pieces = 1;  ///< patches that share the range of u
 };
 
+void PrintTo(const Shape& shape, std::ostream* out) { *out << shape.name; }
+
 /// With a base of radius 1, and the apex at v = 0.
 Shape cone(int degrees, int pieces) {
   const double slope = 1 / std::tan(degrees * kPi / 180);

@@ -28,6 +28,8 @@ struct Gap {
   std::vector<Circle> circles;
 };
 
+void PrintTo(const Gap& gap, std::ostream* out) { *out << gap.name; }
+
 Json contour(const std::string& name, const Circle& circle) {
   const auto along = [&](double middle, const char* function) {
     return std::to_string(middle) + "+" + std::to_string(circle.radius) + "*" + function + "(t+" +

@@ -31,6 +31,8 @@ struct Case {
   std::vector<std::pair<std::string, std::string>> settings;
 };
 
+void PrintTo(const Case& example, std::ostream* out) { *out << example.name; }
+
 /// The file of the mesh, and the report without clocks and the number of threads.
 std::string output_of(const Case& example, int threads) {
   const TestFolder folder;

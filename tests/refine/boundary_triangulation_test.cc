@@ -43,6 +43,8 @@ struct DomainCase {
   Loops loops;
 };
 
+void PrintTo(const DomainCase& domain, std::ostream* out) { *out << domain.name; }
+
 /// Domains by name: the outer loop counter-clockwise, holes clockwise.
 std::vector<DomainCase> domains() {
   const std::vector<Uv> ell = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
@@ -137,6 +139,8 @@ struct BadLoops {
   Loops loops;
   const char* reason;  ///< what the error tells
 };
+
+void PrintTo(const BadLoops& bad, std::ostream* out) { *out << bad.name; }
 
 class BadBoundary : public ::testing::TestWithParam<BadLoops> {};
 

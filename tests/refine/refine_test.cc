@@ -25,6 +25,8 @@ struct Way {
   RefineOptions options;
 };
 
+void PrintTo(const Way& way, std::ostream* out) { *out << way.name; }
+
 const Way kFrontalCavity{"FrontalCavity", {Placement::Frontal, Kernel::Cavity}};
 const Way kFrontalSwap{"FrontalSwap", {Placement::Frontal, Kernel::Swap}};
 const Way kCircumcentreCavity{"CircumcentreCavity", {Placement::Circumcentre, Kernel::Cavity}};
@@ -34,6 +36,8 @@ struct FieldCase {
   const char* name;
   FunctionField field;
 };
+
+void PrintTo(const FieldCase& field, std::ostream* out) { *out << field.name; }
 
 std::vector<FieldCase> fields() {
   return {{"Isotropic", testing::isotropic_field(0.02)},

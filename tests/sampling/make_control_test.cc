@@ -69,6 +69,8 @@ struct AreaCase {
   Sizing sizing;
 };
 
+void PrintTo(const AreaCase& area, std::ostream* out) { *out << area.name; }
+
 class MetricAreaOf : public ::testing::TestWithParam<AreaCase> {};
 
 TEST_P(MetricAreaOf, IsHeldByTheControlSpaceToTwoPercent) {

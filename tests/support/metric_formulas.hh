@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ struct MetricFormulas {
   std::string name;
   std::string m11, m12, m22;
 };
+
+inline void PrintTo(const MetricFormulas& formulas, std::ostream* out) { *out << formulas.name; }
 
 /// Sizes `across` along the unit normal (c,s), `along` across it.
 inline MetricFormulas directed_formulas(const std::string& name, const std::string& c,

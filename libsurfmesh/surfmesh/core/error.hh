@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "surfmesh/core/language_standard.hh"
+
 namespace surfmesh {
 
 /// Kind of a failure: what the caller can do about it.

@@ -5,6 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "surfmesh/core/language_standard.hh"
+
 namespace surfmesh {
 
 /// Greatest number of threads; more only get in each other's way.

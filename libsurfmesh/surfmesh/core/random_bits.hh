@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "surfmesh/core/language_standard.hh"
+
 namespace surfmesh {
 
 /// Cheap deterministic random bits (xorshift, Marsaglia 2003) for the order of edges in a walk.

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <limits>
 
+#include "surfmesh/core/language_standard.hh"
+
 namespace surfmesh {
 
 /// A position, direction or derivative in space, in model units.

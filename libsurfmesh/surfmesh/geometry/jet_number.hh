@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "surfmesh/core/language_standard.hh"
+
 namespace surfmesh {
 
 /// A number that carries its derivatives with respect to two parameters, up to order 0, 1 or 2.

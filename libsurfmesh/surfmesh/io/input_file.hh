@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "surfmesh/core/language_standard.hh"
+
 namespace surfmesh {
 
 /// Read a whole file into memory.

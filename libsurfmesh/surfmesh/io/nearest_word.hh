@@ -5,6 +5,8 @@
 #include <span>
 #include <string_view>
 
+#include "surfmesh/core/language_standard.hh"
+
 namespace surfmesh {
 
 /// The known word that a misspelt one probably means: the nearest by letters put in, left out,

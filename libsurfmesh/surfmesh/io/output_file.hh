@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "surfmesh/core/language_standard.hh"
+
 namespace surfmesh {
 
 /// A file that is written whole or not at all.

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "surfmesh/core/language_standard.hh"
+
 namespace surfmesh {
 
 /// Cuts a text into lines and words and counts the lines, for the readers of line-based formats.
