@@ -66,7 +66,7 @@ class MeshRun {
   void mesh(const std::string& path, Progress& progress) {
     result_ = mesh_model(input_.model, input_.sources, input_.options, &progress);
     result_.report.input = path;
-    result_.report.seconds.read = read_seconds_;
+    result_.report.seconds[Stage::Read] = read_seconds_;
     stop_on_signal();
   }
 
@@ -87,10 +87,9 @@ class MeshRun {
 
  private:
   void finish_clocks(double write_seconds) {
-    StageSeconds& seconds = result_.report.seconds;
-    seconds.write = write_seconds;
-    seconds.total += seconds.read + seconds.write;
-    seconds.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    result_.report.seconds[Stage::Write] = write_seconds;
+    result_.report.wall_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
 
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -39,7 +39,7 @@ ControlMesh gentle_mesh(Interpolation interpolation) {
 }
 
 /// The mean with the weights 1/d² of the vertices of all triangles whose circles hold the point.
-SizeTensor searched_slowly(const TriMesh& mesh, Uv p) {
+SizeTensor searched_slowly(const PolyMesh& mesh, Uv p) {
   const auto uv = require(mesh, keys::vertex_uv);
   const auto size = require(mesh, keys::vertex_size);
   std::set<int> found;

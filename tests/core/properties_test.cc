@@ -37,7 +37,7 @@ TEST(Attach, LeavesValuesVisiblyUnset) {
 }
 
 TEST(Attach, GivesNewElementsAnUnsetValue) {
-  TriMesh mesh;
+  PolyMesh mesh;
   const auto uv = attach(mesh, keys::vertex_uv, Uv{1, 2});
   const VertexHandle vh = mesh.add_vertex({0, 0, 0});
   EXPECT_TRUE(std::isnan(mesh.property(uv, vh).u));

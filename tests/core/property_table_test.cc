@@ -136,7 +136,7 @@ class PropertyTable : public testing::Test {
     EXPECT_EQ(values(key), (std::vector<double>{0, 1, 2, 3, 4, 5, 7}));
   }
 
-  TriMesh mesh_;
+  PolyMesh mesh_;
   decltype(keys::edge_constrained)::Handle constrained_;
 };
 

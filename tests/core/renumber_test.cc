@@ -12,7 +12,7 @@ namespace surfmesh {
 namespace {
 
 /// A square of n × n squares, two triangles each.
-void build_square(TriMesh& mesh, int n) {
+void build_square(PolyMesh& mesh, int n) {
   std::vector<std::array<int, 3>> triangles;
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
@@ -25,7 +25,7 @@ void build_square(TriMesh& mesh, int n) {
 }
 
 /// All vertices, each 7 places behind the one before.
-std::vector<int> scattered_order(const TriMesh& mesh) {
+std::vector<int> scattered_order(const PolyMesh& mesh) {
   std::vector<int> order;
   const auto count = static_cast<int>(mesh.n_vertices());
   for (int i = 0; i < count; ++i) order.push_back(7 * i % count);
@@ -46,7 +46,7 @@ class Renumber : public ::testing::Test {
     return VertexHandle(numbering_.vertex[static_cast<std::size_t>(vh.idx())]);
   }
 
-  TriMesh mesh_, old_;
+  PolyMesh mesh_, old_;
   std::vector<int> order_;
   Numbering numbering_;
 };

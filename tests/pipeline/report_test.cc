@@ -23,10 +23,10 @@ Report example() {
   report.control.nodes = 10;
   report.control.triangles = 20;
   report.control.classes = {3, 10, 7};
-  report.control.queries.boundary.triangle = 4;
-  report.control.queries.refine = {1, 2, 3, 4, 5, 6, 7};
-  report.seconds.wall = 1.5;
-  report.triangles_per_second = 1000;
+  report.control.queries[Stage::Boundary].triangle = 4;
+  report.control.queries[Stage::Refine] = {1, 2, 3, 4, 5, 6, 7};
+  report.wall_seconds = 1.5;
+  report.seconds[Stage::Refine] = 0.001;
   return report;
 }
 

@@ -27,7 +27,7 @@ std::size_t count_entries(Front& front) {
   return count;
 }
 
-bool is_at_boundary(const TriMesh& mesh, FaceHandle fh) {
+bool is_at_boundary(const PolyMesh& mesh, FaceHandle fh) {
   for (const HalfedgeHandle heh : mesh.fh_range(fh)) {
     if (mesh.is_boundary(mesh.opposite_halfedge_handle(heh))) return true;
   }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "surfmesh/assemble/assemble.hh"
-#include "surfmesh/improve/improve.hh"
-#include "surfmesh/patch_mesh/turned_triangles.hh"
-#include "surfmesh/refine/boundary_triangulation.hh"
-#include "surfmesh/refine/refine.hh"
+#include "surfmesh/patch/mesh_patch.hh"
+#include "surfmesh/patch_mesh/improper_chords.hh"
 
 /// The stages from contours to assembly, with one size everywhere.
 namespace surfmesh::testing {
@@ -39,25 +38,6 @@ struct Assembled {
   std::size_t turned = 0;  ///< triangles against the surface
 };
 
-inline PatchMesh mesh_patch(const Model& model, int patch, const std::vector<ContourNodes>& nodes,
-                            const NodeNumbers& numbers, const MetricField& field) {
-  PatchMesh result;
-  result.surface = model.patches[static_cast<std::size_t>(patch)].surface.get();
-  result.field = &field;
-  result.boundary = collect_boundary(model, patch, nodes, numbers, field);
-  std::vector<std::vector<Uv>> loops;
-  for (const BoundaryLoop& loop : result.boundary.loops) {
-    loops.emplace_back();
-    for (const BoundaryNode& node : loop) loops.back().push_back(node.uv);
-  }
-  result.delaunay = triangulate_boundary(loops, field).delaunay;
-  refine(*result.delaunay, field);
-  improve(*result.delaunay, field);
-  evaluate_vertices(result);
-  mend_turned_triangles(result);
-  return result;
-}
-
 inline Assembled assemble_with_size(const Model& model, double size) {
   std::vector<std::unique_ptr<MetricField>> fields;
   std::vector<const MetricField*> pointers;
@@ -69,14 +49,20 @@ inline Assembled assemble_with_size(const Model& model, double size) {
   result.nodes = place_contour_nodes(model, pointers).contours;
   const NodeNumbers numbers(model, result.nodes);
   std::vector<PatchMesh> patches;
+  std::map<std::size_t, std::size_t> turned;  // by patch
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
-    patches.push_back(mesh_patch(model, static_cast<int>(p), result.nodes, numbers, *pointers[p]));
+    PatchResult made =
+        mesh_patch({.surface = *model.patches[p].surface,
+                    .field = *pointers[p],
+                    .boundary = collect_boundary(model, static_cast<int>(p), result.nodes, numbers,
+                                                 *pointers[p])});
+    turned[p] = made.turned.count;
+    patches.push_back(std::move(made.mesh));
   }
-  result.chords = split_improper_chords(patches);
-  for (PatchMesh& patch : patches) {
-    evaluate_vertices(patch);
-    result.turned += count_turned_triangles(patch);
-  }
+  const ChordReport chords = split_improper_chords(patches, model, pointers);
+  result.chords = chords.nodes;
+  for (const auto& [p, changed] : chords.turned) turned[p] = changed.count;
+  for (const auto& [p, count] : turned) result.turned += count;
   result.report = assemble(result.mesh, model, result.nodes, numbers, patches);
   return result;
 }

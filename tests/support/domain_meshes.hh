@@ -102,7 +102,7 @@ struct EdgeLengths {
 };
 
 inline EdgeLengths edge_lengths(const DelaunayMesh& delaunay) {
-  const TriMesh& mesh = delaunay.mesh();
+  const PolyMesh& mesh = delaunay.mesh();
   double sum = 0, squares = 0, units = 0;
   const auto count = static_cast<double>(delaunay.n_edges());
   for (std::size_t i = 0; i < delaunay.n_edges(); ++i) {

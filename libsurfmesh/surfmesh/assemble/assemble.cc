@@ -19,145 +19,165 @@
 namespace surfmesh {
 namespace {
 
-/// A corner of a triangle of the result, as its patch sees it.
+/// Corners of a face of a patch: triangles and quads.
+constexpr std::size_t kMostCorners = 4;
+
+/// What a corner of the result holds, as its patch sees it.
 struct CornerValue {
   Uv uv;
   Metric metric;
 };
 
-/// The vertices of a triangle, the corners of which they are, and its sides.
-struct PatchTriangle {
-  std::array<int, 3> vertices{};
-  std::array<CornerValue, 3> corners;
-  std::array<int, 3> contours{};  ///< of the side from corner k to the next; -1 inside
-  /// Halfedges of the domain mesh, of the same sides; invalid in a pole's fan.
-  std::array<HalfedgeHandle, 3> sides;
+/// A corner of a face, and the side from it to the next corner.
+struct FaceCorner {
+  int vertex = -1;         ///< of the result
+  int domain_vertex = -1;  ///< of the patch's mesh; -1 for a pole
+  int contour = -1;        ///< of the side; -1 inside
+  HalfedgeHandle side;     ///< of the patch's mesh; invalid in a pole's fan
+};
 
+/// A face of a patch with vertices of the result.
+struct PatchFace {
+  std::array<FaceCorner, kMostCorners> corners;
+  std::size_t count = 0;
+  CornerValue pole;  ///< of the corner that is a pole
+
+  /// True if two corners are one vertex.
   bool is_collapsed() const {
-    return vertices[0] == vertices[1] || vertices[1] == vertices[2] || vertices[2] == vertices[0];
+    for (std::size_t k = 0; k < count; ++k) {
+      if (corners[k].vertex == corners[(k + 1) % count].vertex) return true;
+    }
+    return false;
   }
 
+  /// Go around the other way, from the same corner on.
   void turn() {
-    std::swap(vertices[1], vertices[2]);
-    std::swap(corners[1], corners[2]);
-    std::swap(contours[0], contours[2]);
-    std::swap(sides[0], sides[2]);
+    const auto before = corners;
+    for (std::size_t k = 0; k < count; ++k) {
+      const FaceCorner& corner = before[(count - k) % count];
+      const FaceCorner& side = before[count - 1 - k];
+      corners[k] = {corner.vertex, corner.domain_vertex, side.contour, side.side};
+    }
   }
 };
 
-/// The triangles of one patch with vertices of the result, oriented like those of its neighbours.
-class PatchTriangles {
+/// The faces of one patch with vertices of the result, oriented like those of its neighbours.
+class PatchFaces {
  public:
   /// Adds the positions of the patch's own vertices.
-  PatchTriangles(const PatchMesh& patch, bool is_turned, std::vector<Vec3>& points)
-      : patch_(patch), is_turned_(is_turned) {
+  PatchFaces(const PatchMesh& patch, bool is_turned, std::vector<Vec3>& points)
+      : patch_(patch),
+        mesh_(*patch.mesh),
+        uv_(require(mesh_, keys::vertex_uv)),
+        metric_(require(mesh_, keys::vertex_metric)),
+        contour_(require(mesh_, keys::edge_contour)),
+        is_turned_(is_turned) {
     vertices_ = boundary_vertices(patch_.boundary);
-    for (const BoundaryLoop& loop : patch_.boundary.loops) {
-      for (const BoundaryNode& node : loop) contours_.push_back(node.contour);
-    }
-    vertices_.resize(patch_.delaunay->n_vertices(), -1);
+    vertices_.resize(mesh_.n_vertices(), -1);
     for (std::size_t v = 0; v < vertices_.size(); ++v) {
       if (vertices_[v] >= 0) continue;
       vertices_[v] = static_cast<int>(points.size());
-      points.push_back(patch_.points[v]);
+      points.push_back(to_eigen(mesh_.point(VertexHandle(static_cast<int>(v)))));
     }
   }
 
-  std::size_t halfedge_count() const { return 2 * patch_.delaunay->n_edges(); }
+  std::size_t halfedge_count() const { return mesh_.n_halfedges(); }
 
-  HalfedgeHandle opposite(HalfedgeHandle heh) const {
-    return patch_.delaunay->mesh().opposite_halfedge_handle(heh);
-  }
+  HalfedgeHandle opposite(HalfedgeHandle heh) const { return mesh_.opposite_halfedge_handle(heh); }
 
-  /// Call `visit` for every triangle, always in the same order; triangles that collapse at a pole
-  /// are left out.
+  /// Call `visit` for every face, always in the same order; triangles that collapse at a pole are
+  /// left out.
   template <class Visit>
   void for_each(Visit visit) const {
-    const auto visit_turned = [&](PatchTriangle triangle) {
-      if (triangle.is_collapsed()) return;
-      if (is_turned_) triangle.turn();
-      visit(triangle);
+    const auto visit_turned = [&](PatchFace face) {
+      if (face.is_collapsed()) return;
+      if (is_turned_) face.turn();
+      visit(face);
     };
-    const TriMesh& mesh = patch_.delaunay->mesh();
-    for (std::size_t f = 0; f < patch_.delaunay->n_faces(); ++f) {
-      visit_turned(triangle_at(mesh.halfedge_handle(FaceHandle(static_cast<int>(f)))));
-    }
+    for (const FaceHandle fh : mesh_.faces()) visit_turned(face_at(mesh_.halfedge_handle(fh)));
     for (const PoleFan& fan : patch_.boundary.fans) {
-      for (std::size_t i = 0; i + 1 < fan.ring.size(); ++i) visit_turned(triangle_of(fan, i));
+      for (std::size_t i = 0; i + 1 < fan.ring.size(); ++i) visit_turned(face_of(fan, i));
     }
+  }
+
+  CornerValue value(const PatchFace& face, std::size_t corner) const {
+    const int v = face.corners[corner].domain_vertex;
+    return v < 0 ? face.pole : value(v);
   }
 
  private:
-  CornerValue value(std::size_t v) const {
-    const VertexHandle vh(static_cast<int>(v));
-    return {patch_.delaunay->uv(vh), patch_.delaunay->metric(vh)};
+  CornerValue value(int domain_vertex) const {
+    const VertexHandle vh(domain_vertex);
+    return {mesh_.property(uv_, vh), mesh_.property(metric_, vh)};
   }
 
-  PatchTriangle triangle_at(HalfedgeHandle heh) const {
-    const TriMesh& mesh = patch_.delaunay->mesh();
-    PatchTriangle triangle;
-    for (std::size_t k = 0; k < 3; ++k, heh = mesh.next_halfedge_handle(heh)) {
-      const auto v = index(mesh.from_vertex_handle(heh));
-      triangle.vertices[k] = vertices_[v];
-      triangle.corners[k] = value(v);
-      triangle.contours[k] =
-          mesh.is_boundary(mesh.opposite_halfedge_handle(heh)) ? contours_[v] : -1;
-      triangle.sides[k] = heh;
-    }
-    return triangle;
+  PatchFace face_at(HalfedgeHandle start) const {
+    PatchFace face;
+    HalfedgeHandle heh = start;
+    do {
+      const VertexHandle vh = mesh_.from_vertex_handle(heh);
+      face.corners[face.count++] = {vertices_[index(vh)], vh.idx(),
+                                    mesh_.property(contour_, mesh_.edge_handle(heh)), heh};
+      heh = mesh_.next_halfedge_handle(heh);
+    } while (heh != start && face.count < kMostCorners);
+    return face;
   }
 
-  PatchTriangle triangle_of(const PoleFan& fan, std::size_t i) const {
+  PatchFace face_of(const PoleFan& fan, std::size_t i) const {
     const std::size_t count = fan.ring.size() - 1;
-    const auto near = static_cast<std::size_t>(fan.ring[i]);
-    const auto far = static_cast<std::size_t>(fan.ring[i + 1]);
-    const CornerValue first = value(near), second = value(far);
+    const int near = fan.ring[i], far = fan.ring[i + 1];
     // The metric is singular at the pole; its corner takes that of the ring.
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-    const CornerValue pole{point_on_pole(fan, share), mean(first.metric, second.metric)};
-    const int from = i + 1 == count ? fan.contour_from : -1;
-    const int to = i == 0 ? fan.contour_to : -1;
-    PatchTriangle triangle;
-    triangle.vertices = {fan.pole, vertices_[far], vertices_[near]};
-    triangle.corners = {pole, second, first};
-    triangle.contours = {from, -1, to};
-    return triangle;
+    PatchFace face;
+    face.pole = {point_on_pole(fan, share), mean(value(near).metric, value(far).metric)};
+    const HalfedgeHandle none;
+    face.corners[0] = {fan.pole, -1, i + 1 == count ? fan.contour_from : -1, none};
+    face.corners[1] = {vertices_[static_cast<std::size_t>(far)], far, -1, none};
+    face.corners[2] = {vertices_[static_cast<std::size_t>(near)], near,
+                       i == 0 ? fan.contour_to : -1, none};
+    face.count = 3;
+    return face;
   }
 
   const PatchMesh& patch_;
+  const PolyMesh& mesh_;
+  decltype(keys::vertex_uv)::Handle uv_;
+  decltype(keys::vertex_metric)::Handle metric_;
+  decltype(keys::edge_contour)::Handle contour_;
   bool is_turned_;
-  std::vector<int> vertices_;  ///< result vertex of each vertex of the domain mesh
-  std::vector<int> contours_;  ///< of the segment after each boundary node
+  std::vector<int> vertices_;  ///< result vertex of each vertex of the patch's mesh
 };
 
-/// All triangles of the result before they are linked.
-struct TriangleSoup {
-  std::vector<std::array<int, 3>> triangles;
-  /// Of each side the one it is glued to within its patch, -1 for none: see build_triangles.
+/// All faces of the result before they are linked.
+struct FaceSoup {
+  FaceList faces;
+  /// Of each side the one it is glued to within its patch, -1 for none: see build_faces.
   std::vector<int> twins;
 
-  void reserve(std::size_t count) {
-    triangles.reserve(count);
-    twins.reserve(3 * count);
+  void reserve(std::size_t face_count, std::size_t corner_count) {
+    faces.reserve(face_count, corner_count);
+    twins.reserve(corner_count);
   }
 
-  void add(const PatchTriangles& patch) {
-    const std::size_t first = triangles.size();
+  void add(const PatchFaces& patch) {
+    const std::size_t first = faces.corner_count();
     std::vector<int> side_of(patch.halfedge_count(), -1);
     std::vector<HalfedgeHandle> halfedges;
     halfedges.reserve(side_of.size());
-    patch.for_each([&](const PatchTriangle& triangle) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        halfedges.push_back(triangle.sides[k]);
-        if (!triangle.sides[k].is_valid()) continue;
-        side_of[index(triangle.sides[k])] = static_cast<int>(3 * triangles.size() + k);
+    patch.for_each([&](const PatchFace& face) {
+      std::array<int, kMostCorners> vertices{};
+      for (std::size_t k = 0; k < face.count; ++k) {
+        const HalfedgeHandle side = face.corners[k].side;
+        vertices[k] = face.corners[k].vertex;
+        halfedges.push_back(side);
+        if (side.is_valid()) side_of[index(side)] = static_cast<int>(faces.corner_count() + k);
       }
-      triangles.push_back(triangle.vertices);
+      faces.add(std::span(vertices).first(face.count));
     });
-    twins.resize(3 * triangles.size(), -1);
+    twins.resize(faces.corner_count(), -1);
     for (std::size_t i = 0; i < halfedges.size(); ++i) {
       if (!halfedges[i].is_valid()) continue;
-      twins[3 * first + i] = side_of[index(patch.opposite(halfedges[i]))];
+      twins[first + i] = side_of[index(patch.opposite(halfedges[i]))];
     }
   }
 };
@@ -175,12 +195,10 @@ std::vector<Vec3> contour_points(const Model& model, const std::vector<ContourNo
   return points;
 }
 
-/// Drop vertices that no triangle has (of cage faces without a surface).
-void drop_unused(std::vector<Vec3>& points, std::vector<std::array<int, 3>>& triangles) {
+/// Drop vertices that no face has (of cage faces without a surface).
+void drop_unused(std::vector<Vec3>& points, FaceList& faces) {
   std::vector<char> is_used(points.size(), 0);
-  for (const auto& triangle : triangles) {
-    for (const int v : triangle) is_used[static_cast<std::size_t>(v)] = 1;
-  }
+  for (const int v : faces.vertices()) is_used[static_cast<std::size_t>(v)] = 1;
   if (std::find(is_used.begin(), is_used.end(), 0) == is_used.end()) return;
   std::vector<int> number(points.size(), -1);
   int count = 0;
@@ -190,9 +208,7 @@ void drop_unused(std::vector<Vec3>& points, std::vector<std::array<int, 3>>& tri
     number[v] = count++;
   }
   points.resize(static_cast<std::size_t>(count));
-  for (auto& triangle : triangles) {
-    for (int& v : triangle) v = number[static_cast<std::size_t>(v)];
-  }
+  for (int& v : faces.vertices()) v = number[static_cast<std::size_t>(v)];
 }
 
 void set_points(const std::vector<Vec3>& points, const std::vector<int>& copied, PolyMesh& mesh) {
@@ -203,8 +219,8 @@ void set_points(const std::vector<Vec3>& points, const std::vector<int>& copied,
   }
 }
 
-/// Writes the properties of faces, which are in the order of the triangles, their halfedges at the
-/// sides from corner 0.
+/// Writes the properties of faces, which are in the order of the soup, their halfedges at the sides
+/// from corner 0.
 class PropertyWriter {
  public:
   explicit PropertyWriter(PolyMesh& mesh)
@@ -214,15 +230,15 @@ class PropertyWriter {
         uv_(attach(mesh, keys::corner_uv)),
         metric_(attach(mesh, keys::corner_metric)) {}
 
-  void write(FaceHandle fh, std::size_t patch, const PatchTriangle& triangle) {
+  void write(FaceHandle fh, std::size_t patch, const PatchFaces& faces, const PatchFace& face) {
     mesh_.property(patch_of_, fh) = static_cast<int>(patch);
     HalfedgeHandle heh = mesh_.halfedge_handle(fh);
-    for (std::size_t k = 0; k < 3; ++k, heh = mesh_.next_halfedge_handle(heh)) {
-      const CornerValue& tip = triangle.corners[(k + 1) % 3];
+    for (std::size_t k = 0; k < face.count; ++k, heh = mesh_.next_halfedge_handle(heh)) {
+      const CornerValue tip = faces.value(face, k + 1 == face.count ? 0 : k + 1);
       mesh_.property(uv_, heh) = tip.uv;
       mesh_.property(metric_, heh) = tip.metric;
-      if (triangle.contours[k] >= 0 && is_writer_of_edge(heh)) {
-        mesh_.property(contour_, mesh_.edge_handle(heh)) = triangle.contours[k];
+      if (face.corners[k].contour >= 0 && is_writer_of_edge(heh)) {
+        mesh_.property(contour_, mesh_.edge_handle(heh)) = face.corners[k].contour;
       }
     }
   }
@@ -242,13 +258,13 @@ class PropertyWriter {
 };
 
 /// `first_faces` are those of the patches.
-void write_properties(const std::vector<PatchTriangles>& patches,
+void write_properties(const std::vector<PatchFaces>& patches,
                       const std::vector<std::size_t>& first_faces, PolyMesh& mesh) {
   PropertyWriter writer(mesh);
   share_indices(patches.size(), [&](std::size_t p) {
     auto face = static_cast<int>(first_faces[p]);
     patches[p].for_each(
-        [&](const PatchTriangle& triangle) { writer.write(FaceHandle(face++), p, triangle); });
+        [&](const PatchFace& f) { writer.write(FaceHandle(face++), p, patches[p], f); });
   });
 }
 
@@ -276,7 +292,7 @@ std::vector<std::string> warnings_of(const Model& model, const Separation& separ
   std::vector<std::string> warnings;
   if (separation.cut_edges > 0) {
     warnings.push_back(
-        fmt::format("{} sides of triangles are left open where three or more patches meet, or "
+        fmt::format("{} sides of faces are left open where three or more patches meet, or "
                     "where the surface cannot be oriented",
                     separation.cut_edges));
   }
@@ -296,25 +312,28 @@ AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<Co
                         const NodeNumbers& numbers, const std::vector<PatchMesh>& patches) {
   const PatchOrientation orientation = orient_patches(model);
   std::vector<Vec3> points = contour_points(model, nodes, numbers);
-  std::size_t triangle_count = 0;
-  for (const PatchMesh& patch : patches) triangle_count += patch.delaunay->n_faces();
-  points.reserve(points.size() + triangle_count / 2);  // about as many as a closed mesh has
-  TriangleSoup soup;
-  soup.reserve(triangle_count);
-  std::vector<PatchTriangles> triangles;
-  triangles.reserve(patches.size());
+  std::size_t face_count = 0, corner_count = 0;
+  for (const PatchMesh& patch : patches) {
+    face_count += patch.mesh->n_faces();
+    corner_count += patch.mesh->n_halfedges();
+  }
+  points.reserve(points.size() + corner_count / 6);  // about as many as a closed mesh has
+  FaceSoup soup;
+  soup.reserve(face_count, corner_count);
+  std::vector<PatchFaces> faces;
+  faces.reserve(patches.size());
   std::vector<std::size_t> first_faces;
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    triangles.emplace_back(patches[p], orientation.is_turned[p] != 0, points);
-    first_faces.push_back(soup.triangles.size());
-    soup.add(triangles.back());
+    faces.emplace_back(patches[p], orientation.is_turned[p] != 0, points);
+    first_faces.push_back(soup.faces.size());
+    soup.add(faces.back());
   }
-  drop_unused(points, soup.triangles);
+  drop_unused(points, soup.faces);
 
   const Separation separation =
-      build_triangles(mesh, points.size(), soup.triangles, std::span<const int>(soup.twins));
+      build_faces(mesh, points.size(), soup.faces, FirstSide::FromFirstCorner, soup.twins);
   set_points(points, separation.copied, mesh);
-  write_properties(triangles, first_faces, mesh);
+  write_properties(faces, first_faces, mesh);
   return {warnings_of(model, separation)};
 }
 

@@ -25,7 +25,7 @@ struct AssembleReport {
 /// Writes   point(); surf:patch (face), surf:contour (edge), surf:uv and surf:metric (halfedge, at
 ///          its tip)
 /// Cost     O(n); O(n log n) for the sides at contours
-/// Pre      split_improper_chords and evaluate_vertices have been called
+/// Pre      split_improper_chords has been called
 AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<ContourNodes>& nodes,
                         const NodeNumbers& numbers, const std::vector<PatchMesh>& patches);
 

@@ -24,7 +24,7 @@ class ControlGrid : public ControlSpace {
               const std::vector<ControlNode>& others, const ControlSpaceOptions& options);
 
   /// Each cell cut along its rising diagonal.
-  const TriMesh& mesh() const override { return mesh_; }
+  const PolyMesh& mesh() const override { return mesh_; }
 
  protected:
   /// Cost     below 20 ns with the metric (tests/bench/control_bench.cc)
@@ -49,7 +49,7 @@ class ControlGrid : public ControlSpace {
   double cells_per_u_;
   double cells_per_v_;
   std::vector<SizeTensor> values_;  ///< H or log H
-  TriMesh mesh_;
+  PolyMesh mesh_;
 };
 
 }  // namespace surfmesh

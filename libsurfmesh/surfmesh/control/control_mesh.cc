@@ -23,7 +23,7 @@ constexpr int kWalkLimit = 2000;
 /// start.
 constexpr double kNearCells = 5;
 
-NodeNeighbours neighbours_in(const TriMesh& mesh) {
+NodeNeighbours neighbours_in(const PolyMesh& mesh) {
   std::vector<std::size_t> first = {0};
   std::vector<int> others;
   first.reserve(mesh.n_vertices() + 1);
@@ -138,7 +138,7 @@ void ControlMesh::collect_triangles() {
 
 /// The circles of the triangulation, each in the mean spacing of the vertices as there.
 void ControlMesh::collect_circles(const NodeTriangulation& triangulation) {
-  const TriMesh& mesh = triangulation.mesh();
+  const PolyMesh& mesh = triangulation.mesh();
   circles_.reserve(triangles_.size());
   metrics_.reserve(triangles_.size());
   for (const int face : face_of_) {

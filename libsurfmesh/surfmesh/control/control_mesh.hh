@@ -25,7 +25,7 @@ class ControlMesh : public ControlSpace {
   ControlMesh(const Domain& domain, const std::vector<ControlNode>& nodes,
               const ControlSpaceOptions& options);
 
-  const TriMesh& mesh() const override { return mesh_; }
+  const PolyMesh& mesh() const override { return mesh_; }
 
  protected:
   void locate(Uv uv, QueryHint& hint) const override;
@@ -95,7 +95,7 @@ class ControlMesh : public ControlSpace {
   void collect_cavity(int triangle, Uv uv, QueryHint& hint) const;
   SizeTensor size_of(const SizeTensor& value) const;
 
-  TriMesh mesh_;
+  PolyMesh mesh_;
   std::vector<int> node_of_;  ///< of each vertex
   std::vector<int> face_of_;  ///< of each triangle
   std::vector<Node> nodes_;   ///< along a Hilbert curve, so that those near each other share memory

@@ -71,7 +71,7 @@ class ControlSpace {
   Metric metric(const SurfacePoint& at, QueryHint& hint) const;
 
   /// The nodes with surf:uv, surf:size and positions in space, and the triangles between them.
-  virtual const TriMesh& mesh() const = 0;
+  virtual const PolyMesh& mesh() const = 0;
 
   /// The nodes with the metrics of their sizes. Sizes change there, so every mesh must resolve
   /// these points.

@@ -105,7 +105,7 @@ void NodeTriangulation::insert(const ControlNode& node) {
 
 /// A triangle at a vertex; the vertex' own halfedge is the open one on the boundary.
 FaceHandle NodeTriangulation::face_at(VertexHandle vh) const {
-  const TriMesh& mesh = delaunay_.mesh();
+  const PolyMesh& mesh = delaunay_.mesh();
   const HalfedgeHandle heh = mesh.halfedge_handle(vh);
   return mesh.is_boundary(heh) ? mesh.opposite_face_handle(heh) : mesh.face_handle(heh);
 }
@@ -118,7 +118,7 @@ Metric NodeTriangulation::around(FaceHandle fh) const {
 
 /// Merge with a node nearby: the vertices of the triangle, and those opposite its sides.
 bool NodeTriangulation::merge_with_neighbour(const ControlNode& node, FaceHandle fh) {
-  const TriMesh& mesh = delaunay_.mesh();
+  const PolyMesh& mesh = delaunay_.mesh();
   HalfedgeHandle heh = mesh.halfedge_handle(fh);
   for (int k = 0; k < 3; ++k, heh = mesh.next_halfedge_handle(heh)) {
     if (merge_with(node, mesh.to_vertex_handle(heh))) return true;
@@ -166,7 +166,7 @@ VertexHandle NodeTriangulation::improve(FaceHandle fh) {
   const MetricCircle circle = circumcircle(triangle, metric);
   if (!is_badly_shaped(triangle, metric, circle.squared_radius)) return VertexHandle();
   const auto middle = [this](HalfedgeHandle heh) {
-    const TriMesh& mesh = delaunay_.mesh();
+    const PolyMesh& mesh = delaunay_.mesh();
     return lerp(delaunay_.uv(mesh.from_vertex_handle(heh)),
                 delaunay_.uv(mesh.to_vertex_handle(heh)), 0.5);
   };
@@ -178,7 +178,7 @@ VertexHandle NodeTriangulation::improve(FaceHandle fh) {
   Cavity cavity;
   delaunay_.find_cavity(circle.centre, location, rule_, cavity);
   for (const HalfedgeHandle heh : cavity.rim) {
-    const TriMesh& mesh = delaunay_.mesh();
+    const PolyMesh& mesh = delaunay_.mesh();
     if (!mesh.is_boundary(mesh.opposite_halfedge_handle(heh))) continue;
     const Uv a = delaunay_.uv(mesh.from_vertex_handle(heh)) - circle.centre;
     const Uv b = delaunay_.uv(mesh.to_vertex_handle(heh)) - circle.centre;

@@ -40,7 +40,7 @@ class NodeTriangulation {
   std::vector<Uv> add_inner_nodes();
 
   /// The triangles without surplus elements.
-  const TriMesh& mesh() const { return delaunay_.mesh(); }
+  const PolyMesh& mesh() const { return delaunay_.mesh(); }
   DelaunayMesh::UvHandle uv_handle() const { return delaunay_.uv_handle(); }
   DelaunayMesh::MetricHandle metric_handle() const { return delaunay_.metric_handle(); }
 

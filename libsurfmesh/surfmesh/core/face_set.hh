@@ -28,6 +28,19 @@ class FaceList {
     return {vertices_.data() + first_[face], first_[face + 1] - first_[face]};
   }
 
+  /// The vertices of all corners.
+  std::span<const int> vertices() const { return vertices_; }
+  std::span<int> vertices() { return vertices_; }
+
+  /// Cost     O(1) where there are other numbers of corners in all, O(faces) else
+  bool has_only_triangles() const {
+    if (corner_count() != 3 * size()) return false;
+    for (std::size_t f = 0; f < size(); ++f) {
+      if (first_[f] != 3 * f) return false;
+    }
+    return true;
+  }
+
   void add(std::span<const int> vertices) {
     vertices_.insert(vertices_.end(), vertices.begin(), vertices.end());
     first_.push_back(vertices_.size());

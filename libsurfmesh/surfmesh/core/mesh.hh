@@ -3,7 +3,6 @@
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/Traits.hh>
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <cstddef>
 
 #include "surfmesh/core/storable.hh"
@@ -23,10 +22,7 @@ struct MeshTraits : public OpenMesh::DefaultTraitsDouble {
   VertexAttributes(OpenMesh::Attributes::None);
 };
 
-/// Domain meshes (one per patch) and control meshes.
-using TriMesh = OpenMesh::TriMesh_ArrayKernelT<MeshTraits>;
-
-/// The result. It holds polygons from the start, so that quads will change no interface.
+/// All meshes: those of patches and of control spaces, which consist of triangles, and the result.
 using PolyMesh = OpenMesh::PolyMesh_ArrayKernelT<MeshTraits>;
 
 /// The place of an element in lists with one entry an element; its handle must be valid.

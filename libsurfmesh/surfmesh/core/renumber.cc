@@ -39,7 +39,7 @@ std::vector<int> number_by(std::size_t count, std::size_t key_count, Key key) {
 
 }  // namespace
 
-Numbering number_along(const TriMesh& mesh, const std::vector<int>& vertex_order) {
+Numbering number_along(const PolyMesh& mesh, const std::vector<int>& vertex_order) {
   Numbering numbering;
   numbering.vertex.resize(mesh.n_vertices());
   for (std::size_t i = 0; i < vertex_order.size(); ++i) {
@@ -59,7 +59,7 @@ Numbering number_along(const TriMesh& mesh, const std::vector<int>& vertex_order
   return numbering;
 }
 
-void renumber(TriMesh& mesh, const Numbering& numbering) {
+void renumber(PolyMesh& mesh, const Numbering& numbering) {
   std::vector<Links> links(mesh.n_halfedges());
   for (std::size_t h = 0; h < links.size(); ++h) {
     const HalfedgeHandle heh(static_cast<int>(h));

@@ -19,13 +19,13 @@ struct Numbering {
 ///
 /// Cost     O(n), sorts by counting
 /// Pre      `vertex_order` contains every vertex once
-Numbering number_along(const TriMesh& mesh, const std::vector<int>& vertex_order);
+Numbering number_along(const PolyMesh& mesh, const std::vector<int>& vertex_order);
 
 /// Give the elements their new numbers. Properties do not move: see renumber_values.
 ///
 /// The two halfedges of an edge keep their order.
 /// Cost     O(n)
-void renumber(TriMesh& mesh, const Numbering& numbering);
+void renumber(PolyMesh& mesh, const Numbering& numbering);
 
 /// Move the values of one property to the new numbers of their elements.
 template <class Value>

@@ -12,29 +12,31 @@ namespace {
 /// origin.
 class TriangleCorners {
  public:
-  explicit TriangleCorners(const std::vector<std::array<int, 3>>& triangles)
-      : triangles_(triangles) {}
+  TriangleCorners(std::span<const int> vertices, FirstSide first_side)
+      : vertices_(vertices), leading_(first_side == FirstSide::FromFirstCorner ? 0 : 2) {}
 
-  std::size_t face_count() const { return triangles_.size(); }
-  std::size_t count() const { return 3 * triangles_.size(); }
+  std::size_t face_count() const { return vertices_.size() / 3; }
+  std::size_t count() const { return vertices_.size(); }
   std::size_t first(std::size_t face) const { return 3 * face; }
-  int vertex(std::size_t corner) const { return triangles_[corner / 3][corner % 3]; }
+  int vertex(std::size_t corner) const { return vertices_[corner]; }
   std::size_t next(std::size_t corner) const { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
   /// The side whose halfedge the face gets.
-  std::size_t leading_side(std::size_t face) const { return 3 * face; }
+  std::size_t leading_side(std::size_t face) const { return 3 * face + leading_; }
 
  private:
-  const std::vector<std::array<int, 3>>& triangles_;
+  std::span<const int> vertices_;
+  std::size_t leading_;
 };
 
 /// Corners of faces of any size, in the order of the faces.
 class PolygonCorners {
  public:
-  explicit PolygonCorners(const FaceList& faces) : faces_(faces), next_(faces.corner_count()) {
+  PolygonCorners(const FaceList& faces, FirstSide first_side)
+      : faces_(faces), first_side_(first_side), next_(faces.corner_count()) {
     for (std::size_t f = 0; f < faces.size(); ++f) {
       for (std::size_t c = first(f); c < first(f + 1); ++c) next_[c] = c + 1;
-      next_[leading_side(f)] = first(f);
+      next_[first(f + 1) - 1] = first(f);
     }
   }
 
@@ -43,12 +45,13 @@ class PolygonCorners {
   std::size_t first(std::size_t face) const { return faces_.first_corner(face); }
   int vertex(std::size_t corner) const { return faces_.vertex(corner); }
   std::size_t next(std::size_t corner) const { return next_[corner]; }
-
-  /// The last side: OpenMesh lists the vertices of a face from the tip of its halfedge on.
-  std::size_t leading_side(std::size_t face) const { return first(face + 1) - 1; }
+  std::size_t leading_side(std::size_t face) const {
+    return first_side_ == FirstSide::FromFirstCorner ? first(face) : first(face + 1) - 1;
+  }
 
  private:
   const FaceList& faces_;
+  FirstSide first_side_;
   std::vector<std::size_t> next_;
 };
 
@@ -109,10 +112,10 @@ class SideTable {
 };
 
 /// Give every side of every face its halfedge; glued sides get the two of one edge.
-template <class Mesh, class Corners>
+template <class Corners>
 class HalfedgeAssignment {
  public:
-  HalfedgeAssignment(Mesh& mesh, const Corners& corners)
+  HalfedgeAssignment(PolyMesh& mesh, const Corners& corners)
       : mesh_(mesh), corners_(corners), halfedge_of_(corners.count()) {}
 
   HalfedgeHandle of(std::size_t side) const { return halfedge_of_[side]; }
@@ -163,15 +166,14 @@ class HalfedgeAssignment {
     halfedge_of_[static_cast<std::size_t>(side)] = HalfedgeHandle(static_cast<int>(halfedge));
   }
 
-  Mesh& mesh_;
+  PolyMesh& mesh_;
   const Corners& corners_;
   std::vector<HalfedgeHandle> halfedge_of_;
   std::size_t count_ = 0;
 };
 
 /// The open halfedge that follows `outer`: turn around its tip through the faces there.
-template <class Mesh>
-HalfedgeHandle next_open_halfedge(const Mesh& mesh, HalfedgeHandle outer) {
+HalfedgeHandle next_open_halfedge(const PolyMesh& mesh, HalfedgeHandle outer) {
   HalfedgeHandle heh = mesh.opposite_halfedge_handle(outer);
   do {
     heh = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(heh));
@@ -179,8 +181,7 @@ HalfedgeHandle next_open_halfedge(const Mesh& mesh, HalfedgeHandle outer) {
   return heh;
 }
 
-template <class Mesh>
-void link_open_halfedges(Mesh& mesh) {
+void link_open_halfedges(PolyMesh& mesh) {
   for (std::size_t i = 0; i < mesh.n_halfedges(); ++i) {
     const HalfedgeHandle heh(static_cast<int>(i));
     if (!mesh.is_boundary(heh)) continue;
@@ -191,10 +192,9 @@ void link_open_halfedges(Mesh& mesh) {
 }
 
 /// Gives every fan of faces around a vertex a vertex of its own.
-template <class Mesh>
 class FanSeparation {
  public:
-  explicit FanSeparation(Mesh& mesh)
+  explicit FanSeparation(PolyMesh& mesh)
       : mesh_(mesh), is_seen_(mesh.n_halfedges(), 0), first_fan_(mesh.n_vertices()) {}
 
   /// Pre      `of(side)` is the halfedge that leaves the corner `side`
@@ -248,15 +248,15 @@ class FanSeparation {
     });
   }
 
-  Mesh& mesh_;
+  PolyMesh& mesh_;
   std::vector<char> is_seen_;
   std::vector<HalfedgeHandle> first_fan_;  ///< by vertex
 };
 
-template <class Mesh, class Corners>
-Separation build_connectivity(Mesh& mesh, std::size_t vertex_count, const Corners& corners,
+template <class Corners>
+Separation build_connectivity(PolyMesh& mesh, std::size_t vertex_count, const Corners& corners,
                               std::span<const int> twins) {
-  HalfedgeAssignment<Mesh, Corners> halfedges(mesh, corners);
+  HalfedgeAssignment<Corners> halfedges(mesh, corners);
   Separation separation;
   separation.cut_edges = halfedges.assign(vertex_count, twins);
   mesh.resize(vertex_count, halfedges.edge_count(), corners.face_count());
@@ -278,7 +278,7 @@ Separation build_connectivity(Mesh& mesh, std::size_t vertex_count, const Corner
 }
 
 /// Put `heir` into the place of a halfedge between the same vertices.
-void replace_halfedge(TriMesh& mesh, HalfedgeHandle heh, HalfedgeHandle heir) {
+void replace_halfedge(PolyMesh& mesh, HalfedgeHandle heh, HalfedgeHandle heir) {
   const FaceHandle fh = mesh.face_handle(heh);
   mesh.set_next_halfedge_handle(mesh.prev_halfedge_handle(heh), heir);
   mesh.set_next_halfedge_handle(heir, mesh.next_halfedge_handle(heh));
@@ -287,13 +287,13 @@ void replace_halfedge(TriMesh& mesh, HalfedgeHandle heh, HalfedgeHandle heir) {
 }
 
 /// Let a vertex refer to `spoke` if it refers to `freed`.
-void replace_spoke(TriMesh& mesh, VertexHandle vh, HalfedgeHandle freed, HalfedgeHandle spoke) {
+void replace_spoke(PolyMesh& mesh, VertexHandle vh, HalfedgeHandle freed, HalfedgeHandle spoke) {
   if (mesh.halfedge_handle(vh) == freed) mesh.set_halfedge_handle(vh, spoke);
 }
 
 }  // namespace
 
-FreedElements collapse(TriMesh& mesh, HalfedgeHandle heh) {
+FreedElements collapse(PolyMesh& mesh, HalfedgeHandle heh) {
   const HalfedgeHandle back = mesh.opposite_halfedge_handle(heh);
   const HalfedgeHandle left = mesh.next_halfedge_handle(heh);          // tip to left apex
   const HalfedgeHandle left_gone = mesh.next_halfedge_handle(left);    // left apex to origin
@@ -320,7 +320,7 @@ FreedElements collapse(TriMesh& mesh, HalfedgeHandle heh) {
 
 namespace detail {
 
-void renumber_element(TriMesh& mesh, VertexHandle from, VertexHandle to) {
+void renumber_element(PolyMesh& mesh, VertexHandle from, VertexHandle to) {
   const HalfedgeHandle start = mesh.halfedge_handle(from);
   HalfedgeHandle heh = start;
   do {
@@ -330,7 +330,7 @@ void renumber_element(TriMesh& mesh, VertexHandle from, VertexHandle to) {
   mesh.set_halfedge_handle(to, start);
 }
 
-void renumber_element(TriMesh& mesh, EdgeHandle from, EdgeHandle to) {
+void renumber_element(PolyMesh& mesh, EdgeHandle from, EdgeHandle to) {
   for (const unsigned k : {0u, 1u}) {
     const HalfedgeHandle old = mesh.halfedge_handle(from, k), heh = mesh.halfedge_handle(to, k);
     const VertexHandle origin = mesh.from_vertex_handle(old);
@@ -344,7 +344,7 @@ void renumber_element(TriMesh& mesh, EdgeHandle from, EdgeHandle to) {
   }
 }
 
-void renumber_element(TriMesh& mesh, FaceHandle from, FaceHandle to) {
+void renumber_element(PolyMesh& mesh, FaceHandle from, FaceHandle to) {
   const HalfedgeHandle start = mesh.halfedge_handle(from);
   HalfedgeHandle heh = start;
   do {
@@ -356,20 +356,22 @@ void renumber_element(TriMesh& mesh, FaceHandle from, FaceHandle to) {
 
 }  // namespace detail
 
-template <class Mesh>
-Separation build_triangles(Mesh& mesh, std::size_t vertex_count,
+Separation build_triangles(PolyMesh& mesh, std::size_t vertex_count,
                            const std::vector<std::array<int, 3>>& triangles,
                            std::span<const int> twins) {
-  return build_connectivity(mesh, vertex_count, TriangleCorners(triangles), twins);
+  const std::span<const int> vertices(triangles.empty() ? nullptr : triangles.front().data(),
+                                      3 * triangles.size());
+  return build_connectivity(mesh, vertex_count,
+                            TriangleCorners(vertices, FirstSide::FromFirstCorner), twins);
 }
 
-template Separation build_triangles(TriMesh&, std::size_t, const std::vector<std::array<int, 3>>&,
-                                    std::span<const int>);
-template Separation build_triangles(PolyMesh&, std::size_t, const std::vector<std::array<int, 3>>&,
-                                    std::span<const int>);
-
-Separation build_faces(PolyMesh& mesh, std::size_t vertex_count, const FaceList& faces) {
-  return build_connectivity(mesh, vertex_count, PolygonCorners(faces), {});
+Separation build_faces(PolyMesh& mesh, std::size_t vertex_count, const FaceList& faces,
+                       FirstSide first_side, std::span<const int> twins) {
+  if (faces.has_only_triangles()) {
+    return build_connectivity(mesh, vertex_count, TriangleCorners(faces.vertices(), first_side),
+                              twins);
+  }
+  return build_connectivity(mesh, vertex_count, PolygonCorners(faces, first_side), twins);
 }
 
 }  // namespace surfmesh

@@ -13,7 +13,7 @@
 
 namespace surfmesh {
 
-// Only these operations and those of core/renumber.hh change the connectivity of a TriMesh. They
+// Only these operations and those of core/renumber.hh change the connectivity of a mesh. They
 // work in place; the frequent ones are inlined. OpenMesh's own operations are compiled with
 // assertions in Debian's library (a flip takes 218 ns instead of 26) and lose edge properties in a
 // split. Properties after an operation:
@@ -39,7 +39,7 @@ struct FreedElements {
 /// shrink() the mesh has surplus elements at the end of its arrays, which no halfedge refers to.
 class ElementPool {
  public:
-  explicit ElementPool(TriMesh& mesh)
+  explicit ElementPool(PolyMesh& mesh)
       : mesh_(mesh), vertices_(mesh.n_vertices()), edges_(mesh.n_edges()), faces_(mesh.n_faces()) {}
 
   /// Make room for `count` more vertices in all (three edges and two faces each).
@@ -77,7 +77,7 @@ class ElementPool {
  private:
   static constexpr std::size_t kGrowth = 64;  ///< vertices for which room is made at once
 
-  TriMesh& mesh_;
+  PolyMesh& mesh_;
   std::size_t vertices_;
   std::size_t edges_;
   std::size_t faces_;
@@ -104,20 +104,27 @@ struct Separation {
 ///
 /// Cost     O(n) for sides with twins; O(n log n) for others
 /// Pre      mesh without elements; indices in [0, vertex_count), three different ones a triangle
-template <class Mesh>
-Separation build_triangles(Mesh& mesh, std::size_t vertex_count,
+Separation build_triangles(PolyMesh& mesh, std::size_t vertex_count,
                            const std::vector<std::array<int, 3>>& triangles,
                            std::span<const int> twins = {});
 
-/// Build the connectivity of a mesh of faces of any size, as build_triangles does.
+/// At which corner the halfedge of a face starts, from which OpenMesh goes around the face.
+enum class FirstSide {
+  FromFirstCorner,  ///< as build_triangles; ranges of vertices begin at the second corner
+  ToFirstCorner     ///< ranges of vertices begin at the first corner, as files have them
+};
+
+/// Build the connectivity of a mesh of faces of any size, as build_triangles does. `twins` has an
+/// entry for each corner of the list.
 ///
-/// OpenMesh's ranges around a face begin at its first vertex.
+/// Cost     as build_triangles where all faces are triangles
 /// Pre      no face has a vertex twice
-Separation build_faces(PolyMesh& mesh, std::size_t vertex_count, const FaceList& faces);
+Separation build_faces(PolyMesh& mesh, std::size_t vertex_count, const FaceList& faces,
+                       FirstSide first_side, std::span<const int> twins = {});
 
 /// Swap the diagonal of the two triangles at an inner edge. The caller makes sure that the four
 /// points are in convex position and that the new edge does not exist.
-inline void flip(TriMesh& mesh, EdgeHandle eh) {
+inline void flip(PolyMesh& mesh, EdgeHandle eh) {
   const HalfedgeHandle a0 = mesh.halfedge_handle(eh, 0);
   const HalfedgeHandle b0 = mesh.halfedge_handle(eh, 1);
   const HalfedgeHandle a1 = mesh.next_halfedge_handle(a0);
@@ -150,9 +157,9 @@ inline void flip(TriMesh& mesh, EdgeHandle eh) {
 namespace detail {
 
 /// Give an element the number of another one that nothing refers to.
-void renumber_element(TriMesh& mesh, VertexHandle from, VertexHandle to);
-void renumber_element(TriMesh& mesh, EdgeHandle from, EdgeHandle to);
-void renumber_element(TriMesh& mesh, FaceHandle from, FaceHandle to);
+void renumber_element(PolyMesh& mesh, VertexHandle from, VertexHandle to);
+void renumber_element(PolyMesh& mesh, EdgeHandle from, EdgeHandle to);
+void renumber_element(PolyMesh& mesh, FaceHandle from, FaceHandle to);
 
 }  // namespace detail
 
@@ -178,7 +185,7 @@ void ElementPool::take_out(FreedElements freed, Moved moved) {
 /// Pre      the new triangles are valid: no vertex around the origin but the two apexes is joined
 ///          to the tip
 /// Returns  the elements to remove (see ElementPool::take_out)
-FreedElements collapse(TriMesh& mesh, HalfedgeHandle heh);
+FreedElements collapse(PolyMesh& mesh, HalfedgeHandle heh);
 
 /// Triangles that are to be replaced by the fan from one new vertex.
 struct Cavity {
@@ -203,7 +210,7 @@ namespace detail {
 /// Hands out the cavity's old edges and faces first, then new ones.
 class CavityElements {
  public:
-  CavityElements(TriMesh& mesh, ElementPool& pool, const Cavity& cavity)
+  CavityElements(PolyMesh& mesh, ElementPool& pool, const Cavity& cavity)
       : mesh_(mesh), pool_(pool), cavity_(cavity) {}
 
   /// An edge between `from` and `to`; its first halfedge points to `to`.
@@ -221,7 +228,7 @@ class CavityElements {
   }
 
  private:
-  TriMesh& mesh_;
+  PolyMesh& mesh_;
   ElementPool& pool_;
   const Cavity& cavity_;
   std::size_t edge_ = 0;
@@ -230,7 +237,7 @@ class CavityElements {
 
 /// Cut the boundary edge of `inner` at vh. `inner` then leads from vh to its old tip.
 /// Returns the inner halfedge of the part from the old origin to vh.
-inline HalfedgeHandle split_boundary_edge(TriMesh& mesh, ElementPool& pool, HalfedgeHandle inner,
+inline HalfedgeHandle split_boundary_edge(PolyMesh& mesh, ElementPool& pool, HalfedgeHandle inner,
                                           VertexHandle vh) {
   const HalfedgeHandle outer = mesh.opposite_halfedge_handle(inner);
   const VertexHandle origin = mesh.to_vertex_handle(outer);
@@ -257,7 +264,7 @@ inline HalfedgeHandle split_boundary_edge(TriMesh& mesh, ElementPool& pool, Half
 ///
 /// Cost     O(size of the rim), no allocation after ElementPool::prepare_insertion
 /// Pre      the rim is as Cavity says; `constrained` is the mesh's surf:constrained
-inline VertexHandle fill_cavity(TriMesh& mesh, ElementPool& pool, const Cavity& cavity,
+inline VertexHandle fill_cavity(PolyMesh& mesh, ElementPool& pool, const Cavity& cavity,
                                 decltype(keys::edge_constrained)::Handle constrained) {
   pool.prepare_insertion();
   const VertexHandle vh = pool.take_vertex();

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <type_traits>
 #include <utility>
 
 #include "surfmesh/core/disjoint_sets.hh"
@@ -17,10 +16,9 @@ namespace {
 constexpr std::size_t kMostFaultsOfAKind = 100;
 
 /// Asks the mesh by index and believes nothing: every answer is checked before it is used as one.
-template <class Mesh>
 class FaultFinder {
  public:
-  explicit FaultFinder(const Mesh& mesh) : mesh_(mesh) {}
+  explicit FaultFinder(const PolyMesh& mesh) : mesh_(mesh) {}
 
   std::vector<std::string> run() {
     // Each question relies on those before it.
@@ -107,7 +105,7 @@ class FaultFinder {
         report("face {} has a halfedge of another face", i);
       } else if (cycle_length(start, count) != count) {
         report("face {}: its halfedges are not one cycle", i);
-      } else if (count < 3 || (std::is_same_v<Mesh, TriMesh> && count != 3)) {
+      } else if (count < 3) {
         report("face {} has {} edges", i, count);
       }
     }
@@ -168,14 +166,13 @@ class FaultFinder {
     }
   }
 
-  const Mesh& mesh_;
+  const PolyMesh& mesh_;
   std::vector<std::string> faults_;
   std::size_t count_ = 0;  // of the current kind
 };
 
 /// Number of sets of vertices that edges connect.
-template <class Mesh>
-std::size_t count_components(const Mesh& mesh) {
+std::size_t count_components(const PolyMesh& mesh) {
   DisjointSets sets(mesh.n_vertices());
   std::size_t count = mesh.n_vertices();
   for (int i = 0; i < static_cast<int>(mesh.n_edges()); ++i) {
@@ -187,8 +184,7 @@ std::size_t count_components(const Mesh& mesh) {
   return count;
 }
 
-template <class Mesh>
-std::size_t count_split_vertices(const Mesh& mesh) {
+std::size_t count_split_vertices(const PolyMesh& mesh) {
   std::vector<int> gaps(mesh.n_vertices(), 0);
   for (int i = 0; i < static_cast<int>(mesh.n_halfedges()); ++i) {
     const HalfedgeHandle heh(i);
@@ -198,8 +194,9 @@ std::size_t count_split_vertices(const Mesh& mesh) {
       std::count_if(gaps.begin(), gaps.end(), [](int count) { return count > 1; }));
 }
 
-template <class Mesh>
-MeshTopology topology_of(const Mesh& mesh) {
+}  // namespace
+
+MeshTopology measure_topology(const PolyMesh& mesh) {
   MeshTopology result;
   result.vertices = mesh.n_vertices();
   result.edges = mesh.n_edges();
@@ -215,17 +212,6 @@ MeshTopology topology_of(const Mesh& mesh) {
   return result;
 }
 
-}  // namespace
-
-MeshTopology measure_topology(const PolyMesh& mesh) { return topology_of(mesh); }
-MeshTopology measure_topology(const TriMesh& mesh) { return topology_of(mesh); }
-
-std::vector<std::string> find_faults(const PolyMesh& mesh) {
-  return FaultFinder<PolyMesh>(mesh).run();
-}
-
-std::vector<std::string> find_faults(const TriMesh& mesh) {
-  return FaultFinder<TriMesh>(mesh).run();
-}
+std::vector<std::string> find_faults(const PolyMesh& mesh) { return FaultFinder(mesh).run(); }
 
 }  // namespace surfmesh

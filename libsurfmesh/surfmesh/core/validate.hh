@@ -27,13 +27,12 @@ struct MeshTopology {
 ///
 /// Cost     O(edges)
 MeshTopology measure_topology(const PolyMesh& mesh);
-MeshTopology measure_topology(const TriMesh& mesh);
 
 /// List the broken invariants of the half-edge structure, in plain English; empty for a proper
 /// mesh.
 ///
 /// Handles are in range; next and previous undo each other and stay at one face; the halfedges of a
-/// face are one cycle of at least three (in a TriMesh exactly three); a vertex reaches all its
+/// face are one cycle of at least three; a vertex reaches all its
 /// halfedges by turning around it, and starts at its boundary halfedge if it has one; no edge from
 /// a vertex to itself, no two edges between the same vertices; every edge has a face. Lists the
 /// first hundred faults of each kind.
@@ -41,6 +40,5 @@ MeshTopology measure_topology(const TriMesh& mesh);
 /// Reads    topology only
 /// Cost     O(n log n)
 std::vector<std::string> find_faults(const PolyMesh& mesh);
-std::vector<std::string> find_faults(const TriMesh& mesh);
 
 }  // namespace surfmesh

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/renumber.hh"
@@ -20,7 +21,9 @@ DelaunayMesh::DelaunayMesh(Uv lower, Uv upper)
 
 DelaunayMesh::DelaunayMesh(const std::vector<Uv>& points,
                            const std::vector<std::array<int, 3>>& triangles)
-    : uv_(attach(mesh_, keys::vertex_uv)),
+    : owned_(std::make_unique<PolyMesh>()),
+      mesh_(*owned_),
+      uv_(attach(mesh_, keys::vertex_uv)),
       metric_(attach(mesh_, keys::vertex_metric)),
       constrained_(attach(mesh_, keys::edge_constrained)),
       pool_((build_triangles(mesh_, points.size(), triangles), mesh_)) {
@@ -32,6 +35,19 @@ DelaunayMesh::DelaunayMesh(const std::vector<Uv>& points,
       constrain(eh);
     }
   }
+}
+
+DelaunayMesh::DelaunayMesh(std::unique_ptr<PolyMesh> mesh)
+    : owned_(std::move(mesh)),
+      mesh_(*owned_),
+      uv_(require(mesh_, keys::vertex_uv)),
+      metric_(require(mesh_, keys::vertex_metric)),
+      constrained_(require(mesh_, keys::edge_constrained)),
+      pool_(mesh_) {}
+
+std::unique_ptr<PolyMesh> DelaunayMesh::release() {
+  shrink();
+  return std::move(owned_);
 }
 
 void DelaunayMesh::sort_spatially(std::size_t fixed) {

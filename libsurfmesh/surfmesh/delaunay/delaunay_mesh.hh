@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "surfmesh/core/topology.hh"
@@ -13,7 +14,7 @@ namespace surfmesh {
 
 /// The one triangulation kernel, for control meshes and domain meshes.
 ///
-/// A TriMesh with surf:uv, surf:metric and surf:constrained, to which points are added by the
+/// A PolyMesh with surf:uv, surf:metric and surf:constrained, to which points are added by the
 /// empty cavity or by edge swaps, with an in-circle rule as argument. Whatever the rule says, every
 /// triangle keeps a strictly positive area (exact orientation), and constrained edges stay.
 ///
@@ -31,13 +32,18 @@ class DelaunayMesh {
   /// Start from counter-clockwise triangles; their open edges become constrained.
   DelaunayMesh(const std::vector<Uv>& points, const std::vector<std::array<int, 3>>& triangles);
 
+  /// Go on with a mesh of triangles that release() has handed out.
+  /// Reads    surf:uv, surf:metric (vertex), surf:constrained (edge)
+  /// Throws   MissingProperty
+  explicit DelaunayMesh(std::unique_ptr<PolyMesh> mesh);
+
   DelaunayMesh(const DelaunayMesh&) = delete;
   DelaunayMesh& operator=(const DelaunayMesh&) = delete;
 
   // --- the mesh ---
 
-  TriMesh& mesh() { return mesh_; }
-  const TriMesh& mesh() const { return mesh_; }
+  PolyMesh& mesh() { return mesh_; }
+  const PolyMesh& mesh() const { return mesh_; }
   UvHandle uv_handle() const { return uv_; }
   MetricHandle metric_handle() const { return metric_; }
 
@@ -54,6 +60,10 @@ class DelaunayMesh {
 
   /// Make room for `count` more vertices.
   void reserve(std::size_t count) { pool_.reserve(count); }
+
+  /// Cut off the surplus elements and hand out the mesh, with its properties; nothing else may be
+  /// called after that.
+  std::unique_ptr<PolyMesh> release();
 
   /// Cut off the surplus elements.
   void shrink() { pool_.shrink(); }
@@ -144,7 +154,8 @@ class DelaunayMesh {
   void remove_crossings(VertexHandle a, VertexHandle b, std::vector<EdgeHandle>& crossed);
   bool crosses(EdgeHandle eh, VertexHandle a, VertexHandle b) const;
 
-  TriMesh mesh_;
+  std::unique_ptr<PolyMesh> owned_;  // OpenMesh's meshes cannot be moved
+  PolyMesh& mesh_;
   UvHandle uv_;
   MetricHandle metric_;
   ConstrainedHandle constrained_;

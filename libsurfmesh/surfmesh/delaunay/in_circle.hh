@@ -17,7 +17,7 @@ namespace surfmesh {
 /// The vertices of a triangle, counter-clockwise.
 using TriangleVertices = std::array<VertexHandle, 3>;
 
-inline TriangleVertices vertices(const TriMesh& mesh, FaceHandle fh) {
+inline TriangleVertices vertices(const PolyMesh& mesh, FaceHandle fh) {
   const HalfedgeHandle a = mesh.halfedge_handle(fh);
   const HalfedgeHandle b = mesh.next_halfedge_handle(a);
   const HalfedgeHandle c = mesh.next_halfedge_handle(b);
@@ -25,13 +25,13 @@ inline TriangleVertices vertices(const TriMesh& mesh, FaceHandle fh) {
 }
 
 /// Parameters of the three vertices of a triangle.
-inline std::array<Uv, 3> corners(const TriMesh& mesh, const TriangleVertices& triangle,
+inline std::array<Uv, 3> corners(const PolyMesh& mesh, const TriangleVertices& triangle,
                                  decltype(keys::vertex_uv)::Handle uv) {
   return {mesh.property(uv, triangle[0]), mesh.property(uv, triangle[1]),
           mesh.property(uv, triangle[2])};
 }
 
-inline std::array<Uv, 3> corners(const TriMesh& mesh, FaceHandle fh,
+inline std::array<Uv, 3> corners(const PolyMesh& mesh, FaceHandle fh,
                                  decltype(keys::vertex_uv)::Handle uv) {
   return corners(mesh, vertices(mesh, fh), uv);
 }
@@ -77,7 +77,7 @@ struct ConstantMetricRule {
   decltype(keys::vertex_uv)::Handle uv;
   Metric metric{1, 0, 1};
 
-  bool operator()(const TriMesh& mesh, const TriangleVertices& triangle, Uv p) const {
+  bool operator()(const PolyMesh& mesh, const TriangleVertices& triangle, Uv p) const {
     return in_metric_circle(corners(mesh, triangle, uv), p, metric);
   }
 };
@@ -88,7 +88,7 @@ struct TriangleMetricRule {
   decltype(keys::vertex_uv)::Handle uv;
   decltype(keys::vertex_metric)::Handle metric;
 
-  bool operator()(const TriMesh& mesh, const TriangleVertices& triangle, Uv p) const {
+  bool operator()(const PolyMesh& mesh, const TriangleVertices& triangle, Uv p) const {
     const Metric m = mean(mesh.property(metric, triangle[0]), mesh.property(metric, triangle[1]),
                           mesh.property(metric, triangle[2]));
     return in_metric_circle(corners(mesh, triangle, uv), p, m);

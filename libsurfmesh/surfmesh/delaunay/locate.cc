@@ -10,7 +10,7 @@ namespace {
 
 class Walk {
  public:
-  Walk(const TriMesh& mesh, decltype(keys::vertex_uv)::Handle uv, Uv p)
+  Walk(const PolyMesh& mesh, decltype(keys::vertex_uv)::Handle uv, Uv p)
       : mesh_(mesh), uv_(uv), p_(p) {}
 
   /// Sign of the side of `heh` on which p lies: 1 left, where its triangle is.
@@ -43,7 +43,7 @@ class Walk {
   }
 
  private:
-  const TriMesh& mesh_;
+  const PolyMesh& mesh_;
   decltype(keys::vertex_uv)::Handle uv_;
   Uv p_;
 };
@@ -64,7 +64,7 @@ std::size_t step_limit(std::size_t face_count) {
 
 }  // namespace
 
-Location locate(const TriMesh& mesh, decltype(keys::vertex_uv)::Handle uv, Uv p, FaceHandle start,
+Location locate(const PolyMesh& mesh, decltype(keys::vertex_uv)::Handle uv, Uv p, FaceHandle start,
                 RandomBits& random, std::size_t face_count) {
   const Walk walk(mesh, uv, p);
   HalfedgeHandle entry = mesh.halfedge_handle(start);

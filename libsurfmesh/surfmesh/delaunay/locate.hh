@@ -28,7 +28,7 @@ struct Location {
 ///
 /// Cost     O(steps), about 10 ns each
 /// Pre      start is a face; faces from 0 to face_count are in use
-Location locate(const TriMesh& mesh, decltype(keys::vertex_uv)::Handle uv, Uv p, FaceHandle start,
+Location locate(const PolyMesh& mesh, decltype(keys::vertex_uv)::Handle uv, Uv p, FaceHandle start,
                 RandomBits& random, std::size_t face_count);
 
 }  // namespace surfmesh

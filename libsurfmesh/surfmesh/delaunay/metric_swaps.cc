@@ -19,7 +19,7 @@ struct Quadrilateral {
 };
 
 Quadrilateral around(const DelaunayMesh& delaunay, EdgeHandle eh) {
-  const TriMesh& mesh = delaunay.mesh();
+  const PolyMesh& mesh = delaunay.mesh();
   const HalfedgeHandle a = mesh.halfedge_handle(eh, 0), b = mesh.halfedge_handle(eh, 1);
   return {a,
           b,
@@ -40,7 +40,7 @@ bool is_worth_swapping(const Quadrilateral& q) {
 }  // namespace
 
 double quality(const DelaunayMesh& delaunay, FaceHandle fh) {
-  const TriMesh& mesh = delaunay.mesh();
+  const PolyMesh& mesh = delaunay.mesh();
   const HalfedgeHandle a = mesh.halfedge_handle(fh);
   const HalfedgeHandle b = mesh.next_halfedge_handle(a);
   const HalfedgeHandle c = mesh.next_halfedge_handle(b);
@@ -50,7 +50,7 @@ double quality(const DelaunayMesh& delaunay, FaceHandle fh) {
 }
 
 std::size_t swap_edges(DelaunayMesh& delaunay, std::vector<EdgeHandle> edges) {
-  const TriMesh& mesh = delaunay.mesh();
+  const PolyMesh& mesh = delaunay.mesh();
   const std::size_t limit = kSwapsPerEdge * edges.size();
   std::size_t swaps = 0;
   while (!edges.empty() && swaps < limit) {

@@ -99,7 +99,8 @@ FaceSet face_set_of(const PolyMesh& mesh) {
 MeshFile mesh_from(FaceSetFile file, const std::string& name) {
   MeshFile result{{}, std::move(file.patch_names), std::move(file.warnings)};
   const FaceSet& set = file.set;
-  const Separation separation = build_faces(result.mesh, set.points.size(), set.faces);
+  const Separation separation =
+      build_faces(result.mesh, set.points.size(), set.faces, FirstSide::ToFirstCorner);
   if (!file.degenerate_faces.empty()) {
     result.warnings.push_back(
         fmt::format("{}: {} triangles with two equal corners are left out, the first is number {}",

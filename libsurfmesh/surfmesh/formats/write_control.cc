@@ -117,7 +117,7 @@ class VtuWriter {
       return std::array{sizes.l_s, sizes.l_t};
     });
     point_array("size", 9, [](const ControlPicture& picture, VertexHandle vh) {
-      const TriMesh& mesh = *picture.mesh;
+      const PolyMesh& mesh = *picture.mesh;
       const Eigen::Matrix3d h =
           space_tensor(picture, mesh.property(require(mesh, keys::vertex_uv), vh),
                        mesh.property(require(mesh, keys::vertex_size), vh));
@@ -152,7 +152,7 @@ class VtuWriter {
   void write_cell_values() {
     face_array("Int32", "patch", [](std::size_t patch, FaceHandle) { return patch; });
     face_array("Int32", "class", [this](std::size_t patch, FaceHandle fh) {
-      const TriMesh& mesh = *pictures_[patch].mesh;
+      const PolyMesh& mesh = *pictures_[patch].mesh;
       const auto handle = find(mesh, keys::face_class);
       return handle.is_valid() ? mesh.property(handle, fh) : -1;
     });

@@ -13,7 +13,7 @@ namespace surfmesh {
 /// The control mesh of one patch, to be written. The mesh and the surface must outlive it.
 struct ControlPicture {
   std::string patch;
-  const TriMesh* mesh;
+  const PolyMesh* mesh;
   const Surface* surface;
 };
 

@@ -31,7 +31,7 @@ class LengthFit {
   }
 
  private:
-  const TriMesh& mesh() const { return delaunay_.mesh(); }
+  const PolyMesh& mesh() const { return delaunay_.mesh(); }
 
   MetricCorner origin(HalfedgeHandle heh) const {
     return corner(delaunay_, mesh().from_vertex_handle(heh));

@@ -8,7 +8,7 @@
 namespace surfmesh {
 
 bool Star::collect(const DelaunayMesh& delaunay, VertexHandle vh) {
-  const TriMesh& mesh = delaunay.mesh();
+  const PolyMesh& mesh = delaunay.mesh();
   ring_.clear();
   const HalfedgeHandle start = mesh.halfedge_handle(vh);
   if (mesh.is_boundary(start)) return false;

@@ -22,24 +22,24 @@ double shape_of(const CornerTriangles& triangles) {
   return shape;
 }
 
-PatchCorner corner_of(const PatchMesh& patch, VertexHandle vh) {
+PatchCorner corner_of(const TriangulatedPatch& patch, VertexHandle vh) {
   const std::size_t v = index(vh);
   return {patch.delaunay->uv(vh), patch.points[v], patch.normals[v]};
 }
 
-PatchCorner corner_at(const PatchMesh& patch, Uv uv) {
+PatchCorner corner_at(const TriangulatedPatch& patch, Uv uv) {
   const Jet jet = patch.surface->evaluate(uv, Order::First);
   return {uv, jet.point, jet.du.cross(jet.dv)};
 }
 
-bool is_inner(const PatchMesh& patch, EdgeHandle eh) {
-  const TriMesh& mesh = patch.delaunay->mesh();
+bool is_inner(const TriangulatedPatch& patch, EdgeHandle eh) {
+  const PolyMesh& mesh = patch.delaunay->mesh();
   return !patch.delaunay->is_constrained(eh) && !mesh.is_boundary(mesh.halfedge_handle(eh, 0)) &&
          !mesh.is_boundary(mesh.halfedge_handle(eh, 1));
 }
 
-std::vector<EdgeHandle> inner_edges(const PatchMesh& patch, FaceHandle fh) {
-  const TriMesh& mesh = patch.delaunay->mesh();
+std::vector<EdgeHandle> inner_edges(const TriangulatedPatch& patch, FaceHandle fh) {
+  const PolyMesh& mesh = patch.delaunay->mesh();
   std::vector<EdgeHandle> edges;
   HalfedgeHandle heh = mesh.halfedge_handle(fh);
   for (int k = 0; k < 3; ++k, heh = mesh.next_halfedge_handle(heh)) {
@@ -48,8 +48,8 @@ std::vector<EdgeHandle> inner_edges(const PatchMesh& patch, FaceHandle fh) {
   return edges;
 }
 
-Diamond diamond_of(const PatchMesh& patch, EdgeHandle eh) {
-  const TriMesh& mesh = patch.delaunay->mesh();
+Diamond diamond_of(const TriangulatedPatch& patch, EdgeHandle eh) {
+  const PolyMesh& mesh = patch.delaunay->mesh();
   const HalfedgeHandle a = mesh.halfedge_handle(eh, 0), b = mesh.halfedge_handle(eh, 1);
   return {corner_of(patch, mesh.to_vertex_handle(b)),
           corner_of(patch, mesh.to_vertex_handle(mesh.next_halfedge_handle(b))),
@@ -57,22 +57,23 @@ Diamond diamond_of(const PatchMesh& patch, EdgeHandle eh) {
           corner_of(patch, mesh.to_vertex_handle(mesh.next_halfedge_handle(a)))};
 }
 
-double squared_length(const PatchMesh& patch, EdgeHandle eh) {
+double squared_length(const TriangulatedPatch& patch, EdgeHandle eh) {
   const HalfedgeHandle heh = patch.delaunay->mesh().halfedge_handle(eh, 0);
   const Vec3& tip = patch.points[index(patch.delaunay->mesh().to_vertex_handle(heh))];
   const Vec3& origin = patch.points[index(patch.delaunay->mesh().from_vertex_handle(heh))];
   return (tip - origin).squaredNorm();
 }
 
-std::vector<VertexHandle> ring_of(const PatchMesh& patch, VertexHandle vh) {
-  const TriMesh& mesh = patch.delaunay->mesh();
+std::vector<VertexHandle> ring_of(const TriangulatedPatch& patch, VertexHandle vh) {
+  const PolyMesh& mesh = patch.delaunay->mesh();
   std::vector<VertexHandle> ring;
   for (const HalfedgeHandle heh : mesh.voh_range(vh)) ring.push_back(mesh.to_vertex_handle(heh));
   return ring;
 }
 
-CornerTriangles star_of(const PatchMesh& patch, VertexHandle vh, const PatchCorner& centre) {
-  const TriMesh& mesh = patch.delaunay->mesh();
+CornerTriangles star_of(const TriangulatedPatch& patch, VertexHandle vh,
+                        const PatchCorner& centre) {
+  const PolyMesh& mesh = patch.delaunay->mesh();
   CornerTriangles triangles;
   for (const HalfedgeHandle heh : mesh.voh_range(vh)) {
     const HalfedgeHandle next = mesh.next_halfedge_handle(heh);

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "surfmesh/patch_mesh/patch_mesh.hh"
+#include "surfmesh/patch_mesh/triangulated_patch.hh"
 
 /// The triangles of a patch as corners on its surface, those that are there and those that might
 /// be.
@@ -39,23 +39,23 @@ struct Diamond {
   }
 };
 
-PatchCorner corner_of(const PatchMesh& patch, VertexHandle vh);
+PatchCorner corner_of(const TriangulatedPatch& patch, VertexHandle vh);
 
 /// A corner where the patch has no vertex.
-PatchCorner corner_at(const PatchMesh& patch, Uv uv);
+PatchCorner corner_at(const TriangulatedPatch& patch, Uv uv);
 
-bool is_inner(const PatchMesh& patch, EdgeHandle eh);
+bool is_inner(const TriangulatedPatch& patch, EdgeHandle eh);
 
-std::vector<EdgeHandle> inner_edges(const PatchMesh& patch, FaceHandle fh);
+std::vector<EdgeHandle> inner_edges(const TriangulatedPatch& patch, FaceHandle fh);
 
-Diamond diamond_of(const PatchMesh& patch, EdgeHandle eh);
+Diamond diamond_of(const TriangulatedPatch& patch, EdgeHandle eh);
 
-double squared_length(const PatchMesh& patch, EdgeHandle eh);
+double squared_length(const TriangulatedPatch& patch, EdgeHandle eh);
 
 /// The vertices around a vertex.
-std::vector<VertexHandle> ring_of(const PatchMesh& patch, VertexHandle vh);
+std::vector<VertexHandle> ring_of(const TriangulatedPatch& patch, VertexHandle vh);
 
 /// The triangles around an inner vertex, were it at `centre`.
-CornerTriangles star_of(const PatchMesh& patch, VertexHandle vh, const PatchCorner& centre);
+CornerTriangles star_of(const TriangulatedPatch& patch, VertexHandle vh, const PatchCorner& centre);
 
 }  // namespace surfmesh::detail

@@ -7,6 +7,7 @@
 #include "surfmesh/delaunay/predicates.hh"
 #include "surfmesh/patch/corner_triangles.hh"
 #include "surfmesh/patch/sag_meter.hh"
+#include "surfmesh/patch_mesh/patch_mesh.hh"
 
 namespace surfmesh::detail {
 namespace {
@@ -35,7 +36,7 @@ constexpr double kGoodShape = 0.6;
 /// Corrects the triangles of one patch.
 class SagCorrector {
  public:
-  SagCorrector(PatchMesh& patch, double aim)
+  SagCorrector(TriangulatedPatch& patch, double aim)
       : patch_(patch), delaunay_(*patch.delaunay), aim_(aim), meter_(*patch.surface, aim) {}
 
   SagCorrections run() {
@@ -54,7 +55,7 @@ class SagCorrector {
   }
 
  private:
-  const TriMesh& mesh() const { return delaunay_.mesh(); }
+  const PolyMesh& mesh() const { return delaunay_.mesh(); }
 
   double& sag(FaceHandle fh) { return sags_[index(fh)]; }
 
@@ -203,7 +204,7 @@ class SagCorrector {
     measure_around(vh);
   }
 
-  PatchMesh& patch_;
+  TriangulatedPatch& patch_;
   DelaunayMesh& delaunay_;
   double aim_;
   SagMeter meter_;
@@ -214,7 +215,7 @@ class SagCorrector {
 
 }  // namespace
 
-SagCorrections correct_sag(PatchMesh& patch, double aim) {
+SagCorrections correct_sag(TriangulatedPatch& patch, double aim) {
   const SagCorrections result = SagCorrector(patch, aim).run();
   patch.delaunay->shrink();
   return result;

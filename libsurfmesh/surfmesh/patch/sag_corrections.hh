@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "surfmesh/patch_mesh/patch_mesh.hh"
+#include "surfmesh/patch_mesh/triangulated_patch.hh"
 
 namespace surfmesh::detail {
 
@@ -24,6 +24,6 @@ struct SagCorrections {
 /// Error    distances from the planes of triangles, at 25 samples each
 /// Cost     25 surface evaluations a triangle, 100 a triangle that is too far
 /// Pre      evaluate_vertices has been called
-SagCorrections correct_sag(PatchMesh& patch, double aim);
+SagCorrections correct_sag(TriangulatedPatch& patch, double aim);
 
 }  // namespace surfmesh::detail

@@ -10,14 +10,14 @@ namespace {
 /// Rounds without progress: triangles lie flat only after some halving; more makes slivers.
 constexpr int kMaxFailures = 4;
 
-bool is_turned(const PatchMesh& patch, const TriangleVertices& triangle) {
+bool is_turned(const TriangulatedPatch& patch, const TriangleVertices& triangle) {
   const std::size_t a = index(triangle[0]), b = index(triangle[1]), c = index(triangle[2]);
   const Vec3& origin = patch.points[a];
   const Vec3 normal = (patch.points[b] - origin).cross(patch.points[c] - origin);
   return normal.dot(patch.normals[a] + patch.normals[b] + patch.normals[c]) <= 0;
 }
 
-std::vector<FaceHandle> turned_faces(const PatchMesh& patch) {
+std::vector<FaceHandle> turned_faces(const TriangulatedPatch& patch) {
   std::vector<FaceHandle> faces;
   for (std::size_t f = 0; f < patch.delaunay->n_faces(); ++f) {
     const FaceHandle fh(static_cast<int>(f));
@@ -27,8 +27,8 @@ std::vector<FaceHandle> turned_faces(const PatchMesh& patch) {
 }
 
 /// True if a swap of the edge leaves none of its two triangles turned.
-bool swap_mends(const PatchMesh& patch, HalfedgeHandle heh) {
-  const TriMesh& mesh = patch.delaunay->mesh();
+bool swap_mends(const TriangulatedPatch& patch, HalfedgeHandle heh) {
+  const PolyMesh& mesh = patch.delaunay->mesh();
   if (!patch.delaunay->can_flip(mesh.edge_handle(heh))) return false;
   const HalfedgeHandle opposite = mesh.opposite_halfedge_handle(heh);
   const VertexHandle origin = mesh.from_vertex_handle(heh), tip = mesh.to_vertex_handle(heh);
@@ -37,8 +37,8 @@ bool swap_mends(const PatchMesh& patch, HalfedgeHandle heh) {
   return !is_turned(patch, {right, tip, left}) && !is_turned(patch, {left, origin, right});
 }
 
-double squared_chord(const PatchMesh& patch, HalfedgeHandle heh) {
-  const TriMesh& mesh = patch.delaunay->mesh();
+double squared_chord(const TriangulatedPatch& patch, HalfedgeHandle heh) {
+  const PolyMesh& mesh = patch.delaunay->mesh();
   const Vec3& from = patch.points[index(mesh.from_vertex_handle(heh))];
   const Vec3& to = patch.points[index(mesh.to_vertex_handle(heh))];
   return (to - from).squaredNorm();
@@ -46,8 +46,8 @@ double squared_chord(const PatchMesh& patch, HalfedgeHandle heh) {
 
 /// Swap an edge of the triangle, or return its longest inner edge; invalid after a swap, and if all
 /// edges are segments.
-EdgeHandle swap_or_choose(PatchMesh& patch, FaceHandle fh) {
-  const TriMesh& mesh = patch.delaunay->mesh();
+EdgeHandle swap_or_choose(TriangulatedPatch& patch, FaceHandle fh) {
+  const PolyMesh& mesh = patch.delaunay->mesh();
   HalfedgeHandle longest;
   HalfedgeHandle heh = mesh.halfedge_handle(fh);
   for (int k = 0; k < 3; ++k, heh = mesh.next_halfedge_handle(heh)) {
@@ -63,7 +63,7 @@ EdgeHandle swap_or_choose(PatchMesh& patch, FaceHandle fh) {
   return longest.is_valid() ? mesh.edge_handle(longest) : EdgeHandle();
 }
 
-std::size_t count_turned_in_fans(const PatchMesh& patch) {
+std::size_t count_turned_in_fans(const TriangulatedPatch& patch) {
   std::size_t count = 0;
   for (const PoleFan& fan : patch.boundary.fans) {
     const Vec3 pole = patch.surface->evaluate(fan.sides.front(), Order::Position).point;
@@ -77,13 +77,26 @@ std::size_t count_turned_in_fans(const PatchMesh& patch) {
   return count;
 }
 
+/// `faces` are all that are turned outside fans.
+TurnedTriangles turned_triangles(const TriangulatedPatch& patch,
+                                 const std::vector<FaceHandle>& faces) {
+  TurnedTriangles result{faces.size() + count_turned_in_fans(patch), {}};
+  if (faces.empty()) return result;
+  Vec3 sum = Vec3::Zero();
+  for (const VertexHandle vh : vertices(patch.delaunay->mesh(), faces.front())) {
+    sum += patch.points[index(vh)];
+  }
+  result.point = sum / 3;
+  return result;
+}
+
 }  // namespace
 
-bool is_turned(const PatchMesh& patch, FaceHandle fh) {
+bool is_turned(const TriangulatedPatch& patch, FaceHandle fh) {
   return is_turned(patch, vertices(patch.delaunay->mesh(), fh));
 }
 
-std::size_t mend_turned_triangles(PatchMesh& patch) {
+TurnedTriangles mend_turned_triangles(TriangulatedPatch& patch) {
   std::vector<FaceHandle> faces = turned_faces(patch);
   std::size_t least = faces.size();
   int failures = 0;
@@ -103,21 +116,11 @@ std::size_t mend_turned_triangles(PatchMesh& patch) {
     if (faces.size() >= least) ++failures;
     least = std::min(least, faces.size());
   }
-  return faces.size() + count_turned_in_fans(patch);
+  return turned_triangles(patch, faces);
 }
 
-std::optional<Vec3> find_turned_place(const PatchMesh& patch) {
-  const std::vector<FaceHandle> faces = turned_faces(patch);
-  if (faces.empty()) return {};
-  Vec3 sum = Vec3::Zero();
-  for (const VertexHandle vh : vertices(patch.delaunay->mesh(), faces.front())) {
-    sum += patch.points[index(vh)];
-  }
-  return sum / 3;
-}
-
-std::size_t count_turned_triangles(const PatchMesh& patch) {
-  return turned_faces(patch).size() + count_turned_in_fans(patch);
+TurnedTriangles find_turned_triangles(const TriangulatedPatch& patch) {
+  return turned_triangles(patch, turned_faces(patch));
 }
 
 }  // namespace surfmesh

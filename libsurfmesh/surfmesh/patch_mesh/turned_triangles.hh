@@ -4,21 +4,22 @@
 #include <cstddef>
 #include <optional>
 
-#include "surfmesh/patch_mesh/patch_mesh.hh"
+#include "surfmesh/patch_mesh/triangulated_patch.hh"
 
 namespace surfmesh {
 
 /// True if the triangle's normal points against the sum of the surface's normals at its vertices.
 /// Pre      evaluate_vertices has been called
-bool is_turned(const PatchMesh& patch, FaceHandle fh);
+bool is_turned(const TriangulatedPatch& patch, FaceHandle fh);
 
-/// Count the turned triangles of a patch, also those of its fans around poles.
-/// Pre      evaluate_vertices has been called
-std::size_t count_turned_triangles(const PatchMesh& patch);
+struct TurnedTriangles {
+  std::size_t count = 0;      ///< those of fans around poles among them
+  std::optional<Vec3> point;  ///< in the middle of one; unset if only fans have any
+};
 
-/// The middle of a turned triangle of a patch; none if no triangle outside fans is turned.
+/// Find the turned triangles of a patch.
 /// Pre      evaluate_vertices has been called
-std::optional<Vec3> find_turned_place(const PatchMesh& patch);
+TurnedTriangles find_turned_triangles(const TriangulatedPatch& patch);
 
 /// Fix triangles that are valid in (u,v) but turned against the surface in space, as happens where
 /// elements are large for its curvature: swap an edge if that fixes both triangles, otherwise split
@@ -26,8 +27,8 @@ std::optional<Vec3> find_turned_place(const PatchMesh& patch);
 ///
 /// Writes   surf:uv, surf:metric of new vertices; points and normals of the patch
 /// Some may stay turned: those at a contour whose own segments are too long.
-/// Returns  how many are turned at the end, including those of fans around poles
+/// Returns  those that are turned at the end
 /// Cost     O(faces) if none is turned
-std::size_t mend_turned_triangles(PatchMesh& patch);
+TurnedTriangles mend_turned_triangles(TriangulatedPatch& patch);
 
 }  // namespace surfmesh

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,13 +16,12 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/validate.hh"
-#include "surfmesh/patch/sag_corrections.hh"
-#include "surfmesh/patch_mesh/turned_triangles.hh"
+#include "surfmesh/patch/mesh_patch.hh"
+#include "surfmesh/patch_mesh/improper_chords.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/for_each_patch.hh"
 #include "surfmesh/pipeline/patch_names.hh"
 #include "surfmesh/pipeline/reach_sag.hh"
-#include "surfmesh/refine/boundary_triangulation.hh"
 
 namespace surfmesh {
 namespace {
@@ -31,19 +29,10 @@ namespace {
 /// A triangle of less quality is told: it is of no use, and the user can mend it.
 constexpr double kFlatQuality = 0.1;
 
-/// What the meshing of one patch tells beside its mesh.
-struct PatchReport {
-  StageSeconds seconds;
-  Report::Queries queries;
-  bool is_given_up = false;
-  std::size_t turned = 0;  ///< triangles against the normal of the surface
-};
-
 class Run {
  public:
   Run(const Model& model, const Sources& sources, const ResolvedSizing& sizing,
-      const PipelineOptions& options, const RunContext& context,
-      std::optional<double> corrected_sag = {})
+      const PipelineOptions& options, const RunContext& context, double corrected_sag = 0)
       : model_(model),
         sources_(sources),
         options_(options),
@@ -62,21 +51,21 @@ class Run {
     mesh_patches();
     assemble_patches(result.mesh);
     measure(result.mesh);
-    report_.seconds.wall =
+    report_.wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.report = std::move(report_);
   }
 
  private:
   void make_spaces() {
-    const StageClock clock(report_.seconds.control);
+    const StageClock clock(report_.seconds[Stage::Control]);
     ControlSpaces made = make_control_spaces(model_, sources_, sizing_, options_.control, context_);
     std::move(made.warnings.begin(), made.warnings.end(), std::back_inserter(report_.warnings));
     std::move(made.shortfalls.begin(), made.shortfalls.end(),
               std::back_inserter(report_.shortfalls));
     spaces_ = std::move(made.spaces);
     for (std::size_t p = 0; p < spaces_.size(); ++p) {
-      const TriMesh& mesh = spaces_[p]->mesh();
+      const PolyMesh& mesh = spaces_[p]->mesh();
       report_.control.nodes += mesh.n_vertices();
       report_.control.triangles += mesh.n_faces();
       count_classes(mesh);
@@ -86,7 +75,7 @@ class Run {
     }
   }
 
-  void count_classes(const TriMesh& mesh) {
+  void count_classes(const PolyMesh& mesh) {
     const auto handle = find(mesh, keys::face_class);
     if (!handle.is_valid()) return;  // a grid has none
     Report::Classes& classes = report_.control.classes;
@@ -108,11 +97,11 @@ class Run {
   }
 
   void place_nodes() {
-    const StageClock clock(report_.seconds.boundary);
+    const StageClock clock(report_.seconds[Stage::Boundary]);
     context_.tell("boundary", 0, model_.contours.size());
     BoundaryNodes boundary = place_contour_nodes(model_, fields_, demands());
     nodes_ = std::move(boundary.contours);
-    report_.control.queries.boundary = boundary.report.queries;
+    report_.control.queries[Stage::Boundary] = boundary.report.queries;
     numbers_ = std::make_unique<NodeNumbers>(model_, nodes_);
     context_.tell("boundary", model_.contours.size(), model_.contours.size());
   }
@@ -124,20 +113,38 @@ class Run {
   }
 
   void mesh_patches() {
-    patches_.resize(model_.patches.size());
-    patch_reports_.resize(model_.patches.size());
+    std::vector<PatchResult> results(model_.patches.size());
     for_each_patch(model_, "mesh", context_, boundary_counts(),
-                   [this](std::size_t p) { mesh_patch(p); });
-    for (const PatchReport& report : patch_reports_) take(report);
-    tell_given_up();
-    const StageClock clock(report_.seconds.assemble);
-    if (split_improper_chords(patches_) > 0 || corrected_sag_) {
-      share_indices(patches_.size(), [this](std::size_t p) {
-        evaluate_vertices(patches_[p]);
-        patch_reports_[p].turned = count_turned_triangles(patches_[p]);
-      });
+                   [&](std::size_t p) { results[p] = mesh_one(p); });
+    for (PatchResult& result : results) {
+      report_.seconds += result.seconds;
+      report_.control.queries += result.queries;
+      patches_.push_back(std::move(result.mesh));
+      turned_.push_back(std::move(result.turned));
+    }
+    tell_given_up(results);
+    const StageClock clock(report_.seconds[Stage::Assemble]);
+    for (const auto& [p, turned] : split_improper_chords(patches_, model_, fields_).turned) {
+      turned_[p] = turned;
     }
     tell_turned();
+  }
+
+  PatchResult mesh_one(std::size_t p) {
+    double seconds = 0;
+    const auto boundary = [&] {
+      const StageClock clock(seconds);
+      return collect_boundary(model_, static_cast<int>(p), nodes_, *numbers_, *fields_[p]);
+    };
+    PatchResult result = mesh_patch({.surface = *model_.patches[p].surface,
+                                     .field = *fields_[p],
+                                     .boundary = boundary(),
+                                     .refine = options_.refine,
+                                     .improve = options_.improve,
+                                     .corrected_sag = corrected_sag_},
+                                    context_);
+    result.seconds[Stage::Triangulate] += seconds;
+    return result;
   }
 
   /// Nodes on the contours of each patch: how much work the patch is goes by them, roughly.
@@ -151,17 +158,9 @@ class Run {
     return counts;
   }
 
-  void take(const PatchReport& report) {
-    report_.seconds += report.seconds;
-    Report::Queries& queries = report_.control.queries;
-    queries.triangulate += report.queries.triangulate;
-    queries.refine += report.queries.refine;
-    queries.improve += report.queries.improve;
-  }
-
-  void tell_given_up() {
+  void tell_given_up(const std::vector<PatchResult>& results) {
     std::vector<char> is_given_up;
-    for (const PatchReport& report : patch_reports_) is_given_up.push_back(report.is_given_up);
+    for (const PatchResult& result : results) is_given_up.push_back(result.is_given_up);
     const std::string names = detail::patch_names(model_, is_given_up);
     if (names.empty()) return;
     report_.shortfalls.push_back(
@@ -172,73 +171,27 @@ class Run {
   }
 
   void tell_turned() {
-    std::size_t turned = 0;
-    for (const PatchReport& report : patch_reports_) turned += report.turned;
-    if (turned == 0) return;
+    std::size_t count = 0;
+    for (const TurnedTriangles& turned : turned_) count += turned.count;
+    if (count == 0) return;
     report_.shortfalls.push_back(
         fmt::format("{} triangles are turned against the normal of the surface{}; smaller sizes "
                     "help (curvature, hmin, hmax)",
-                    turned, turned_place()));
+                    count, turned_location()));
   }
 
   /// ", one in patch wing at (0, 0, 1)"; nothing where all are in fans around poles.
-  std::string turned_place() const {
-    for (std::size_t p = 0; p < patches_.size(); ++p) {
-      if (const auto place = find_turned_place(patches_[p])) {
-        return fmt::format(", one in patch {} at {}", model_.patches[p].name, place_text(*place));
-      }
+  std::string turned_location() const {
+    for (std::size_t p = 0; p < turned_.size(); ++p) {
+      if (!turned_[p].point) continue;
+      return fmt::format(", one in patch {} at {}", model_.patches[p].name,
+                         place_text(*turned_[p].point));
     }
     return {};
   }
 
-  void mesh_patch(std::size_t p) {
-    triangulate_patch(p);
-    refine_patch(p);
-    improve_patch(p);
-    context_.add_elements(patches_[p].delaunay->n_faces());
-    finish_patch(p);
-  }
-
-  void triangulate_patch(std::size_t p) {
-    const StageClock clock(patch_reports_[p].seconds.triangulate);
-    PatchMesh& patch = patches_[p];
-    patch.surface = model_.patches[p].surface.get();
-    patch.field = fields_[p];
-    patch.boundary = collect_boundary(model_, static_cast<int>(p), nodes_, *numbers_, *patch.field);
-    std::vector<std::vector<Uv>> loops;
-    for (const BoundaryLoop& loop : patch.boundary.loops) {
-      std::vector<Uv>& uvs = loops.emplace_back();
-      for (const BoundaryNode& node : loop) uvs.push_back(node.uv);
-    }
-    BoundaryTriangulation triangulation = triangulate_boundary(loops, *patch.field);
-    patch.delaunay = std::move(triangulation.delaunay);
-    patch_reports_[p].queries.triangulate = triangulation.queries;
-  }
-
-  void refine_patch(std::size_t p) {
-    PatchReport& report = patch_reports_[p];
-    const StageClock clock(report.seconds.refine);
-    const RefineReport refined =
-        refine(*patches_[p].delaunay, *patches_[p].field, options_.refine, context_);
-    report.queries.refine = refined.queries;
-    report.is_given_up = refined.is_stopped;
-  }
-
-  void improve_patch(std::size_t p) {
-    const StageClock clock(patch_reports_[p].seconds.improve);
-    patch_reports_[p].queries.improve =
-        improve(*patches_[p].delaunay, *patches_[p].field, options_.improve, context_).queries;
-  }
-
-  void finish_patch(std::size_t p) {
-    const StageClock clock(patch_reports_[p].seconds.assemble);
-    evaluate_vertices(patches_[p]);
-    patch_reports_[p].turned = mend_turned_triangles(patches_[p]);
-    if (corrected_sag_) detail::correct_sag(patches_[p], *corrected_sag_);
-  }
-
   void assemble_patches(PolyMesh& mesh) {
-    const StageClock clock(report_.seconds.assemble);
+    const StageClock clock(report_.seconds[Stage::Assemble]);
     context_.tell("assemble", 0, 1);
     AssembleReport report = assemble(mesh, model_, nodes_, *numbers_, patches_);
     for (std::string& warning : report.warnings) report_.warnings.push_back(std::move(warning));
@@ -261,10 +214,6 @@ class Run {
     report_.edges = measure_edges(mesh);
     report_.quality = measure_quality(mesh);
     warn_of_flat_triangles(mesh);
-    StageSeconds& s = report_.seconds;
-    const double meshing = s.boundary + s.triangulate + s.refine + s.improve + s.quad + s.assemble;
-    s.total = meshing + s.control;
-    report_.triangles_per_second = meshing > 0 ? static_cast<double>(topology.faces) / meshing : 0;
   }
 
   void warn_of_flat_triangles(const PolyMesh& mesh) {
@@ -283,7 +232,7 @@ class Run {
   const PipelineOptions& options_;
   const RunContext& context_;
   const ResolvedSizing& sizing_;
-  std::optional<double> corrected_sag_;  ///< triangles above this are corrected one by one
+  double corrected_sag_;  ///< triangles above this are corrected one by one; 0 is off
   Report report_;
   std::vector<std::unique_ptr<ControlSpace>> spaces_;
   std::vector<std::unique_ptr<SurfaceMetricField>> surface_fields_;
@@ -291,7 +240,7 @@ class Run {
   std::vector<ContourNodes> nodes_;
   std::unique_ptr<NodeNumbers> numbers_;
   std::vector<PatchMesh> patches_;
-  std::vector<PatchReport> patch_reports_;
+  std::vector<TurnedTriangles> turned_;  ///< by patch
 };
 
 /// Mesh the model once or until the sag is reached.
@@ -303,7 +252,7 @@ void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOpt
     return;
   }
   result = detail::reach_sag(
-      model, sources, sizing, [&](const Sources& corrected, std::optional<double> corrected_sag) {
+      model, sources, sizing, [&](const Sources& corrected, double corrected_sag) {
         MeshResult once;
         Run(model, corrected, sizing, options, context, corrected_sag).mesh(once);
         return once;

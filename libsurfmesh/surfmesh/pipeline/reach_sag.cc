@@ -51,7 +51,7 @@ class SagLoop {
 
   MeshResult run() {
     for (int i = 0; i < kBalancedMeshes; ++i) {
-      mesh({});
+      mesh(0);
       balance();
     }
     for (int i = 0; i < kMostCorrectedMeshes; ++i) {
@@ -61,14 +61,14 @@ class SagLoop {
     return std::move(best_);
   }
 
-  const StageSeconds& seconds() const { return seconds_; }
+  const PerStage<double>& seconds() const { return seconds_; }
 
  private:
   /// Mesh the model, measure the mesh, and keep it if it is the best.
-  void mesh(std::optional<double> corrected_sag) {
+  void mesh(double corrected_sag) {
     now_ = mesh_once_(sources_, corrected_sag);
     seconds_ += now_.report.seconds;
-    const StageClock clock(seconds_.control);
+    const StageClock clock(seconds_[Stage::Control]);
     sag_ = measure_sag(now_.mesh, model_, search_);
     now_.report.sag = {asked_, sag_.max};
     if (is_better()) best_ = now_;
@@ -168,17 +168,8 @@ class SagLoop {
   MeshResult now_;
   Sag sag_;  ///< of the mesh now
   MeshResult best_;
-  StageSeconds seconds_;
+  PerStage<double> seconds_;
 };
-
-void finish_clocks(Report& report, const StageSeconds& spent) {
-  report.seconds = spent;
-  StageSeconds& s = report.seconds;
-  const double meshing = s.boundary + s.triangulate + s.refine + s.improve + s.assemble;
-  s.total = meshing + s.control;
-  report.triangles_per_second =
-      meshing > 0 ? static_cast<double>(report.mesh.triangles) / meshing : 0;
-}
 
 }  // namespace
 
@@ -187,7 +178,7 @@ MeshResult reach_sag(const Model& model, const Sources& sources, const ResolvedS
   const auto start = std::chrono::steady_clock::now();
   SagLoop loop(model, sources, sizing, mesh_once);
   MeshResult result = loop.run();
-  finish_clocks(result.report, loop.seconds());
+  result.report.seconds = loop.seconds();
   const double asked = *result.report.sag.asked, reached = *result.report.sag.reached;
   if (reached > asked) {
     result.report.shortfalls.push_back(fmt::format(
@@ -195,7 +186,7 @@ MeshResult reach_sag(const Model& model, const Sources& sources, const ResolvedS
         "units) allows; a smaller hmin helps where that is in the way",
         reached, asked));
   }
-  result.report.seconds.wall =
+  result.report.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

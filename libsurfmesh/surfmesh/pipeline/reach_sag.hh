@@ -2,14 +2,13 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 
 #include "surfmesh/pipeline/mesh_model.hh"
 
 namespace surfmesh::detail {
 
-/// Mesh a model with these sources; with a sag correct the triangles above it one by one.
-using MeshOnce = std::function<MeshResult(const Sources&, std::optional<double> corrected_sag)>;
+/// Mesh a model with these sources; correct the triangles above a sag one by one, unless it is 0.
+using MeshOnce = std::function<MeshResult(const Sources&, double corrected_sag)>;
 
 /// Mesh a model so that mesh and surface are nowhere farther from each other than the sag asks.
 ///

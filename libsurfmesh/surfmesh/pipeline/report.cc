@@ -45,12 +45,24 @@ Json edges_json(const EdgeStatistics& edges) {
           {"histogram", histogram}};
 }
 
-Json control_json(const Report::Control& control) {
-  const Report::Queries& q = control.queries;
-  QueryCounts answers;
-  for (const QueryCounts& stage : {q.boundary, q.triangulate, q.refine, q.improve, q.quad}) {
-    answers += stage;
+/// True for the stages that ask for the metric.
+bool is_asking(Stage stage) { return is_meshing(stage) && stage != Stage::Assemble; }
+
+Json queries_json(const PerStage<QueryCounts>& queries) {
+  Json json = Json::object();
+  for (const Stage stage : kStages) {
+    if (is_asking(stage)) json[std::string(name(stage))] = queries[stage].total();
   }
+  return json;
+}
+
+Json answers_json(const QueryCounts& answers) {
+  return {{"s", answers.single},      {"t", answers.triangle}, {"o", answers.circles},
+          {"linear", answers.linear}, {"grid", answers.grid},  {"extended", answers.extended},
+          {"reused", answers.reused}};
+}
+
+Json control_json(const Report::Control& control) {
   return {{"nodes", control.nodes},
           {"triangles", control.triangles},
           {"classes",
@@ -58,20 +70,8 @@ Json control_json(const Report::Control& control) {
             {"t", control.classes.triangle},
             {"o", control.classes.circles},
             {"linear", control.classes.linear}}},
-          {"queries",
-           {{"boundary", q.boundary.total()},
-            {"triangulate", q.triangulate.total()},
-            {"refine", q.refine.total()},
-            {"improve", q.improve.total()},
-            {"quad", q.quad.total()}}},
-          {"answers",
-           {{"s", answers.single},
-            {"t", answers.triangle},
-            {"o", answers.circles},
-            {"linear", answers.linear},
-            {"grid", answers.grid},
-            {"extended", answers.extended},
-            {"reused", answers.reused}}}};
+          {"queries", queries_json(control.queries)},
+          {"answers", answers_json(control.queries.sum())}};
 }
 
 /// Null for what is not known.
@@ -79,13 +79,12 @@ Json length_json(const std::optional<double>& length) {
   return length ? Json(*length) : Json(nullptr);
 }
 
-Json seconds_json(const StageSeconds& s) {
-  return {{"read", s.read},         {"control", s.control},
-          {"boundary", s.boundary}, {"triangulate", s.triangulate},
-          {"refine", s.refine},     {"improve", s.improve},
-          {"quad", s.quad},         {"assemble", s.assemble},
-          {"write", s.write},       {"total", s.total},
-          {"wall", s.wall}};
+Json seconds_json(const Report& report) {
+  Json json = Json::object();
+  for (const Stage stage : kStages) json[std::string(name(stage))] = report.seconds[stage];
+  json["total"] = report.seconds.sum();
+  json["wall"] = report.wall_seconds;
+  return json;
 }
 
 std::string histogram_share(const EdgeStatistics& edges) {
@@ -93,6 +92,11 @@ std::string histogram_share(const EdgeStatistics& edges) {
 }
 
 }  // namespace
+
+double Report::triangles_per_second() const {
+  const double meshing = seconds.sum(is_meshing);
+  return meshing > 0 ? static_cast<double>(mesh.triangles + mesh.quads) / meshing : 0;
+}
 
 std::string to_json(const Report& report) {
   const Json json = {
@@ -109,15 +113,14 @@ std::string to_json(const Report& report) {
       {"sag",
        {{"asked", length_json(report.sag.asked)}, {"reached", length_json(report.sag.reached)}}},
       {"control", control_json(report.control)},
-      {"seconds", seconds_json(report.seconds)},
-      {"triangles_per_second", report.triangles_per_second}};
+      {"seconds", seconds_json(report)},
+      {"triangles_per_second", report.triangles_per_second()}};
   // Names in models need not be UTF-8: what is not becomes a replacement character.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string to_text(const Report& report) {
   const Report::Mesh& mesh = report.mesh;
-  const StageSeconds& s = report.seconds;
   std::string text;
   const auto line = [&text](std::string_view key, const std::string& value) {
     text += fmt::format("{:<9}{}\n", key, value);
@@ -139,8 +142,9 @@ std::string to_text(const Report& report) {
   }
   line("control",
        fmt::format("{} nodes, {} triangles", report.control.nodes, report.control.triangles));
-  line("time", fmt::format("{:.2f} s of processor, {:.2f} s by the clock", s.total, s.wall));
-  line("", fmt::format("{:.0f} triangles a second", report.triangles_per_second));
+  line("time", fmt::format("{:.2f} s of processor, {:.2f} s by the clock", report.seconds.sum(),
+                           report.wall_seconds));
+  line("", fmt::format("{:.0f} triangles a second", report.triangles_per_second()));
   line("warnings", fmt::format("{}", report.warnings.size() + report.shortfalls.size()));
   return text;
 }

@@ -5,36 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "surfmesh/core/stage.hh"
+#include "surfmesh/metric/metric_field.hh"
 #include "surfmesh/pipeline/options.hh"
 #include "surfmesh/quality/statistics.hh"
 
 namespace surfmesh {
-
-/// Processor time of the stages in seconds, over all threads; `wall` is by the clock.
-struct StageSeconds {
-  double read = 0;
-  double control = 0;
-  double boundary = 0;
-  double triangulate = 0;
-  double refine = 0;
-  double improve = 0;
-  double quad = 0;
-  double assemble = 0;
-  double write = 0;
-  double total = 0;  ///< of all stages above
-  double wall = 0;
-
-  /// Add the stages of meshing and the control space.
-  StageSeconds& operator+=(const StageSeconds& other) {
-    control += other.control;
-    boundary += other.boundary;
-    triangulate += other.triangulate;
-    refine += other.refine;
-    improve += other.improve;
-    assemble += other.assemble;
-    return *this;
-  }
-};
 
 /// What a run made, how good it is and what it cost.
 struct Report {
@@ -45,15 +21,6 @@ struct Report {
     std::size_t patches = 0;
     bool is_closed = false;
     long euler = 0;
-  };
-
-  /// How often each stage asked for the metric, and how it was answered.
-  struct Queries {
-    QueryCounts boundary;
-    QueryCounts triangulate;
-    QueryCounts refine;
-    QueryCounts improve;
-    QueryCounts quad;
   };
 
   /// Control triangles by their interpolation; a grid has none.
@@ -68,7 +35,7 @@ struct Report {
     std::size_t nodes = 0;
     std::size_t triangles = 0;
     Classes classes;
-    Queries queries;
+    PerStage<QueryCounts> queries;  ///< how each stage's questions for the metric were answered
   };
 
   /// Greatest distance between mesh and surface, model units.
@@ -87,10 +54,12 @@ struct Report {
   QualityStatistics quality;  ///< likewise
   Sag sag;
   Control control;
-  StageSeconds seconds;
+  PerStage<double> seconds;  ///< of processor, over all threads
+  double wall_seconds = 0;   ///< by the clock
+
   /// Triangles over processor time without reading, control space, report and writing: the NT/s of
-  /// the paper.
-  double triangles_per_second = 0;
+  /// the paper. 0 if no time has passed.
+  double triangles_per_second() const;
 };
 
 /// The report as JSON text, with the keys of the documentation.

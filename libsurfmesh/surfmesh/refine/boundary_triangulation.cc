@@ -111,7 +111,7 @@ class BoxTriangulation {
 
   /// 0 outside and in holes, 1 inside.
   std::vector<char> depth_of_faces() const {
-    const TriMesh& mesh = delaunay_.mesh();
+    const PolyMesh& mesh = delaunay_.mesh();
     constexpr char unknown = 2;
     std::vector<char> depth(delaunay_.n_faces(), unknown);
     // The first vertex is a corner of the box.

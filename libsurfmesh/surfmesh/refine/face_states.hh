@@ -52,7 +52,7 @@ class FaceStates {
 
   /// Measure the triangles around a vertex, each spoke once.
   void measure_fan(VertexHandle vh) {
-    const TriMesh& mesh = delaunay_.mesh();
+    const PolyMesh& mesh = delaunay_.mesh();
     const MetricCorner centre = corner(delaunay_, vh);
     const double centre_density = density(centre.metric);
     const HalfedgeHandle start = mesh.halfedge_handle(vh);

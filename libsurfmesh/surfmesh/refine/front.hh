@@ -33,7 +33,7 @@ class Front {
   /// The shortest side at the front (frontal; invalid if there is none), or the longest
   /// (circumcentre).
   HalfedgeHandle base_of(FaceHandle fh) const {
-    const TriMesh& mesh = delaunay_.mesh();
+    const PolyMesh& mesh = delaunay_.mesh();
     HalfedgeHandle best;
     double best_length = INFINITY;
     HalfedgeHandle heh = mesh.halfedge_handle(fh);
@@ -62,7 +62,7 @@ class Front {
 
   /// Take in the triangles around a new vertex, which have been measured.
   void add_fan(VertexHandle vh) {
-    const TriMesh& mesh = delaunay_.mesh();
+    const PolyMesh& mesh = delaunay_.mesh();
     const HalfedgeHandle start = mesh.halfedge_handle(vh);
     HalfedgeHandle spoke = start;
     do {

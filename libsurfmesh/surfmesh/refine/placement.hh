@@ -14,7 +14,7 @@ struct BaseTriangle {
 
 /// The triangle on the left of a halfedge, with this as its base.
 inline BaseTriangle triangle_at(const DelaunayMesh& delaunay, HalfedgeHandle base) {
-  const TriMesh& mesh = delaunay.mesh();
+  const PolyMesh& mesh = delaunay.mesh();
   return {corner(delaunay, mesh.from_vertex_handle(base)),
           corner(delaunay, mesh.to_vertex_handle(base)),
           corner(delaunay, mesh.to_vertex_handle(mesh.next_halfedge_handle(base)))};

@@ -151,7 +151,7 @@ class Refinement {
 
   /// Far enough from all nodes around, and not facing a boundary edge under more than 90°.
   bool is_good_place(const MetricCorner& p) const {
-    const TriMesh& mesh = delaunay_.mesh();
+    const PolyMesh& mesh = delaunay_.mesh();
     for (const HalfedgeHandle heh : cavity_.rim) {
       const MetricCorner a = corner(delaunay_, mesh.from_vertex_handle(heh));
       if (fast_edge_length(a.uv, a.metric, p.uv, p.metric) < least_distance_) return false;

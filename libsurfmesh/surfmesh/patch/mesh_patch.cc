@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/patch/mesh_patch.hh"
+
+#include <utility>
+#include <vector>
+
+#include "surfmesh/core/parallel.hh"
+#include "surfmesh/patch/sag_corrections.hh"
+#include "surfmesh/refine/boundary_triangulation.hh"
+
+namespace surfmesh {
+namespace {
+
+std::vector<std::vector<Uv>> points_of(const PatchBoundary& boundary) {
+  std::vector<std::vector<Uv>> loops;
+  for (const BoundaryLoop& loop : boundary.loops) {
+    std::vector<Uv>& uvs = loops.emplace_back();
+    for (const BoundaryNode& node : loop) uvs.push_back(node.uv);
+  }
+  return loops;
+}
+
+/// One patch on its way through the stages.
+class PatchRun {
+ public:
+  PatchRun(PatchTask task, const RunContext& context) : task_(std::move(task)), context_(context) {}
+
+  PatchResult run() {
+    triangulate();
+    insert_inner_nodes();
+    improve_triangles();
+    context_.add_elements(patch_.delaunay->n_faces());
+    finish();
+    return std::move(result_);
+  }
+
+ private:
+  void triangulate() {
+    const StageClock clock(result_.seconds[Stage::Triangulate]);
+    patch_.surface = &task_.surface;
+    patch_.field = &task_.field;
+    patch_.boundary = std::move(task_.boundary);
+    BoundaryTriangulation made = triangulate_boundary(points_of(patch_.boundary), task_.field);
+    patch_.delaunay = std::move(made.delaunay);
+    result_.queries[Stage::Triangulate] = made.queries;
+  }
+
+  void insert_inner_nodes() {
+    const StageClock clock(result_.seconds[Stage::Refine]);
+    const RefineReport report = refine(*patch_.delaunay, task_.field, task_.refine, context_);
+    result_.queries[Stage::Refine] = report.queries;
+    result_.is_given_up = report.is_stopped;
+  }
+
+  void improve_triangles() {
+    const StageClock clock(result_.seconds[Stage::Improve]);
+    result_.queries[Stage::Improve] =
+        improve(*patch_.delaunay, task_.field, task_.improve, context_).queries;
+  }
+
+  void finish() {
+    const StageClock clock(result_.seconds[Stage::Assemble]);
+    evaluate_vertices(patch_);
+    result_.turned = mend_turned_triangles(patch_);
+    if (task_.corrected_sag > 0) {
+      detail::correct_sag(patch_, task_.corrected_sag);
+      result_.turned = find_turned_triangles(patch_);
+    }
+    result_.mesh = finish_patch(std::move(patch_));
+  }
+
+  PatchTask task_;
+  const RunContext& context_;
+  TriangulatedPatch patch_;
+  PatchResult result_;
+};
+
+}  // namespace
+
+PatchResult mesh_patch(PatchTask task, const RunContext& context) {
+  return PatchRun(std::move(task), context).run();
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "surfmesh/model/model.hh"
+#include "surfmesh/patch_mesh/patch_mesh.hh"
+#include "surfmesh/patch_mesh/turned_triangles.hh"
+
+namespace surfmesh {
+
+struct ChordReport {
+  std::size_t nodes = 0;  ///< that chords were given
+  /// By patch: what is turned against the surface in those that got nodes.
+  std::map<std::size_t, TurnedTriangles> turned;
+};
+
+/// Split chords that would make the result improper: edges from a vertex to itself, and edges
+/// between two vertices that another edge joins, also across patches.
+///
+/// Chords between boundary nodes, and from them to inner nodes (which see both sides of a seam in a
+/// coarse mesh), are split in their middle until none offends. `fields` holds the metric of each
+/// patch.
+///
+/// Writes   the vertices of new nodes, as finish_patch does
+/// Cost     O(boundary nodes) per round, rarely more than two rounds; a surface evaluation per
+///          vertex of the patches that get nodes
+/// Pre      patches are those of the model, those with offending chords of triangles
+/// Throws   Geometry if rounds do not end
+ChordReport split_improper_chords(std::vector<PatchMesh>& patches, const Model& model,
+                                  const std::vector<const MetricField*>& fields);
+
+}  // namespace surfmesh
