@@ -8,8 +8,10 @@
 #include <numbers>
 #include <utility>
 
+#include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/geometry/surface.hh"
 #include "surfmesh/metric/metric_field.hh"
+#include "surfmesh/metric/size_tensor.hh"
 
 /// Metrics with a closed form, so that stages are tested without surfaces.
 namespace surfmesh::testing {

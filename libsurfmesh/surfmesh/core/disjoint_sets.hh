@@ -27,9 +27,11 @@ class DisjointSets {
   /// Make one set of those of i and j.
   /// Returns  true if they were apart
   bool unite(std::size_t i, std::size_t j) {
-    const auto [low, high] = std::minmax({find(i), find(j)});
-    parents_[high] = low;
-    return low != high;
+    i = find(i);
+    j = find(j);
+    if (i == j) return false;
+    parents_[std::max(i, j)] = std::min(i, j);
+    return true;
   }
 
  private:
