@@ -25,6 +25,7 @@
 #include "surfmesh/pipeline/patch_names.hh"
 #include "surfmesh/pipeline/reach_sag.hh"
 #include "surfmesh/pipeline/serial_observer.hh"
+#include "surfmesh/quality/patch_measures.hh"
 #include "surfmesh/refine/boundary_triangulation.hh"
 
 namespace surfmesh {
@@ -350,6 +351,8 @@ MeshResult mesh_model(const Model& model, const Sources& sources, const Pipeline
   check(model);
   MeshResult result;  // OpenMesh's meshes cannot be moved, only copied
   with_threads(options.threads, [&] { mesh_observed(model, sources, options, result); });
+  result.names = mesh_names(model);
+  result.report.patches = measure_patches(result.mesh, result.names);
   return result;
 }
 
