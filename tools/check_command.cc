@@ -5,8 +5,8 @@
 
 #include "mesh_command.hh"
 #include "surfmesh/core/error.hh"
-#include "surfmesh/formats/write_mesh.hh"
-#include "surfmesh/io/input_file.hh"
+#include "surfmesh/formats/mesh_endings.hh"
+#include "surfmesh/formats/read_mesh.hh"
 #include "surfmesh/pipeline/check_mesh.hh"
 #include "surfmesh/pipeline/set_option.hh"
 
@@ -39,9 +39,7 @@ void CheckCommand::add_to(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "check", "Tell what a mesh is like, what is wrong with it, and how it fits its model.");
   command->footer(kFooter);
-  command->add_option("MESH", mesh_, "mesh to check: .obj, .off, .ply, .stl or .om")
-      ->required()
-      ->type_name("");
+  command->add_option("MESH", mesh_, "mesh to check: " + mesh_endings())->required()->type_name("");
   CLI::Option* model =
       command->add_option("--model", model_, "what it is a mesh of: cage or model file")
           ->type_name("INPUT");
@@ -55,21 +53,14 @@ int CheckCommand::check() const {
   check_mesh_ending(mesh_);
   ModelInput input;
   if (!model_.empty()) input = read_model_with(model_, scheme_, set_);
-  MeshCheck check;
-  MeshFile mesh;
-  if (lower_case_ending(mesh_) == ".om") {
-    mesh = read_mesh(mesh_);
-    check = check_mesh({face_set_of(mesh.mesh), mesh.patch_names, {}, {}});
-  } else {
-    FaceSetFile file = read_face_set(mesh_);
-    check = check_mesh(file);
-    if (!model_.empty()) mesh = mesh_from(std::move(file), mesh_);
-  }
+  MeshCheck check = check_mesh(read_mesh_arrays(mesh_));
   check.mesh = mesh_;
   check.model = model_;
   if (!model_.empty()) {
     const auto& warnings = input.model.warnings;
     check.warnings.insert(check.warnings.end(), warnings.begin(), warnings.end());
+    // Read again: this is the mesh as it was mended, with all that the format knows of its corners.
+    MeshFile mesh = read_mesh(mesh_);
     add_fit(check, measure_fit(mesh, input));
   }
   fmt::print("{}", is_json_ ? to_json(check) : to_text(check));

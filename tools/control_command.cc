@@ -7,10 +7,11 @@
 #include "output_paths.hh"
 #include "progress.hh"
 #include "surfmesh/core/error.hh"
-#include "surfmesh/formats/write_control.hh"
+#include "surfmesh/formats/mesh_endings.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/set_option.hh"
+#include "surfmesh/pipeline/write_control.hh"
 
 namespace surfmesh {
 namespace {
@@ -39,7 +40,9 @@ void ControlCommand::add_to(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "control", "Write the control meshes of a cage or a model file, to look at the sizes.");
   command->footer(footer());
-  command->add_option("INPUT", input_, "control cage (.obj, .off) or model file (.json)")
+  command
+      ->add_option("INPUT", input_,
+                   fmt::format("control cage ({}) or model file (.json)", cage_endings()))
       ->required()
       ->type_name("");
   command->add_option("-o,--output", output_, "file to write: .vtu or .obj")

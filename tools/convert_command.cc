@@ -13,8 +13,9 @@ namespace surfmesh {
 namespace {
 
 constexpr const char* kFooter =
-    "Groups of .obj, `patch` of .ply and solids of .stl are the patches of the faces. What the\n"
-    "format of OUT cannot hold is told in warnings.\n"
+    "Patches of the faces are kept with their names and groups, as .obj has them in `g GROUP... "
+    "PATCH`.\n"
+    "What the format of OUT cannot hold is told in warnings.\n"
     "Example:\n  surfmesh convert knob.om knob.ply\n";
 
 }  // namespace
@@ -23,7 +24,7 @@ void ConvertCommand::add_to(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("convert", "Write a mesh in another format, chosen by the ending.");
   command->footer(kFooter);
-  const char* endings = ".obj, .off, .ply, .stl or .om";
+  const std::string endings = mesh_endings();
   command->add_option("IN", input_, fmt::format("mesh to read: {}", endings))
       ->required()
       ->type_name("");
@@ -40,14 +41,14 @@ void ConvertCommand::convert() const {
     throw Error(ErrorCode::Io, fmt::format("{} is the input, it is not overwritten", output_));
   }
   const MeshFile file = read_mesh(input_);
-  write_mesh(file.mesh, output_, file.patch_names);
+  write_mesh(file.mesh, output_, file.names);
   if (!is_quiet_) {
     fmt::print("{}: {} vertices, {} faces\n", output_, file.mesh.n_vertices(), file.mesh.n_faces());
   }
   for (const std::string& warning : file.warnings) {
     fmt::print(stderr, "surfmesh: warning: {}\n", warning);
   }
-  for (const std::string& lost : what_is_lost(file.mesh, output_, file.patch_names)) {
+  for (const std::string& lost : what_is_lost(file.mesh, output_, file.names)) {
     fmt::print(stderr, "surfmesh: warning: {} does not hold {}\n", output_, lost);
   }
 }

@@ -43,12 +43,6 @@ void stop_on_signal() {
   if (caught_signal() != 0) throw Error(ErrorCode::Cancelled, "stopped by a signal");
 }
 
-std::vector<std::string> patch_names(const Model& model) {
-  std::vector<std::string> names;
-  for (const Patch& patch : model.patches) names.push_back(patch.name);
-  return names;
-}
-
 /// One run of the command, with the clocks of reading and writing.
 class MeshRun {
  public:
@@ -76,7 +70,7 @@ class MeshRun {
     std::optional<OutputFile> report_file;
     if (!report_path.empty()) report_file.emplace(report_path);
     const double start = processor_seconds();
-    write_mesh(result_.mesh, mesh_path, patch_names(input_.model));
+    write_mesh(result_, mesh_path);
     finish_clocks(processor_seconds() - start);
     if (!report_file) return;
     report_file->write(to_json(result_.report));
@@ -122,8 +116,8 @@ int tell_failure(const std::exception& error, Progress& progress) {
 }
 
 void MeshCommand::add_to(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "mesh", "Mesh a control cage (.obj, .off) or a model file (.json) with triangles.");
+  CLI::App* command =
+      app.add_subcommand("mesh", "Mesh a control cage or a model file with triangles.");
   command->footer(footer());
   add_files(*command);
   add_flags(*command, named_, FlagSet::Meshing);
@@ -132,11 +126,14 @@ void MeshCommand::add_to(CLI::App& app) {
 }
 
 void MeshCommand::add_files(CLI::App& command) {
-  command.add_option("INPUT", input_, "control cage (.obj, .off) or model file (.json)")
+  command
+      .add_option("INPUT", input_,
+                  fmt::format("control cage ({}) or model file (.json)", cage_endings()))
       ->required()
       ->type_name("");
   command
-      .add_option("-o,--output", output_, "mesh to write: .obj, .off, .ply, .stl or .om (lossless)")
+      .add_option("-o,--output", output_,
+                  fmt::format("mesh to write: {}; .om keeps everything", mesh_endings()))
       ->required()
       ->type_name("FILE");
   command.add_option("--report", report_, "write the report as JSON")->type_name("FILE.json");

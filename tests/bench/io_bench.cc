@@ -55,7 +55,7 @@ std::string path_of(const benchmark::State& state) {
 void write(benchmark::State& state) {
   const PolyMesh& mesh = wave();
   const std::string path = path_of(state);
-  for (auto _ : state) write_mesh(mesh, path, {});
+  for (auto _ : state) write_mesh(mesh, path);
   state.SetLabel(kEndings[state.range(0)]);
   std::filesystem::remove(path);
 }
@@ -63,7 +63,7 @@ BENCHMARK(write)->DenseRange(0, 4)->Unit(benchmark::kMillisecond);
 
 void read(benchmark::State& state) {
   const std::string path = path_of(state);
-  write_mesh(wave(), path, {});
+  write_mesh(wave(), path);
   for (auto _ : state) benchmark::DoNotOptimize(read_mesh(path));
   state.SetLabel(kEndings[state.range(0)]);
   std::filesystem::remove(path);

@@ -36,14 +36,14 @@ std::string with(std::string text, const std::string& what, const std::string& b
 }
 
 TEST(PlyFile, IsReadFromText) {
-  const FaceSetFile file = parse_ply(kText, "a.ply");
-  ASSERT_EQ(file.set.points.size(), 4u);
-  EXPECT_EQ(file.set.points[2], Vec3(1, 1.5, 0));
-  EXPECT_EQ(file.set.points[3], Vec3(0, 1, -2));
-  ASSERT_EQ(file.set.faces.size(), 2u);
-  EXPECT_EQ(file.set.faces[0].size(), 4u);
-  EXPECT_EQ(file.set.patches, (std::vector<int>{1, -1}));
-  EXPECT_EQ(file.patch_names, (std::vector<std::string>{"", "the wing"}));
+  const MeshArraysFile file = parse_ply(kText, "a.ply");
+  ASSERT_EQ(file.mesh.points.size(), 4u);
+  EXPECT_EQ(file.mesh.points[2], Vec3(1, 1.5, 0));
+  EXPECT_EQ(file.mesh.points[3], Vec3(0, 1, -2));
+  ASSERT_EQ(file.mesh.faces.size(), 2u);
+  EXPECT_EQ(file.mesh.faces[0].size(), 4u);
+  EXPECT_EQ(file.mesh.patches, (std::vector<int>{1, -1}));
+  EXPECT_EQ(file.mesh.names.patches, (std::vector<std::string>{"", "the wing"}));
   EXPECT_TRUE(file.warnings.empty());
 }
 
@@ -71,12 +71,12 @@ std::string triangle(const std::string& coordinate, const std::string& count,
 }
 
 void expect_triangle(const std::string& bytes) {
-  const FaceSetFile file = parse_ply(bytes, "a.ply");
-  ASSERT_EQ(file.set.points.size(), 3u);
-  EXPECT_EQ(file.set.points[1], Vec3(2, 2, 4));
-  ASSERT_EQ(file.set.faces.size(), 1u);
-  EXPECT_EQ(file.set.faces[0][0], 2);
-  EXPECT_TRUE(file.set.patches.empty());
+  const MeshArraysFile file = parse_ply(bytes, "a.ply");
+  ASSERT_EQ(file.mesh.points.size(), 3u);
+  EXPECT_EQ(file.mesh.points[1], Vec3(2, 2, 4));
+  ASSERT_EQ(file.mesh.faces.size(), 1u);
+  EXPECT_EQ(file.mesh.faces[0][0], 2);
+  EXPECT_TRUE(file.mesh.patches.empty());
 }
 
 TEST(PlyFile, IsReadFromBytesOfAnyTypeAndOrder) {
@@ -91,16 +91,38 @@ TEST(PlyFile, IsReadFromBytesOfAnyTypeAndOrder) {
   }
 }
 
+/// What was written before there were groups: binary, with the patch as a value of each face.
+TEST(PlyFile, IsReadAsItWasWrittenBefore) {
+  std::string bytes =
+      "ply\nformat binary_little_endian 1.0\ncomment surfmesh\ncomment patch 0 x\n"
+      "comment patch 1 the wing\nelement vertex 3\nproperty double x\nproperty double y\n"
+      "property double z\nelement face 1\nproperty list uchar int vertex_indices\n"
+      "property int patch\nend_header\n";
+  for (int i = 0; i < 9; ++i) append(bytes, i / 3.0, false);
+  append(bytes, std::uint8_t{3}, false);
+  for (const int i : {2, 0, 1, 1}) append(bytes, i, false);
+  const MeshArrays mesh = parse_ply(bytes, "a.ply").mesh;
+  EXPECT_EQ(mesh.points.at(2), Vec3(2, 7 / 3.0, 8 / 3.0));
+  EXPECT_EQ(mesh.patches, std::vector<int>{1});
+  EXPECT_EQ(mesh.names, (MeshNames{{"x", "the wing"}, {}}));
+}
+
 TEST(PlyFile, IsRefusedWhereverItIsCut) {
   const TestFolder folder;
   PolyMesh mesh = wavy_grid(2, 2);
   attach_result_properties(mesh);
-  write_mesh(mesh, folder / "a.ply", {"x"});
+  write_mesh(mesh, folder / "a.ply", {{"x"}, {}});
   const std::string bytes = read_text(folder / "a.ply");
-  for (std::size_t size = 0; size < bytes.size(); ++size) {
+  // Whether the last line has its end is no matter.
+  for (std::size_t size = 0; size + 1 < bytes.size(); ++size) {
     EXPECT_NE(error_in(bytes.substr(0, size)), "no error") << size;
   }
-  EXPECT_NE(error_in(bytes.substr(0, bytes.size() - 1)).find(": byte "), std::string::npos);
+  const std::string binary =
+      triangle<float, std::uint8_t, std::int32_t>("float", "uchar", "int", std::endian::little);
+  for (std::size_t size = 0; size < binary.size(); ++size) {
+    EXPECT_NE(error_in(binary.substr(0, size)), "no error") << size;
+  }
+  EXPECT_NE(error_in(binary.substr(0, binary.size() - 1)).find(": byte "), std::string::npos);
 }
 
 TEST(PlyFile, SurvivesEveryWrongByte) {
@@ -173,8 +195,8 @@ TEST(PlyFile, HoldsFacesOfManyCorners) {
     corners.push_back(mesh.add_vertex({std::cos(i * 0.02), std::sin(i * 0.02), 0}));
   }
   mesh.add_face(corners);
-  write_mesh(mesh, folder / "a.ply", {});
-  EXPECT_EQ(parse_ply(read_text(folder / "a.ply"), "a.ply").set.faces[0].size(), 300u);
+  write_mesh(mesh, folder / "a.ply");
+  EXPECT_EQ(parse_ply(read_text(folder / "a.ply"), "a.ply").mesh.faces[0].size(), 300u);
 }
 
 }  // namespace

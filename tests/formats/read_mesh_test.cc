@@ -26,7 +26,7 @@ bool is_same_bits(const Vec3& a, const Vec3& b) {
 
 /// Expect the same positions, bit by bit, the same faces in the same order, the same patches.
 void expect_same(const PolyMesh& mesh, const PolyMesh& read, bool has_patches) {
-  const FaceSet a = face_set_of(mesh), b = face_set_of(read);
+  const MeshArrays a = mesh_arrays(mesh), b = mesh_arrays(read);
   ASSERT_EQ(a.points.size(), b.points.size());
   for (std::size_t v = 0; v < a.points.size(); ++v) {
     ASSERT_TRUE(is_same_bits(a.points[v], b.points[v])) << v;
@@ -49,19 +49,19 @@ TEST_P(MeshRoundTrip, GivesTheSameMeshBitForBit) {
   const TestFolder folder;
   const PolyMesh mesh = example();
   const auto path = folder / ("a" + GetParam());
-  write_mesh(mesh, path, {"one", "two", "three"});
+  write_mesh(mesh, path, {{"one", "two", "three"}, {}});
   const MeshFile read = read_mesh(path);
   expect_same(mesh, read.mesh, GetParam() != ".off");
   EXPECT_TRUE(read.warnings.empty());
-  const bool has_names = GetParam() == ".obj" || GetParam() == ".PLY";
-  EXPECT_EQ(read.patch_names, has_names ? Names({"one", "two", "three"}) : Names());
+  const bool has_names = GetParam() != ".off";
+  EXPECT_EQ(read.names.patches, has_names ? Names({"one", "two", "three"}) : Names());
 }
 
 TEST_P(MeshRoundTrip, GivesTheSameFileTwice) {
   const TestFolder folder;
-  write_mesh(example(), folder / ("a" + GetParam()), {"one"});
+  write_mesh(example(), folder / ("a" + GetParam()), {{"one"}, {}});
   const MeshFile read = read_mesh(folder / ("a" + GetParam()));
-  write_mesh(read.mesh, folder / ("b" + GetParam()), read.patch_names);
+  write_mesh(read.mesh, folder / ("b" + GetParam()), read.names);
   EXPECT_EQ(read_text(folder / ("a" + GetParam())), read_text(folder / ("b" + GetParam())));
 }
 
@@ -74,10 +74,10 @@ TEST(ReadMesh, KeepsPatchNumbersOfObjWhateverTheOrderOfTheFaces) {
   const auto patch = attach(mesh, keys::face_patch, 5);
   mesh.property(patch, FaceHandle(1)) = -1;
   mesh.property(patch, FaceHandle(2)) = 0;
-  write_mesh(mesh, folder / "a.obj", {"x", "x", "default", "", "patch3"});
+  write_mesh(mesh, folder / "a.obj", {{"x", "x", "default", "", "patch3"}, {}});
   const MeshFile read = read_mesh(folder / "a.obj");
   expect_same(mesh, read.mesh, true);
-  EXPECT_EQ(read.patch_names, Names({"x", "x_2", "default_2", "patch3", "patch3_2", "patch5"}));
+  EXPECT_EQ(read.names.patches, Names({"x", "x_2", "default_2", "patch3", "patch3_2", "patch5"}));
 }
 
 MeshFile read_obj_text(const std::string& text) {
@@ -86,25 +86,27 @@ MeshFile read_obj_text(const std::string& text) {
   return read_mesh(folder / "a.obj");
 }
 
-std::vector<int> patches_of(const MeshFile& file) { return face_set_of(file.mesh).patches; }
+std::vector<int> patches_of(const MeshFile& file) { return mesh_arrays(file.mesh).patches; }
 
 TEST(ReadMesh, TakesGroupsOfObjForPatches) {
   const MeshFile read = read_obj_text("f 1 2 3\ng b\nusemtl m\nf 1 3 4\n");
   EXPECT_EQ(patches_of(read), (std::vector<int>{-1, 0}));
-  EXPECT_EQ(read.patch_names, Names{"b"});
+  EXPECT_EQ(read.names.patches, Names{"b"});
 }
 
 TEST(ReadMesh, TakesMaterialsWhereThereAreNoGroups) {
   const MeshFile read = read_obj_text("o body\nusemtl m\nf 1 2 3\nusemtl n\nf 1 3 4\n");
   EXPECT_EQ(patches_of(read), (std::vector<int>{0, 1}));
-  EXPECT_EQ(read.patch_names, (Names{"m", "n"}));
+  EXPECT_EQ(read.names.patches, (Names{"m", "n"}));
 }
 
-TEST(ReadMesh, TakesTheFirstOfSeveralGroups) {
+TEST(ReadMesh, TakesTheLastOfSeveralGroupsForThePatch) {
   const MeshFile read = read_obj_text("g a b\nf 1 2 3\ng b\nf 1 3 4\n");
   EXPECT_EQ(patches_of(read), (std::vector<int>{0, 1}));
-  ASSERT_EQ(read.warnings.size(), 1u);
-  EXPECT_NE(read.warnings[0].find("1 further"), std::string::npos) << read.warnings[0];
+  EXPECT_EQ(read.names.patches, (Names{"b", "b_2"}));
+  const std::vector<Group> groups = {{"a", {0}}, {"b", {0, 1}}};
+  EXPECT_EQ(read.names.groups, groups);
+  EXPECT_TRUE(read.warnings.empty());
 }
 
 TEST(ReadMesh, HasNoPatchesWithoutGroups) {

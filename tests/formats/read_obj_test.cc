@@ -118,6 +118,15 @@ TEST(ReadObjGroups, AreInTheOrderOfTheirFirstFace) {
   EXPECT_EQ(cage.groups[3].faces, std::vector<int>{3});
 }
 
+TEST(ReadObjGroups, AreObjectsToo) {
+  const Cage cage = read(kFive + "o the lid\nf 1 2 3\no b\nusemtl the lid\nf 1 2 4\n");
+  ASSERT_EQ(cage.groups.size(), 3u);
+  EXPECT_EQ(cage.groups[0].name, "the lid");
+  EXPECT_EQ(cage.groups[0].faces, std::vector<int>{0});
+  EXPECT_EQ(cage.groups[1].name, "b");
+  EXPECT_EQ(cage.groups[2].name, "the");
+}
+
 TEST(ReadObjGroups, AreNoneWithoutAName) { EXPECT_TRUE(read(kFive + "f 1 2 3").groups.empty()); }
 
 TEST(ReadObjGroups, LeaveOutNamesWithoutFaces) {

@@ -27,17 +27,18 @@ std::string error_in(const std::string& bytes) {
 }
 
 TEST(StlFile, IsReadFromTextAndWelded) {
-  const FaceSetFile file = parse_stl("solid a b\n" + kFacet + kOther + "endsolid a b\n", "a.stl");
-  EXPECT_EQ(file.set.points.size(), 4u);
-  EXPECT_EQ(file.set.faces.size(), 2u);
-  EXPECT_TRUE(file.set.patches.empty());
+  const MeshArraysFile file =
+      parse_stl("solid a b\n" + kFacet + kOther + "endsolid a b\n", "a.stl");
+  EXPECT_EQ(file.mesh.points.size(), 4u);
+  EXPECT_EQ(file.mesh.faces.size(), 2u);
+  EXPECT_TRUE(file.mesh.patches.empty());
 }
 
 TEST(StlFile, MakesPatchesOfSeveralSolids) {
-  const FaceSetFile file =
+  const MeshArraysFile file =
       parse_stl("solid a\n" + kFacet + "endsolid a\nsolid\n" + kOther + "endsolid\n", "a.stl");
-  EXPECT_EQ(file.set.patches, (std::vector<int>{0, 1}));
-  EXPECT_EQ(file.patch_names, (std::vector<std::string>{"a", ""}));
+  EXPECT_EQ(file.mesh.patches, (std::vector<int>{0, 1}));
+  EXPECT_EQ(file.mesh.names.patches, (std::vector<std::string>{"a", ""}));
 }
 
 TEST(StlFile, LeavesOutTrianglesWithEqualCorners) {
@@ -57,7 +58,7 @@ TEST(StlFile, LeavesOutTrianglesWithEqualCorners) {
 TEST(StlFile, ReadsBackWhatSinglePrecisionHolds) {
   const TestFolder folder;
   const PolyMesh mesh = testing::octahedron();
-  write_mesh(mesh, folder / "a.stl", {});
+  write_mesh(mesh, folder / "a.stl");
   EXPECT_EQ(std::filesystem::file_size(folder / "a.stl"), 84u + 8 * 50);
   const MeshFile read = read_mesh(folder / "a.stl");
   testing::expect_valid(read.mesh);
@@ -69,14 +70,14 @@ TEST(StlFile, ReadsBackWhatSinglePrecisionHolds) {
 TEST(StlFile, SplitsQuadsAtTheirShorterDiagonal) {
   const TestFolder folder;
   PolyMesh mesh = testing::mesh_of({{0, 0, 0}, {2, 1, 0}, {4, 0, 0}, {2, -1, 0}}, {{0, 3, 2, 1}});
-  write_mesh(mesh, folder / "a.stl", {});
-  const FaceSetFile file = parse_stl(read_text(folder / "a.stl"), "a.stl");
-  ASSERT_EQ(file.set.faces.size(), 2u);
+  write_mesh(mesh, folder / "a.stl");
+  const MeshArraysFile file = parse_stl(read_text(folder / "a.stl"), "a.stl");
+  ASSERT_EQ(file.mesh.faces.size(), 2u);
   for (std::size_t f = 0; f < 2; ++f) {
     double shortest = std::numeric_limits<double>::max();
     for (std::size_t k = 0; k < 3; ++k) {
       const auto point = [&](std::size_t i) {
-        return file.set.points[static_cast<std::size_t>(file.set.faces[f][i % 3])];
+        return file.mesh.points[static_cast<std::size_t>(file.mesh.faces[f][i % 3])];
       };
       shortest = std::min(shortest, (point(k) - point(k + 1)).norm());
     }
@@ -86,15 +87,15 @@ TEST(StlFile, SplitsQuadsAtTheirShorterDiagonal) {
 
 TEST(StlFile, IsBinaryByItsSizeWhateverItsHeader) {
   const TestFolder folder;
-  write_mesh(testing::octahedron(), folder / "a.stl", {});
+  write_mesh(testing::octahedron(), folder / "a.stl");
   std::string bytes = read_text(folder / "a.stl");
   bytes.replace(0, 5, "solid");
-  EXPECT_EQ(parse_stl(bytes, "a.stl").set.faces.size(), 8u);
+  EXPECT_EQ(parse_stl(bytes, "a.stl").mesh.faces.size(), 8u);
 }
 
 TEST(StlFile, IsRefusedWhereverItIsCut) {
   const TestFolder folder;
-  write_mesh(testing::octahedron(), folder / "a.stl", {});
+  write_mesh(testing::octahedron(), folder / "a.stl");
   const std::string bytes = read_text(folder / "a.stl");
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     EXPECT_NE(error_in(bytes.substr(0, size)), "no error") << size;
@@ -114,7 +115,7 @@ TEST(StlFile, TellsFaults) {
   EXPECT_EQ(error_in("solid\nvertex 0 0 0\n"),
             "invalid input: a.stl:2: 'vertex' is not what comes next in an STL file");
   const TestFolder folder;
-  write_mesh(testing::octahedron(), folder / "a.stl", {});
+  write_mesh(testing::octahedron(), folder / "a.stl");
   std::string bytes = read_text(folder / "a.stl");
   bytes.replace(84 + 12, 4, "\xff\xff\xff\xff");
   EXPECT_NE(error_in(bytes).find("a.stl: byte 96: a coordinate is"), std::string::npos);
@@ -124,7 +125,7 @@ TEST(StlFile, CannotHoldLargeNumbers) {
   const TestFolder folder;
   PolyMesh mesh = testing::octahedron();
   mesh.set_point(VertexHandle(2), {1e39, 0, 0});
-  EXPECT_EQ(error_of([&] { write_mesh(mesh, folder / "a.stl", {}); }),
+  EXPECT_EQ(error_of([&] { write_mesh(mesh, folder / "a.stl"); }),
             "geometry: the position of vertex 2 is (1e+39, 0, 0), too large for .stl");
 }
 

@@ -45,7 +45,7 @@ PolyMesh one_triangle(double x) {
 TEST(WriteObj, ReadsBackExactly) {
   const TestFolder folder;
   const PolyMesh mesh = wavy_grid(9, 2);
-  write_mesh(mesh, folder / "a.obj", {});
+  write_mesh(mesh, folder / "a.obj");
   const Cage cage = read_cage(folder / "a.obj");
   expect_equal_points(mesh, cage);
   ASSERT_EQ(cage.faces.size(), mesh.n_faces());
@@ -60,7 +60,7 @@ TEST(WriteObj, IsPlainText) {
   const TestFolder folder;
   PolyMesh mesh = one_triangle(0.5);
   attach(mesh, keys::face_patch, 0);
-  write_mesh(mesh, folder / "a.obj", {"wave"});
+  write_mesh(mesh, folder / "a.obj", {{"wave"}, {}});
   EXPECT_EQ(read_text(folder / "a.obj"),
             "# surfmesh\nv 0.5 -0 1e+300\nv 1 0.1 5e-324\n"
             "v -123456789.125 0.3333333333333333 1.7976931348623157e+308\ng wave\nf 1 2 3\n");
@@ -71,7 +71,7 @@ TEST(WriteObj, NamesAllGroupsFirstWhereFacesAreNotInTheirOrder) {
   PolyMesh mesh = wavy_grid(1, 0);
   const auto patch = attach(mesh, keys::face_patch, 2);
   mesh.property(patch, FaceHandle(1)) = 0;
-  write_mesh(mesh, folder / "a.obj", {"first", "", "third one"});
+  write_mesh(mesh, folder / "a.obj", {{"first", "", "third one"}, {}});
   const std::string text = read_text(folder / "a.obj");
   EXPECT_EQ(text.substr(text.find("\ng")),
             "\ng first\ng patch1\ng third_one\ng third_one\nf 1 2 4\ng first\nf 1 4 3\n");
@@ -83,7 +83,7 @@ TEST(WriteObj, MakesWordsOfAllNames) {
   attach(mesh, keys::face_patch, 0);
   for (const auto& [name, word] : std::vector<std::pair<std::string, std::string>>{
            {"a\tb\n", "a_b_"}, {"#1", "_1"}, {"c\\", "c_"}, {"Flügel", "Flügel"}, {" ", "_"}}) {
-    write_mesh(mesh, folder / "a.obj", {name});
+    write_mesh(mesh, folder / "a.obj", {{name}, {}});
     const Cage cage = read_cage(folder / "a.obj");
     ASSERT_EQ(cage.groups.size(), 1u) << name;
     EXPECT_EQ(cage.groups[0].name, word);
@@ -95,14 +95,14 @@ TEST(WriteObj, GroupsFacesWithoutPatch) {
   const TestFolder folder;
   PolyMesh mesh = wavy_grid(1, 0);
   attach(mesh, keys::face_patch, -1);
-  write_mesh(mesh, folder / "a.obj", {"x"});
+  write_mesh(mesh, folder / "a.obj", {{"x"}, {}});
   EXPECT_EQ(read_cage(folder / "a.obj").groups.at(0).name, "default");
 }
 
 TEST(WriteOff, ReadsBackExactly) {
   const TestFolder folder;
   const PolyMesh mesh = wavy_grid(9, 2);
-  write_mesh(mesh, folder / "a.OFF", {});
+  write_mesh(mesh, folder / "a.OFF");
   const Cage cage = read_cage(folder / "a.OFF");
   expect_equal_points(mesh, cage);
   ASSERT_EQ(cage.faces.size(), mesh.n_faces());
@@ -114,7 +114,7 @@ TEST(WriteOff, ReadsBackExactly) {
 
 TEST(WriteOff, IsPlainText) {
   const TestFolder folder;
-  write_mesh(one_triangle(0.5), folder / "a.off", {});
+  write_mesh(one_triangle(0.5), folder / "a.off");
   EXPECT_EQ(read_text(folder / "a.off"),
             "OFF\n3 1 0\n0.5 -0 1e+300\n1 0.1 5e-324\n"
             "-123456789.125 0.3333333333333333 1.7976931348623157e+308\n3 0 1 2\n");
@@ -125,14 +125,14 @@ TEST(WriteMesh, WritesTheSameBytesTwice) {
   PolyMesh mesh = wavy_grid(5, 2);
   attach_result_properties(mesh);
   for (const std::string ending : {".obj", ".off", ".ply", ".stl", ".om"}) {
-    write_mesh(mesh, folder / ("a" + ending), {"p"});
-    write_mesh(mesh, folder / ("b" + ending), {"p"});
+    write_mesh(mesh, folder / ("a" + ending), {{"p"}, {}});
+    write_mesh(mesh, folder / ("b" + ending), {{"p"}, {}});
     EXPECT_EQ(read_text(folder / ("a" + ending)), read_text(folder / ("b" + ending)));
   }
 }
 
 TEST(WriteMesh, RefusesUnknownEndings) {
-  EXPECT_EQ(error_of([] { write_mesh(PolyMesh(), "a.vtk", {}); }),
+  EXPECT_EQ(error_of([] { write_mesh(PolyMesh(), "a.vtk"); }),
             "invalid input: a.vtk: the ending of a mesh is .obj, .off, .ply, .stl or .om");
 }
 
@@ -140,7 +140,7 @@ TEST(WriteMesh, RefusesPositionsThatAreNotFiniteAndLeavesTheOldFile) {
   const TestFolder folder;
   for (const std::string name : {"a.obj", "a.off", "a.ply", "a.stl"}) {
     write_text(folder / name, "old");
-    EXPECT_EQ(error_of([&] { write_mesh(one_triangle(kUnset), folder / name, {}); }),
+    EXPECT_EQ(error_of([&] { write_mesh(one_triangle(kUnset), folder / name); }),
               "geometry: the position of vertex 0 is (nan, -0, 1e+300)");
     EXPECT_EQ(read_text(folder / name), "old");
   }
@@ -152,18 +152,19 @@ TEST(WhatIsLost, TellsWhatAFormatCannotHold) {
   PolyMesh mesh = wavy_grid(3, 2);
   const std::string digits = "the digits of positions beyond single precision";
   const std::string quads = "5 faces of more than three corners, which are split";
-  EXPECT_EQ(what_is_lost(mesh, "a.obj", {}), Lost());
-  EXPECT_EQ(what_is_lost(mesh, "a.stl", {}), (Lost{digits, quads}));
+  EXPECT_EQ(what_is_lost(mesh, "a.obj"), Lost());
+  EXPECT_EQ(what_is_lost(mesh, "a.stl"), (Lost{digits, quads}));
   attach_result_properties(mesh);
   const Lost corners = {"the parameters (u,v) of the corners", "the metric of the corners",
                         "the contours of the edges"};
   const Lost patch = {"the patches of the faces", corners[0], corners[1], corners[2]};
-  EXPECT_EQ(what_is_lost(mesh, "a.OBJ", {"x"}), corners);
-  EXPECT_EQ(what_is_lost(mesh, "a.ply", {"x y"}), corners);
-  EXPECT_EQ(what_is_lost(mesh, "a.off", {"x"}), patch);
-  EXPECT_EQ(what_is_lost(mesh, "a.om", {"x"}), Lost{"the names of the patches"});
-  EXPECT_EQ(what_is_lost(mesh, "a.om", {}), Lost());
-  EXPECT_EQ(what_is_lost(mesh, "a.obj", {"x y"}).size(), 4u);
+  EXPECT_EQ(what_is_lost(mesh, "a.OBJ", {{"x"}, {}}), corners);
+  EXPECT_EQ(what_is_lost(mesh, "a.ply", {{"x y"}, {}}), corners);
+  EXPECT_EQ(what_is_lost(mesh, "a.off", {{"x"}, {}}), patch);
+  EXPECT_EQ(what_is_lost(mesh, "a.om", {{"x"}, {}}), Lost());
+  EXPECT_EQ(what_is_lost(mesh, "a.obj", {{"x y"}, {}}).size(), 4u);
+  EXPECT_EQ(what_is_lost(mesh, "a.off", {{"x"}, {{"all", {0}}}}).at(1),
+            "the groups of the patches");
 }
 
 TEST(WriteMesh, TellsThatADeviceIsFull) {
@@ -172,7 +173,7 @@ TEST(WriteMesh, TellsThatADeviceIsFull) {
   for (const std::string name : {"a.obj", "a.off", "a.ply", "a.stl", "a.om"}) {
     std::filesystem::create_symlink("/dev/full", folder / name);
     const std::string path = (folder / name).string();
-    EXPECT_EQ(error_of([&] { write_mesh(wavy_grid(40, 2), path, {}); }),
+    EXPECT_EQ(error_of([&] { write_mesh(wavy_grid(40, 2), path); }),
               "io: cannot write " + path + ": No space left on device");
   }
 }

@@ -30,7 +30,7 @@ int main() try {
     sharpness[edge] = cube.calc_edge_midpoint(edge)[2] > 0.5f ? 10.f : 0.f;  // 10 is infinite
   }
   const auto cage = surfmesh::cage_from_mesh(cube, {.creases = "sharpness"});
-  const auto [mesh, report] = surfmesh::mesh_model(surfmesh::model_from_cage(cage));
+  const auto [mesh, names, report] = surfmesh::mesh_model(surfmesh::model_from_cage(cage));
   std::printf("%zu patches, %zu triangles\n", report.mesh.patches, report.mesh.triangles);
 } catch (const std::exception& error) {
   std::fprintf(stderr, "error: %s\n", error.what());

@@ -24,7 +24,7 @@ int main() try {
   surfmesh::PipelineOptions options;
   options.sizing.grade = 1.3;
 
-  const auto [mesh, report] = surfmesh::mesh_model(model, sources, options);
+  const auto [mesh, names, report] = surfmesh::mesh_model(model, sources, options);
   for (const surfmesh::Contour& contour : model.contours) {
     if (contour.uses.size() > 1) std::printf("shared: %s\n", contour.name.c_str());
   }

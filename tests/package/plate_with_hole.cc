@@ -25,7 +25,7 @@ int main() try {
 
   surfmesh::PipelineOptions options;
   options.sizing.hmax = {0.15, false};
-  const auto [mesh, report] = surfmesh::mesh_model(model, {}, options);
+  const auto [mesh, names, report] = surfmesh::mesh_model(model, {}, options);
   std::printf("%zu triangles, Euler number %ld\n", report.mesh.triangles, report.mesh.euler);
 } catch (const std::exception& error) {
   std::fprintf(stderr, "error: %s\n", error.what());

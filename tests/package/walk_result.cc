@@ -13,7 +13,7 @@ int main(int argc, char** argv) try {
   surfmesh::PipelineOptions options;
   options.sizing.curvature = 0.2;      // elements of 0.2 × radius of curvature,
   options.sizing.hmax = {0.05, true};  // but of at most 5 % of the model's diagonal
-  const auto [mesh, report] = surfmesh::mesh_model(model, {}, options);
+  const auto [mesh, names, report] = surfmesh::mesh_model(model, {}, options);
 
   const auto patch_of = require(mesh, surfmesh::keys::face_patch);
   const auto uv_of = require(mesh, surfmesh::keys::corner_uv);

@@ -17,12 +17,12 @@ namespace {
 using Json = nlohmann::json;
 
 /// A tetrahedron, and one triangle more.
-FaceSetFile tetrahedron(const std::vector<std::vector<int>>& more = {}) {
-  FaceSetFile file;
-  file.set.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+MeshArraysFile tetrahedron(const std::vector<std::vector<int>>& more = {}) {
+  MeshArraysFile file;
+  file.mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   std::vector<std::vector<int>> faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
   faces.insert(faces.end(), more.begin(), more.end());
-  for (const auto& face : faces) file.set.faces.add(face);
+  for (const auto& face : faces) file.mesh.faces.add(face);
   return file;
 }
 
@@ -36,14 +36,14 @@ TEST(CheckMesh, FindsNothingWrongWithATetrahedron) {
 }
 
 TEST(CheckMesh, TellsTheFaultsOfTheFaceSet) {
-  const FaceSetFile file = tetrahedron({{0, 1, 2}});
+  const MeshArraysFile file = tetrahedron({{0, 1, 2}});
   const MeshCheck check = check_mesh(file);
-  EXPECT_EQ(check.faults, check_face_set(file.set).faults);
+  EXPECT_EQ(check.faults, check_face_set(file.mesh).faults);
   EXPECT_FALSE(check.faults.empty());
 }
 
 TEST(CheckMesh, TellsTrianglesThatTheReaderLeftOut) {
-  FaceSetFile file = tetrahedron();
+  MeshArraysFile file = tetrahedron();
   file.degenerate_faces = {4, 7};
   const MeshCheck check = check_mesh(file);
   ASSERT_EQ(check.faults.size(), 1u);
@@ -53,9 +53,9 @@ TEST(CheckMesh, TellsTrianglesThatTheReaderLeftOut) {
 }
 
 TEST(CheckMesh, HasOneFaultOfAKind) {
-  FaceSetFile file;
-  file.set.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
-  file.set.faces.add(std::vector{0, 1, 2});
+  MeshArraysFile file;
+  file.mesh.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  file.mesh.faces.add(std::vector{0, 1, 2});
   file.degenerate_faces = {1};
   const MeshCheck check = check_mesh(file);
   ASSERT_EQ(check.faults.size(), 1u);
@@ -64,7 +64,7 @@ TEST(CheckMesh, HasOneFaultOfAKind) {
 }
 
 TEST(CheckMesh, PassesWarningsOn) {
-  FaceSetFile file = tetrahedron();
+  MeshArraysFile file = tetrahedron();
   file.warnings = {"a.obj:1: odd"};
   EXPECT_EQ(check_mesh(file).warnings, file.warnings);
 }
@@ -162,7 +162,7 @@ TEST(MeasureFit, ProjectsAMeshWithoutParameters) {
 TEST(MeasureFit, FindsVerticesOffTheSurface) {
   MeshFile mesh = grid_on_patches();
   mesh.mesh.set_point(VertexHandle(4), {1, 1, 0.25});
-  MeshCheck check = check_mesh({face_set_of(mesh.mesh), {}, {}, {}});
+  MeshCheck check = check_mesh({mesh_arrays(mesh.mesh), {}, {}});
   EXPECT_TRUE(check.faults.empty());
   add_fit(check, measure_fit(mesh, two_rectangles(1)));
   EXPECT_NEAR(check.fit->distance.max_corner, 0.25, 1e-12);
@@ -181,7 +181,7 @@ TEST(MeasureFit, RefusesPatchesThatTheModelDoesNotHave) {
 
 TEST(CheckMeshJson, HoldsTheFit) {
   MeshFile mesh = grid_on_patches();
-  MeshCheck check = check_mesh({face_set_of(mesh.mesh), {}, {}, {}});
+  MeshCheck check = check_mesh({mesh_arrays(mesh.mesh), {}, {}});
   EXPECT_TRUE(Json::parse(to_json(check))["fit"].is_null());
   add_fit(check, measure_fit(mesh, two_rectangles(1)));
   const Json json = Json::parse(to_json(check));
@@ -194,7 +194,7 @@ TEST(CheckMeshJson, HoldsTheFit) {
 
 TEST(CheckMeshText, TellsFaultsAndTheFit) {
   MeshFile mesh = grid_on_patches();
-  MeshCheck check = check_mesh({face_set_of(mesh.mesh), {}, {}, {}});
+  MeshCheck check = check_mesh({mesh_arrays(mesh.mesh), {}, {}});
   add_fit(check, measure_fit(mesh, two_rectangles(1)));
   const std::string text = to_text(check);
   for (const char* part : {"9 vertices, 16 edges, 8 triangles", "open: 8 boundary edges in 1 loops",

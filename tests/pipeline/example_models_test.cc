@@ -94,7 +94,7 @@ TEST(EveryModel, IsMeshedAsItPromisesAndWithoutSlivers) {
     const MeshResult result = mesh_model(input.model, input.sources, input.options);
     testing::expect_valid(result.mesh);
     EXPECT_EQ(result.report.shortfalls, std::vector<std::string>{});
-    EXPECT_GT(measure_shape(face_set_of(result.mesh)).quality.min, kLeastShape);
+    EXPECT_GT(measure_shape(mesh_arrays(result.mesh)).quality.min, kLeastShape);
   }
 }
 
@@ -105,7 +105,7 @@ void expect_cut(const MeshResult& result, long euler, std::size_t pairs) {
   ASSERT_EQ(result.report.warnings.size(), 1u);
   EXPECT_NE(result.report.warnings[0].find("cannot be oriented"), std::string::npos);
   EXPECT_EQ(result.report.mesh.euler, euler);
-  const FaceSetCheck check = check_face_set(face_set_of(result.mesh));
+  const FaceSetCheck check = check_face_set(mesh_arrays(result.mesh));
   EXPECT_TRUE(check.is_manifold && check.is_oriented && !check.is_closed);
   ASSERT_EQ(check.faults.size(), 1u);
   EXPECT_EQ(check.faults[0].kind, "duplicate_vertex");

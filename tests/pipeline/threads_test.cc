@@ -41,7 +41,7 @@ std::string output_of(const Case& example, int threads) {
   for (const auto& [name, value] : example.settings) set_option(input.options, name, value);
   input.options.threads = threads;
   MeshResult result = mesh_model(input.model, input.sources, input.options);
-  write_mesh(result.mesh, path, {});
+  write_mesh(result.mesh, path);
   result.report.seconds = {};
   result.report.wall_seconds = 0;
   result.report.options.threads = 0;

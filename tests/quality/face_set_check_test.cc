@@ -10,8 +10,8 @@
 namespace surfmesh {
 namespace {
 
-FaceSet set_of(const std::vector<Vec3>& points, const std::vector<std::vector<int>>& faces) {
-  FaceSet set;
+MeshArrays set_of(const std::vector<Vec3>& points, const std::vector<std::vector<int>>& faces) {
+  MeshArrays set;
   set.points = points;
   for (const auto& face : faces) set.faces.add(face);
   return set;
@@ -24,7 +24,7 @@ const std::vector<std::vector<int>> kCube = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 
                                              {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
 
 /// Expect this one kind of fault, this often.
-void expect_fault(const FaceSet& set, const std::string& kind, std::size_t count,
+void expect_fault(const MeshArrays& set, const std::string& kind, std::size_t count,
                   const std::string& place) {
   const FaceSetCheck check = check_face_set(set);
   ASSERT_EQ(check.faults.size(), 1u) << kind;
@@ -58,7 +58,7 @@ TEST(CheckFaceSet, CountsBoundaryLoopsAndComponents) {
 }
 
 TEST(CheckFaceSet, FindsNonManifoldEdges) {
-  const FaceSet set = set_of(kCorners, {{0, 1, 2}, {1, 0, 4}, {0, 1, 3}});
+  const MeshArrays set = set_of(kCorners, {{0, 1, 2}, {1, 0, 4}, {0, 1, 3}});
   const FaceSetCheck check = check_face_set(set);
   EXPECT_FALSE(check.is_manifold);
   EXPECT_EQ(check.faults[0].kind, "non_manifold_edge");

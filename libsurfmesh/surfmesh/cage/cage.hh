@@ -31,7 +31,6 @@ struct Cage {
   struct FaceGroup {
     std::string name;
     std::vector<int> faces;
-    bool is_material = false;  ///< of OBJ's usemtl only
   };
 
   std::vector<Vec3> points;

@@ -57,6 +57,9 @@ inline constexpr PropertyKey<HalfedgeHandle, Uv> corner_uv{"surf:uv", "assemble"
 /// Metric of a corner of the result, at the tip of the halfedge, in the patch of its face.
 inline constexpr PropertyKey<HalfedgeHandle, Metric> corner_metric{"surf:metric", "assemble"};
 
+/// Names of patches and groups in .om files, a property of the mesh as a whole there.
+inline constexpr std::string_view mesh_names = "surf:names";
+
 }  // namespace keys
 
 /// Add the property, persistent (so that .om files store it), and set it to `initial` on every

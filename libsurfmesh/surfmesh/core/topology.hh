@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "surfmesh/core/face_set.hh"
 #include "surfmesh/core/mesh.hh"
+#include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
 
 namespace surfmesh {

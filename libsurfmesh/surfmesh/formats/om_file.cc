@@ -13,11 +13,13 @@
 #include <cstdint>
 #include <mutex>
 #include <sstream>
+#include <streambuf>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
-#include "surfmesh/formats/write_mesh.hh"
-#include "surfmesh/io/input_file.hh"
+#include "surfmesh/io/byte_scanner.hh"
+#include "surfmesh/io/file_writer.hh"
 
 // Lets OpenMesh's reader make the properties that it finds in a file.
 OM_REGISTER_PROPERTY_TYPE(surfmesh::Uv)
@@ -74,6 +76,13 @@ OpenMesh::IO::Options with_properties() {
   throw Error(ErrorCode::InvalidInput, fmt::format("{}: {}", name, reason));
 }
 
+// Heads of chunks.
+constexpr std::uint16_t kEndMark = 7u << 2;
+constexpr std::uint16_t kNamesChunk = 1u << 1 | 1u << 2 | 6u << 5 | 3u << 14;
+
+/// The type of the value of that chunk.
+constexpr std::string_view kNamesType = "surfmesh::MeshNames";
+
 bool is_index(std::int64_t i, std::size_t count) {
   return i >= 0 && static_cast<std::size_t>(i) < count;
 }
@@ -83,6 +92,9 @@ bool is_index(std::int64_t i, std::size_t count) {
 /// where that is wrong.
 ///
 /// A file is a header of 16 bytes and chunks, each with a head of 16 bits; see OMFormat.hh.
+///
+/// The names of patches and groups are a custom chunk of the mesh of our own, the last one:
+/// OpenMesh itself, whose text values end at 64 KiB, skips it.
 class OmCheck {
  public:
   explicit OmCheck(std::string_view bytes) : rest_(bytes) {}
@@ -93,17 +105,17 @@ class OmCheck {
   std::size_t vertices = 0;
   std::size_t faces = 0;
   std::size_t edges = 0;
+  std::string_view names;  ///< the value of the chunk of names, empty if there is none
 
  private:
   // Entities and types, as in OMFormat.hh.
-  static constexpr unsigned kVertex = 0, kFace = 2, kHalfedge = 6;
+  static constexpr unsigned kVertex = 0, kMesh = 1, kFace = 2, kHalfedge = 6;
   static constexpr unsigned kPosition = 0, kCustom = 6, kTopology = 7;
-  static constexpr unsigned kEndMark = 7u << 2;
 
   std::uint64_t take_unsigned(std::size_t size);
   std::int64_t take_signed(std::size_t size);
   bool skip(std::uint64_t size);
-  bool skip_custom();
+  bool skip_custom(unsigned entity);
   bool check_topology(unsigned entity, unsigned dimensions, std::size_t size);
 
   std::string_view rest_;
@@ -143,9 +155,12 @@ bool OmCheck::has_header() {
 }
 
 /// A custom chunk has a name, the name of its type and a size before its values.
-bool OmCheck::skip_custom() {
-  return skip(take_unsigned(1)) && skip(take_unsigned(1)) && rest_.size() >= 4 &&
-         skip(take_unsigned(4));
+bool OmCheck::skip_custom(unsigned entity) {
+  const std::string_view name = rest_.substr(std::min<std::size_t>(1, rest_.size()));
+  if (!skip(take_unsigned(1)) || !skip(take_unsigned(1)) || rest_.size() < 4) return false;
+  const std::uint64_t size = take_unsigned(4);
+  if (entity == kMesh && name.starts_with(keys::mesh_names)) names = rest_.substr(0, size);
+  return skip(size);
 }
 
 /// A halfedge has its next halfedge, the vertex at its tip and its face; a vertex or a face has a
@@ -180,7 +195,7 @@ bool OmCheck::are_chunks_sound() {
     const unsigned bits = head >> 14;
     bool is_good = false;
     if (type == kCustom) {
-      is_good = has_name && skip_custom();
+      is_good = has_name && skip_custom(entity);
     } else if (type == kPosition) {
       is_good = !has_name && entity == kVertex && is_float && dimensions == 3 && bits < 2 &&
                 skip(std::uint64_t{vertices} * 3 * (4u << bits));
@@ -193,6 +208,98 @@ bool OmCheck::are_chunks_sound() {
   }
   return false;
 }
+
+/// Takes names from the value of their chunk: counts and texts, with the lengths of these before
+/// them, all counts of 32 bits.
+class NamesReader {
+ public:
+  NamesReader(std::string_view bytes, const std::string& name)
+      : bytes_(bytes), scanner_(bytes, 0, name) {}
+
+  MeshNames read() {
+    MeshNames names;
+    for (std::size_t count = take_count(); count > 0; --count) names.patches.push_back(take_text());
+    for (std::size_t count = take_count(); count > 0; --count) {
+      Group& group = names.groups.emplace_back();
+      group.name = take_text();
+      for (std::size_t patches = take_count(); patches > 0; --patches) {
+        group.patches.push_back(scanner_.take<std::int32_t>());
+        if (group.patches.back() < 0) scanner_.fail("a patch of a group is negative");
+      }
+    }
+    return names;
+  }
+
+ private:
+  std::size_t take_count() { return scanner_.take<std::uint32_t>(); }
+
+  std::string take_text() {
+    const std::size_t size = take_count();
+    const std::size_t start = scanner_.offset();
+    scanner_.skip(size);
+    return std::string(bytes_.substr(start, size));
+  }
+
+  std::string_view bytes_;
+  ByteScanner scanner_;
+};
+
+void append_count(std::size_t count, std::string& bytes) {
+  for (unsigned i = 0; i < 4; ++i) bytes += static_cast<char>(count >> (8 * i) & 255);
+}
+
+void append_text(const std::string& text, std::string& bytes) {
+  append_count(text.size(), bytes);
+  bytes += text;
+}
+
+/// What NamesReader reads.
+std::string names_value(const MeshNames& names) {
+  std::string bytes;
+  append_count(names.patches.size(), bytes);
+  for (const std::string& name : names.patches) append_text(name, bytes);
+  append_count(names.groups.size(), bytes);
+  for (const Group& group : names.groups) {
+    append_text(group.name, bytes);
+    append_count(group.patches.size(), bytes);
+    for (const int patch : group.patches) append_count(static_cast<std::uint32_t>(patch), bytes);
+  }
+  return bytes;
+}
+
+/// Hands all that is written on to a file but the last bytes, the end mark, so that a chunk can be
+/// put before it: a mesh property would have to be added to the mesh, which is not ours.
+class WithoutEndMark : public std::streambuf {
+ public:
+  explicit WithoutEndMark(FileWriter& writer) : writer_(writer) {}
+
+  void finish() { hand_on(); }
+
+ protected:
+  std::streamsize xsputn(const char* text, std::streamsize size) override {
+    held_.append(text, static_cast<std::size_t>(size));
+    if (held_.size() > kPiece) hand_on();
+    return size;
+  }
+
+  int_type overflow(int_type c) override {
+    const char byte = traits_type::to_char_type(c);
+    xsputn(&byte, 1);
+    return traits_type::not_eof(c);
+  }
+
+ private:
+  static constexpr std::size_t kPiece = std::size_t{1} << 16;
+
+  void hand_on() {
+    const std::size_t size = held_.size() - std::min(held_.size(), sizeof(kEndMark));
+    writer_.text(std::string_view(held_).substr(0, size));
+    held_.erase(0, size);
+  }
+
+  FileWriter& writer_;
+  std::string held_;
+};
 
 /// True if `heh` is one halfedge of a proper mesh, as far as its neighbours go.
 bool is_halfedge_sound(const PolyMesh& mesh, HalfedgeHandle heh) {
@@ -232,25 +339,32 @@ void make_persistent(Iterator begin, Iterator end) {
   }
 }
 
-}  // namespace
-
-void write_om(const PolyMesh& mesh, OutputFile& file) {
-  const Silence silence;
-  // A failed stream is reported by the file's commit().
-  OpenMesh::IO::write_mesh(mesh, file.stream(), ".om", with_properties());
+void write_om(const PolyMesh& mesh, const MeshNames& names, OutputFile& file) {
+  FileWriter writer(file);
+  {
+    const Silence silence;
+    WithoutEndMark buffer(writer);
+    std::ostream stream(&buffer);
+    OpenMesh::IO::write_mesh(mesh, stream, ".om", with_properties());
+    buffer.finish();
+  }
+  if (names != MeshNames()) {
+    const std::string value = names_value(names);
+    writer.bytes(kNamesChunk);
+    for (const std::string_view word : {keys::mesh_names, kNamesType}) {
+      writer.bytes(static_cast<std::uint8_t>(word.size()));
+      writer.text(word);
+    }
+    writer.bytes(static_cast<std::uint32_t>(value.size()));
+    writer.text(value);
+  }
+  writer.bytes(kEndMark);
+  writer.flush();
 }
 
-PolyMesh read_om(const std::filesystem::path& path) {
-  if (lower_case_ending(path) != ".om") fail(path.string(), "the ending of this format is .om");
-  return parse_om(read_file(path), path.string());
-}
-
-PolyMesh parse_om(std::string bytes, const std::string& name) {
-  OmCheck check(bytes);
-  if (!check.has_header()) fail(name, "this is not an .om file of a version that is read");
-  if (!check.are_chunks_sound()) fail(name, "the file is cut short or damaged");
+void read_checked(std::string bytes, const OmCheck& check, const std::string& name,
+                  PolyMesh& mesh) {
   std::istringstream stream(std::move(bytes));
-  PolyMesh mesh;
   bool is_read = false;
   try {
     const Silence silence;
@@ -263,11 +377,39 @@ PolyMesh parse_om(std::string bytes, const std::string& name) {
       mesh.n_edges() != check.edges || !is_sound(mesh)) {
     fail(name, "the file is cut short or damaged");
   }
+}
+
+/// The faces only. That there are none is told by whoever reads.
+MeshArraysFile parse_om_faces(std::string bytes, const std::string& name) {
+  const MeshFile file = parse_om(std::move(bytes), name);
+  return {mesh_arrays(file.mesh, file.names, ArrayParts::Faces), file.warnings, {}};
+}
+
+std::vector<std::string> lost_in_om(const PolyMesh&, const MeshNames&) { return {}; }
+
+}  // namespace
+
+MeshFile parse_om(std::string bytes, const std::string& name) {
+  OmCheck check(bytes);
+  if (!check.has_header()) fail(name, "this is not an .om file of a version that is read");
+  if (!check.are_chunks_sound()) fail(name, "the file is cut short or damaged");
+  MeshFile file;
+  if (!check.names.empty()) file.names = NamesReader(check.names, name).read();
+  read_checked(std::move(bytes), check, name, file.mesh);
+  PolyMesh& mesh = file.mesh;
   make_persistent(mesh.vprops_begin(), mesh.vprops_end());
   make_persistent(mesh.hprops_begin(), mesh.hprops_end());
   make_persistent(mesh.eprops_begin(), mesh.eprops_end());
   make_persistent(mesh.fprops_begin(), mesh.fprops_end());
-  return mesh;
+  return file;
+}
+
+MeshFormat om_format() {
+  return {.ending = ".om",
+          .parse = parse_om_faces,
+          .parse_mesh = parse_om,
+          .write = write_om,
+          .what_is_lost = lost_in_om};
 }
 
 }  // namespace surfmesh

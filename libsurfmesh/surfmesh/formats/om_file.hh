@@ -3,17 +3,15 @@
 
 #include <string>
 
-#include "surfmesh/core/mesh.hh"
-#include "surfmesh/io/output_file.hh"
+#include "surfmesh/formats/mesh_format.hh"
 
 namespace surfmesh {
 
-/// Write a mesh in OpenMesh's own format, with all its persistent properties.
-/// Throws   Io
-void write_om(const PolyMesh& mesh, OutputFile& file);
+/// OpenMesh's own format, with all persistent properties and the names of patches and groups.
+MeshFormat om_format();
 
 /// Read a mesh from the bytes of an .om file; `name` stands in messages.
 /// Throws   InvalidInput
-PolyMesh parse_om(std::string bytes, const std::string& name);
+MeshFile parse_om(std::string bytes, const std::string& name);
 
 }  // namespace surfmesh

@@ -11,8 +11,9 @@
 #include <limits>
 #include <optional>
 
+#include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
-#include "surfmesh/formats/parse_cage.hh"
+#include "surfmesh/formats/cage_text.hh"
 #include "surfmesh/io/byte_scanner.hh"
 #include "surfmesh/io/file_writer.hh"
 
@@ -59,16 +60,37 @@ struct Element {
 
 enum class Format { Ascii, Little, Big };
 
+/// Faces of one patch in a row.
+struct PatchRun {
+  std::size_t count = 0;
+  int patch = -1;
+};
+
 struct Header {
   Format format = Format::Ascii;
   std::vector<Element> elements;
-  std::vector<std::string> patch_names;
+  MeshNames names;
+  std::vector<PatchRun> runs;
   std::size_t size = 0;  ///< in bytes, with the end of its last line
   int lines = 0;
 };
 
-/// Numbers of patches in comments above this are not believed.
-constexpr std::size_t kMostNames = 1'000'000;
+/// Numbers of patches and groups in comments above this are not believed.
+constexpr int kMostNames = 1'000'000;
+
+/// Gmsh takes 255 bytes for a line, VTK 4095: longer names go on in the next comment.
+constexpr std::size_t kLongestName = 200;
+
+/// Patches of a group in one comment, likewise.
+constexpr std::size_t kPatchesPerLine = 20;
+
+/// The entry of this index, in a list that grows to hold it.
+template <class Value>
+Value& entry(std::vector<Value>& list, int index) {
+  const auto i = static_cast<std::size_t>(index);
+  if (list.size() <= i) list.resize(i + 1);
+  return list[i];
+}
 
 class HeaderReader {
  public:
@@ -84,6 +106,8 @@ class HeaderReader {
   void read_element();
   void read_property();
   void read_comment();
+  std::optional<int> next_number(int least, int most);
+  std::string_view rest_of_line() const;
   Type read_type();
   [[noreturn]] void fail(std::string_view reason) const {
     throw Error(ErrorCode::InvalidInput, fmt::format("{}:{}: {}", name_, header_.lines, reason));
@@ -189,16 +213,44 @@ void HeaderReader::read_property() {
   header_.elements.back().properties.push_back(std::move(property));
 }
 
-/// Ours are `comment patch <number> <name>`.
-void HeaderReader::read_comment() {
-  if (next_word() != "patch") return;
+std::optional<int> HeaderReader::next_number(int least, int most) {
   const std::string_view word = next_word();
-  std::size_t patch = 0;
-  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), patch);
-  if (error != std::errc() || stop != word.data() + word.size() || patch >= kMostNames) return;
-  if (!line_.empty()) line_.remove_prefix(1);
-  if (header_.patch_names.size() <= patch) header_.patch_names.resize(patch + 1);
-  header_.patch_names[patch] = line_;
+  int number = 0;
+  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (error != std::errc() || stop != word.data() + word.size()) return std::nullopt;
+  return number >= least && number <= most ? std::optional(number) : std::nullopt;
+}
+
+/// The rest of the line after one blank.
+std::string_view HeaderReader::rest_of_line() const {
+  return line_.substr(std::min<std::size_t>(1, line_.size()));
+}
+
+/// Ours are, with numbers from 0:
+///   comment patch <patch> <name>              a name longer than a line goes on in the next one
+///   comment group <group> <name>
+///   comment patches <group> <patch>...
+///   comment faces <count> <patch>             runs of faces; -1 for no patch
+void HeaderReader::read_comment() {
+  constexpr int most = std::numeric_limits<int>::max();
+  const std::string_view keyword = next_word();
+  MeshNames& names = header_.names;
+  if (keyword == "patch") {
+    if (const auto patch = next_number(0, kMostNames))
+      entry(names.patches, *patch) += rest_of_line();
+  } else if (keyword == "group") {
+    if (const auto group = next_number(0, kMostNames))
+      entry(names.groups, *group).name += rest_of_line();
+  } else if (keyword == "patches") {
+    const auto group = next_number(0, kMostNames);
+    for (auto patch = next_number(0, most); group && patch; patch = next_number(0, most)) {
+      entry(names.groups, *group).patches.push_back(*patch);
+    }
+  } else if (keyword == "faces") {
+    const auto count = next_number(1, most);
+    const auto patch = next_number(-1, most);
+    if (count && patch) header_.runs.push_back({static_cast<std::size_t>(*count), *patch});
+  }
 }
 
 /// Values of a binary body.
@@ -331,7 +383,7 @@ class BodyReader {
  public:
   BodyReader(const Header& header, Values values) : header_(header), values_(std::move(values)) {}
 
-  FaceSetFile read() {
+  MeshArraysFile read() {
     for (const Element& element : header_.elements) {
       if (element.name == "vertex") vertex_count_ = element.count;
     }
@@ -362,7 +414,7 @@ class BodyReader {
     if (seen[0] != 1 || seen[1] != 1 || seen[2] != 1) {
       values_.fail("the vertices do not have the properties x, y and z once each");
     }
-    file_.set.points.reserve(values_.likely(element.count));
+    file_.mesh.points.reserve(values_.likely(element.count));
     for (std::size_t i = 0; i < element.count; ++i) {
       values_.begin_element(element.name, i, element.count);
       Vec3 point;
@@ -374,7 +426,7 @@ class BodyReader {
           skip_property(property);
         }
       }
-      file_.set.points.push_back(point);
+      file_.mesh.points.push_back(point);
     }
   }
 
@@ -395,7 +447,7 @@ class BodyReader {
     if (std::count_if(properties.begin(), properties.end(), has_patch) > 1) {
       values_.fail("the faces have the property patch twice");
     }
-    file_.set.faces.reserve(values_.likely(element.count), values_.likely(3 * element.count));
+    file_.mesh.faces.reserve(values_.likely(element.count), values_.likely(3 * element.count));
     for (std::size_t i = 0; i < element.count; ++i) {
       values_.begin_element(element.name, i, element.count);
       for (const Property& property : properties) {
@@ -430,7 +482,7 @@ class BodyReader {
     if (patch < -1 || patch > std::numeric_limits<int>::max()) {
       values_.fail(fmt::format("patch {} is not a number from 0, or -1 for none", patch));
     }
-    file_.set.patches.push_back(static_cast<int>(patch));
+    file_.mesh.patches.push_back(static_cast<int>(patch));
   }
 
   void add_face() {
@@ -445,7 +497,7 @@ class BodyReader {
       case CornerFault::None:
         break;
     }
-    file_.set.faces.add(corners_);
+    file_.mesh.faces.add(corners_);
   }
 
   void skip_elements(const Element& element) {
@@ -464,71 +516,155 @@ class BodyReader {
 
   const Header& header_;
   Values values_;
-  FaceSetFile file_;
+  MeshArraysFile file_;
   std::vector<int> corners_;
   std::size_t vertex_count_ = 0;
 };
 
-FaceSetFile read_body(std::string_view bytes, const Header& header, const std::string& name) {
+MeshArraysFile read_body(std::string_view bytes, const Header& header, const std::string& name) {
   if (header.format == Format::Ascii) {
     return BodyReader(header, TextValues(bytes, header, name)).read();
   }
   return BodyReader(header, BinaryValues(bytes, header, name)).read();
 }
 
-std::size_t most_corners(const PolyMesh& mesh) {
-  std::size_t most = 0;
-  for (const FaceHandle fh : mesh.faces()) most = std::max<std::size_t>(most, mesh.valence(fh));
-  return most;
+/// The patches of runs of faces, if these are as many as there are faces.
+std::vector<int> patches_of_runs(const std::vector<PatchRun>& runs, std::size_t face_count) {
+  std::size_t count = 0;
+  for (const PatchRun& run : runs) count += run.count;
+  std::vector<int> patches;
+  if (count != face_count) return patches;
+  for (const PatchRun& run : runs) patches.insert(patches.end(), run.count, run.patch);
+  return patches;
 }
 
-std::string header_of(const PolyMesh& mesh, const std::vector<std::string>& patch_names,
-                      bool has_patches, bool is_count_small) {
-  std::string text = "ply\nformat binary_little_endian 1.0\ncomment surfmesh\n";
-  for (std::size_t i = 0; has_patches && i < patch_names.size(); ++i) {
-    std::string name = patch_names[i];
-    for (char& c : name) c = c == '\n' || c == '\r' ? ' ' : c;
-    text += fmt::format("comment patch {} {}\n", i, name);
+struct FaceSizes {
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  std::size_t most = 0;
+};
+
+FaceSizes face_sizes(const PolyMesh& mesh) {
+  FaceSizes sizes;
+  for (const FaceHandle fh : mesh.faces()) {
+    const std::size_t size = mesh.valence(fh);
+    sizes.least = std::min(sizes.least, size);
+    sizes.most = std::max(sizes.most, size);
   }
-  text += fmt::format(
-      "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
-      "element face {}\nproperty list {} int vertex_indices\n",
-      mesh.n_vertices(), mesh.n_faces(), is_count_small ? "uchar" : "int");
-  if (has_patches) text += "property int patch\n";
-  return text + "end_header\n";
+  return sizes;
+}
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }
+
+bool can_be_held(const std::string& name) {
+  return std::none_of(name.begin(), name.end(), is_control);
+}
+
+/// Write a name in comments of one line each, cut between letters.
+void write_name(std::string_view before, std::size_t number, std::string name, FileWriter& writer) {
+  std::replace_if(name.begin(), name.end(), is_control, ' ');
+  std::string_view rest = name;
+  do {
+    std::size_t size = std::min(rest.size(), kLongestName);
+    const auto is_inside_letter = [&] {
+      return size < rest.size() && (static_cast<unsigned char>(rest[size]) & 0xC0) == 0x80;
+    };
+    while (size > kLongestName / 2 && is_inside_letter()) --size;
+    writer.text(before);
+    writer.number(' ', number);
+    writer.text(" ");
+    writer.text(rest.substr(0, size));
+    rest.remove_prefix(size);
+  } while (!rest.empty());
+}
+
+void write_names(const MeshNames& names, FileWriter& writer) {
+  for (std::size_t p = 0; p < names.patches.size(); ++p) {
+    write_name("\ncomment patch", p, names.patches[p], writer);
+  }
+  for (std::size_t g = 0; g < names.groups.size(); ++g) {
+    write_name("\ncomment group", g, names.groups[g].name, writer);
+  }
+  for (std::size_t g = 0; g < names.groups.size(); ++g) {
+    const std::vector<int>& patches = names.groups[g].patches;
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+      if (i % kPatchesPerLine == 0) {
+        writer.text("\ncomment patches");
+        writer.number(' ', g);
+      }
+      writer.number(' ', patches[i]);
+    }
+  }
+}
+
+void write_runs(const std::vector<int>& patches, FileWriter& writer) {
+  for (std::size_t begin = 0, end = 0; begin < patches.size(); begin = end) {
+    while (end < patches.size() && patches[end] == patches[begin]) ++end;
+    writer.text("\ncomment faces");
+    writer.number(' ', end - begin);
+    writer.number(' ', patches[begin]);
+  }
+}
+
+/// ASCII, for Gmsh reads binary files with positions in single precision only.
+void write_ply(const PolyMesh& mesh, const MeshNames& names, OutputFile& file) {
+  const auto patch_of = find(mesh, keys::face_patch);
+  const FaceSizes sizes = face_sizes(mesh);
+  const bool are_patches_values = patch_of.is_valid() && sizes.least >= sizes.most;
+  FileWriter writer(file);
+  writer.text("ply\nformat ascii 1.0\ncomment surfmesh");
+  if (patch_of.is_valid()) write_names(names, writer);
+  if (patch_of.is_valid() && !are_patches_values) {
+    write_runs(mesh.property(patch_of).data_vector(), writer);
+  }
+  writer.text("\nelement vertex");
+  writer.number(' ', mesh.n_vertices());
+  writer.text("\nproperty double x\nproperty double y\nproperty double z\nelement face");
+  writer.number(' ', mesh.n_faces());
+  const bool is_small = sizes.most <= std::numeric_limits<std::uint8_t>::max();
+  writer.text(fmt::format("\nproperty list {} int vertex_indices", is_small ? "uchar" : "int"));
+  if (are_patches_values) writer.text("\nproperty int patch");
+  writer.text("\nend_header");
+  write_points(mesh, "", writer);
+  for (const FaceHandle fh : mesh.faces()) {
+    writer.number('\n', mesh.valence(fh));
+    for_each_vertex_of(mesh, fh, [&writer](int vertex) { writer.number(' ', vertex); });
+    if (are_patches_values) writer.number(' ', mesh.property(patch_of, fh));
+  }
+  writer.text("\n");
+  writer.flush();
+}
+
+std::vector<std::string> lost_in_ply(const PolyMesh& mesh, const MeshNames& names) {
+  std::vector<std::string> lost = lost_properties(mesh);
+  if (!find(mesh, keys::face_patch).is_valid()) return lost;
+  const auto is_changed = [](const std::string& name) { return !can_be_held(name); };
+  auto count = std::count_if(names.patches.begin(), names.patches.end(), is_changed);
+  for (const Group& group : names.groups) count += is_changed(group.name) ? 1 : 0;
+  if (count > 0) {
+    lost.insert(lost.begin(),
+                fmt::format("the control characters in {} names of patches and groups", count));
+  }
+  return lost;
+}
+
+MeshArraysFile parse_ply_bytes(std::string bytes, const std::string& name) {
+  return parse_ply(bytes, name);
 }
 
 }  // namespace
 
-FaceSetFile parse_ply(std::string_view bytes, const std::string& name) {
-  const Header header = HeaderReader(bytes, name).read();
-  FaceSetFile file = read_body(bytes, header, name);
-  if (!file.set.patches.empty()) file.patch_names = header.patch_names;
+MeshArraysFile parse_ply(std::string_view bytes, const std::string& name) {
+  Header header = HeaderReader(bytes, name).read();
+  MeshArraysFile file = read_body(bytes, header, name);
+  MeshArrays& mesh = file.mesh;
+  if (mesh.patches.empty()) mesh.patches = patches_of_runs(header.runs, mesh.faces.size());
+  if (!mesh.patches.empty()) mesh.names = std::move(header.names);
   return file;
 }
 
-void write_ply(const PolyMesh& mesh, const std::vector<std::string>& patch_names,
-               OutputFile& file) {
-  const auto patch_of = find(mesh, keys::face_patch);
-  const bool is_count_small = most_corners(mesh) <= std::numeric_limits<std::uint8_t>::max();
-  FileWriter writer(file);
-  writer.text(header_of(mesh, patch_names, patch_of.is_valid(), is_count_small));
-  for (const VertexHandle vh : mesh.vertices()) {
-    const OpenMesh::Vec3d& point = mesh.point(vh);
-    check_finite(point, vh);
-    for (std::size_t k = 0; k < 3; ++k) writer.bytes(point[k]);
-  }
-  for (const FaceHandle fh : mesh.faces()) {
-    const auto count = mesh.valence(fh);
-    if (is_count_small) {
-      writer.bytes(static_cast<std::uint8_t>(count));
-    } else {
-      writer.bytes(static_cast<std::int32_t>(count));
-    }
-    for_each_corner(mesh, fh, [&writer](int vertex) { writer.bytes<std::int32_t>(vertex); });
-    if (patch_of.is_valid()) writer.bytes<std::int32_t>(mesh.property(patch_of, fh));
-  }
-  writer.flush();
+MeshFormat ply_format() {
+  return {
+      .ending = ".ply", .parse = parse_ply_bytes, .write = write_ply, .what_is_lost = lost_in_ply};
 }
 
 }  // namespace surfmesh

@@ -3,21 +3,16 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "surfmesh/core/mesh.hh"
-#include "surfmesh/formats/read_mesh.hh"
-#include "surfmesh/io/output_file.hh"
+#include "surfmesh/formats/mesh_format.hh"
 
 namespace surfmesh {
 
-/// Read the bytes of a PLY file, see read_face_set; `name` stands in messages.
-/// Throws   InvalidInput
-FaceSetFile parse_ply(std::string_view bytes, const std::string& name);
+/// PLY: see read_mesh.hh and write_mesh.hh.
+MeshFormat ply_format();
 
-/// Write a binary little-endian PLY file: positions as doubles, surf:patch as the int property
-/// `patch` of faces, the names of patches as comments.
-/// Throws   Io; Geometry for a position that is not finite
-void write_ply(const PolyMesh& mesh, const std::vector<std::string>& patch_names, OutputFile& file);
+/// Read the bytes of a PLY file, see read_mesh_arrays; `name` stands in messages.
+/// Throws   InvalidInput
+MeshArraysFile parse_ply(std::string_view bytes, const std::string& name);
 
 }  // namespace surfmesh

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "surfmesh/core/mesh_arrays.hh"
+#include "surfmesh/core/properties.hh"
 #include "surfmesh/io/byte_scanner.hh"
 #include "surfmesh/io/file_writer.hh"
 #include "surfmesh/io/text_scanner.hh"
@@ -74,29 +76,29 @@ class TriangleCollector {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
       file_.degenerate_faces.push_back(count_);
     } else {
-      file_.set.faces.add(t);
-      file_.set.patches.push_back(static_cast<int>(file_.patch_names.size()) - 1);
+      file_.mesh.faces.add(t);
+      file_.mesh.patches.push_back(static_cast<int>(file_.mesh.names.patches.size()) - 1);
     }
     ++count_;
   }
 
-  void begin_solid(std::string name) { file_.patch_names.push_back(std::move(name)); }
+  void begin_solid(std::string name) { file_.mesh.names.patches.push_back(std::move(name)); }
 
-  FaceSetFile finish() {
-    if (file_.patch_names.size() < 2) {
-      file_.patch_names.clear();
-      file_.set.patches.clear();
+  MeshArraysFile finish() {
+    if (file_.mesh.names.patches.size() < 2) {
+      file_.mesh.names.patches.clear();
+      file_.mesh.patches.clear();
     }
     return std::move(file_);
   }
 
  private:
-  FaceSetFile file_;
-  PointTable table_{file_.set.points};
+  MeshArraysFile file_;
+  PointTable table_{file_.mesh.points};
   std::size_t count_ = 0;
 };
 
-FaceSetFile parse_binary(std::string_view bytes, const std::string& name) {
+MeshArraysFile parse_binary(std::string_view bytes, const std::string& name) {
   ByteScanner scanner(bytes, std::min(kHeaderSize, bytes.size()), name);
   const auto count = scanner.take<std::uint32_t>();
   if (scanner.rest() / kTriangleSize < count) {
@@ -121,7 +123,7 @@ FaceSetFile parse_binary(std::string_view bytes, const std::string& name) {
     scanner.skip(sizeof(std::uint16_t));
     triangles.add(points);
   }
-  FaceSetFile file = triangles.finish();
+  MeshArraysFile file = triangles.finish();
   if (scanner.rest() > 0) {
     file.warnings.push_back(
         fmt::format("{}: {} bytes after the last triangle are ignored", name, scanner.rest()));
@@ -140,7 +142,7 @@ class TextReader {
   TextReader(std::string_view text, const std::string& name)
       : scanner_(text, name, TextScanner::Joining::Off) {}
 
-  FaceSetFile read() {
+  MeshArraysFile read() {
     while (scanner_.next_line()) {
       const std::string word = lower_case(scanner_.next_word());
       if (word == "solid" && !is_in_solid_) {
@@ -177,11 +179,7 @@ class TextReader {
     std::array<Vec3, 3> points;
     for (Vec3& point : points) {
       expect_line("vertex");
-      for (int k = 0; k < 3; ++k) {
-        const std::string_view word = scanner_.next_word();
-        if (word.empty()) scanner_.fail("a vertex needs three coordinates");
-        point[k] = scanner_.to_number(word, "a coordinate");
-      }
+      point = scanner_.next_point();
     }
     expect_line("endloop");
     expect_line("endfacet");
@@ -224,7 +222,7 @@ Triangles triangles_of(const PolyMesh& mesh) {
   std::vector<int> face;
   for (const FaceHandle fh : mesh.faces()) {
     face.clear();
-    for_each_corner(mesh, fh, [&face](int vertex) { face.push_back(vertex); });
+    for_each_vertex_of(mesh, fh, [&face](int vertex) { face.push_back(vertex); });
     split_face(mesh, face, triangles);
   }
   return triangles;
@@ -245,14 +243,9 @@ void check_single(const PolyMesh& mesh) {
   }
 }
 
-}  // namespace
-
-FaceSetFile parse_stl(std::string_view bytes, const std::string& name) {
-  if (bytes.empty()) throw Error(ErrorCode::InvalidInput, name + ": the file is empty");
-  return is_binary(bytes) ? parse_binary(bytes, name) : TextReader(bytes, name).read();
-}
-
-void write_stl(const PolyMesh& mesh, OutputFile& file) {
+/// Faces of more than three corners are split: quads at their shorter diagonal, others into the fan
+/// of their first corner.
+void write_stl(const PolyMesh& mesh, const MeshNames&, OutputFile& file) {
   check_single(mesh);
   const Triangles triangles = triangles_of(mesh);
   FileWriter writer(file);
@@ -275,6 +268,39 @@ void write_stl(const PolyMesh& mesh, OutputFile& file) {
     writer.bytes(std::uint16_t{0});
   }
   writer.flush();
+}
+
+std::size_t count_polygons(const PolyMesh& mesh) {
+  std::size_t count = 0;
+  for (const FaceHandle fh : mesh.faces()) count += mesh.valence(fh) > 3 ? 1 : 0;
+  return count;
+}
+
+std::vector<std::string> lost_in_stl(const PolyMesh& mesh, const MeshNames& names) {
+  std::vector<std::string> lost = {"the digits of positions beyond single precision"};
+  if (const std::size_t count = count_polygons(mesh); count > 0) {
+    lost.push_back(fmt::format("{} faces of more than three corners, which are split", count));
+  }
+  for (std::string& more : lost_patches_and_properties(mesh, names)) {
+    lost.push_back(std::move(more));
+  }
+  return lost;
+}
+
+MeshArraysFile parse_stl_bytes(std::string bytes, const std::string& name) {
+  return parse_stl(bytes, name);
+}
+
+}  // namespace
+
+MeshArraysFile parse_stl(std::string_view bytes, const std::string& name) {
+  if (bytes.empty()) throw Error(ErrorCode::InvalidInput, name + ": the file is empty");
+  return is_binary(bytes) ? parse_binary(bytes, name) : TextReader(bytes, name).read();
+}
+
+MeshFormat stl_format() {
+  return {
+      .ending = ".stl", .parse = parse_stl_bytes, .write = write_stl, .what_is_lost = lost_in_stl};
 }
 
 }  // namespace surfmesh

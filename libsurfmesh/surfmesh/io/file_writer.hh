@@ -60,15 +60,9 @@ class FileWriter {
 /// Throws   Geometry, naming the vertex, if its position is not finite
 void check_finite(const OpenMesh::Vec3d& point, VertexHandle vh);
 
-/// Call `visit` with the index of each vertex of a face, the first one first.
-template <class Visitor>
-void for_each_corner(const PolyMesh& mesh, FaceHandle fh, Visitor visit) {
-  const HalfedgeHandle start = mesh.halfedge_handle(fh);
-  HalfedgeHandle heh = start;
-  do {
-    visit(mesh.to_vertex_handle(heh).idx());
-    heh = mesh.next_halfedge_handle(heh);
-  } while (heh != start);
-}
+/// Write the positions of all vertices, a line each after a line end, with a word before each line
+/// ("v") or none.
+/// Throws   Geometry for a position that is not finite
+void write_points(const PolyMesh& mesh, std::string_view first_word, FileWriter& writer);
 
 }  // namespace surfmesh

@@ -125,6 +125,16 @@ int TextScanner::to_integer(std::string_view word, std::string_view what) const 
   return value;
 }
 
+Vec3 TextScanner::next_point() {
+  Vec3 point;
+  for (int k = 0; k < 3; ++k) {
+    const std::string_view word = next_word();
+    if (word.empty()) fail("a vertex needs three coordinates");
+    point[k] = to_number(word, "a coordinate");
+  }
+  return point;
+}
+
 void TextScanner::fail_at(int line, std::string_view reason) const {
   throw Error(ErrorCode::InvalidInput, fmt::format("{}:{}: {}", name_, line, reason));
 }

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "surfmesh/core/language_standard.hh"
+#include "surfmesh/core/values.hh"
 
 namespace surfmesh {
 
@@ -38,6 +38,10 @@ class TextScanner {
   /// Read a word as an integer; `what` names it in the message.
   /// Throws   InvalidInput
   int to_integer(std::string_view word, std::string_view what) const;
+
+  /// Take three words as a position.
+  /// Throws   InvalidInput
+  Vec3 next_point();
 
   /// Throw InvalidInput with "name:line: reason", for the current line or another.
   [[noreturn]] void fail(std::string_view reason) const { fail_at(line_, reason); }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "surfmesh/core/error.hh"
@@ -84,6 +85,20 @@ void check_extent(double diagonal) {
 }
 
 }  // namespace
+
+MeshNames mesh_names(const Model& model) {
+  MeshNames names;
+  for (const Patch& patch : model.patches) names.patches.push_back(patch.name);
+  for (const Group& group : model.groups) {
+    const auto same = std::find_if(names.groups.begin(), names.groups.end(),
+                                   [&](const Group& other) { return other.name == group.name; });
+    Group& whole = same == names.groups.end() ? names.groups.emplace_back() : *same;
+    whole.name = group.name;
+    whole.patches.insert(whole.patches.end(), group.patches.begin(), group.patches.end());
+  }
+  put_in_order(names.groups);
+  return names;
+}
 
 void check(const Model& model) {
   if (model.patches.empty()) throw Error(ErrorCode::InvalidInput, "the model has no patches");

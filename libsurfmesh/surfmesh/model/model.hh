@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "surfmesh/core/mesh_names.hh"
 #include "surfmesh/core/values.hh"
 #include "surfmesh/geometry/curve.hh"
 #include "surfmesh/geometry/surface.hh"
@@ -55,12 +56,6 @@ struct Patch {
   std::vector<int> cage_faces = {};
 };
 
-/// A named set of patches (OBJ `g`, `usemtl`).
-struct Group {
-  std::string name;
-  std::vector<int> patches;
-};
-
 /// A point where contours end.
 struct ModelVertex {
   Vec3 position = Vec3::Constant(kUnset);
@@ -104,6 +99,10 @@ struct Model {
   }
   Patch& patch(int index) { return patches[static_cast<std::size_t>(index)]; }
 };
+
+/// The names of the patches, and the groups that have any, those of one name as one, in the order
+/// of their first patch.
+MeshNames mesh_names(const Model& model);
 
 /// Check the indices, that the diagonal is between 1e-70 and 1e70, and that all loops close in
 /// space, to 1e-6 of the diagonal.

@@ -218,10 +218,10 @@ class Lines {
 
 }  // namespace
 
-MeshCheck check_mesh(const FaceSetFile& file) {
+MeshCheck check_mesh(const MeshArraysFile& file) {
   MeshCheck check;
-  check.faces = check_face_set(file.set, file.patch_names);
-  check.shape = measure_shape(file.set);
+  check.faces = check_face_set(file.mesh);
+  check.shape = measure_shape(file.mesh);
   check.warnings = file.warnings;
   check.faults = check.faces.faults;
   for (const std::size_t face : file.degenerate_faces) {
@@ -236,7 +236,7 @@ ModelFit measure_fit(MeshFile& mesh, const ModelInput& input) {
   ModelFit fit;
   const SurfaceSearch search(input.model);
   fit.is_projected = !has_parameters(mesh.mesh);
-  if (fit.is_projected) project_mesh(mesh.mesh, mesh.patch_names, input.model, search);
+  if (fit.is_projected) project_mesh(mesh.mesh, mesh.names.patches, input.model, search);
   fit.distance = measure_distance(mesh.mesh, input.model, search, fit.is_projected);
   fit.differences = compare_with_promise(mesh.mesh, input.model);
   const Sizing& sizing = input.options.sizing;

@@ -42,7 +42,7 @@ struct MeshCheck {
 ///
 /// Faults are those of check_face_set, and degenerate_face for triangles of .stl files with two
 /// equal corners.
-MeshCheck check_mesh(const FaceSetFile& file);
+MeshCheck check_mesh(const MeshArraysFile& file);
 
 /// Measure a mesh against its model, in the exact sizes of the area sources of `input`.
 ///

@@ -12,6 +12,7 @@
 
 #include "surfmesh/core/at_place.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/formats/mesh_endings.hh"
 #include "surfmesh/formats/read_cage.hh"
 #include "surfmesh/io/input_file.hh"
 #include "surfmesh/io/nearest_word.hh"
@@ -176,12 +177,11 @@ ModelInput load_model_file(const std::filesystem::path& path, const CageOptions&
 }  // namespace
 
 ModelInput load_model(const std::filesystem::path& path, const CageOptions& cage_options) {
-  const std::string ending = lower_case_ending(path);
-  if (ending == ".obj" || ending == ".off") return load_cage(path, cage_options);
-  if (ending != ".json") {
+  if (has_cage_ending(path)) return load_cage(path, cage_options);
+  if (lower_case_ending(path) != ".json") {
     throw Error(ErrorCode::InvalidInput,
-                fmt::format("{}: the ending of a cage is .obj or .off, that of a model file .json",
-                            path.string()));
+                fmt::format("{}: the ending of a cage is {}, that of a model file .json",
+                            path.string(), cage_endings()));
   }
   return load_model_file(path, cage_options);
 }

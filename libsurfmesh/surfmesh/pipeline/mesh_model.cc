@@ -22,6 +22,7 @@
 #include "surfmesh/pipeline/for_each_patch.hh"
 #include "surfmesh/pipeline/patch_names.hh"
 #include "surfmesh/pipeline/reach_sag.hh"
+#include "surfmesh/quality/patch_measures.hh"
 
 namespace surfmesh {
 namespace {
@@ -280,6 +281,8 @@ MeshResult mesh_model(const Model& model, const Sources& sources, const Pipeline
   const RunContext context(observer, options.max_elements);
   MeshResult result;  // OpenMesh's meshes cannot be moved, only copied
   with_threads(options.threads, [&] { mesh_or_cancel(model, sources, options, context, result); });
+  result.names = mesh_names(model);
+  result.report.patches = measure_patches(result.mesh, result.names);
   return result;
 }
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
+
 #include "surfmesh/core/mesh.hh"
+#include "surfmesh/core/mesh_names.hh"
 #include "surfmesh/core/observer.hh"
+#include "surfmesh/formats/write_mesh.hh"
 #include "surfmesh/model/model.hh"
 #include "surfmesh/pipeline/options.hh"
 #include "surfmesh/pipeline/report.hh"
@@ -12,6 +16,7 @@ namespace surfmesh {
 
 struct MeshResult {
   PolyMesh mesh;
+  MeshNames names;  ///< of the patches of the mesh, and their groups
   Report report;
 };
 
@@ -29,5 +34,10 @@ struct MeshResult {
 /// Source   paper, section 2.1
 MeshResult mesh_model(const Model& model, const Sources& sources = {},
                       const PipelineOptions& options = {}, Observer* observer = nullptr);
+
+/// Write the mesh of a result with the names of its patches and groups, see write_mesh.hh.
+inline void write_mesh(const MeshResult& result, const std::filesystem::path& path) {
+  write_mesh(result.mesh, path, result.names);
+}
 
 }  // namespace surfmesh

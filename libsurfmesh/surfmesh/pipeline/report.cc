@@ -35,6 +35,17 @@ Json mesh_json(const Report::Mesh& mesh) {
           {"patches", mesh.patches},   {"closed", mesh.is_closed},    {"euler", mesh.euler}};
 }
 
+Json patches_json(const std::vector<PatchMeasure>& patches) {
+  Json json = Json::array();
+  for (const PatchMeasure& patch : patches) {
+    json.push_back({{"name", patch.name},
+                    {"groups", patch.groups},
+                    {"triangles", patch.triangles},
+                    {"area", patch.area}});
+  }
+  return json;
+}
+
 Json edges_json(const EdgeStatistics& edges) {
   Json histogram = Json::array();
   for (const HistogramBin& bin : edges.histogram) {
@@ -104,6 +115,7 @@ std::string to_json(const Report& report) {
       {"options", options_json(report.options)},
       {"warnings", warnings_json(report)},
       {"mesh", mesh_json(report.mesh)},
+      {"patches", patches_json(report.patches)},
       {"edges", edges_json(report.edges)},
       {"quality",
        {{"min", report.quality.min},

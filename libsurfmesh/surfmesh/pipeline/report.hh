@@ -8,6 +8,7 @@
 #include "surfmesh/core/stage.hh"
 #include "surfmesh/metric/metric_field.hh"
 #include "surfmesh/pipeline/options.hh"
+#include "surfmesh/quality/patch_measures.hh"
 #include "surfmesh/quality/statistics.hh"
 
 namespace surfmesh {
@@ -50,6 +51,7 @@ struct Report {
   /// What was asked for and not reached, in plain English; a tool ends with status 3.
   std::vector<std::string> shortfalls;
   Mesh mesh;
+  std::vector<PatchMeasure> patches;
   EdgeStatistics edges;       ///< in the metric of the control space
   QualityStatistics quality;  ///< likewise
   Sag sag;

@@ -53,7 +53,7 @@ std::vector<Side> sorted_sides(const FaceList& faces) {
 }
 
 /// The normal with twice the area as its length.
-Vec3 double_area(const FaceSet& set, std::size_t f) {
+Vec3 double_area(const MeshArrays& set, std::size_t f) {
   const auto face = set.faces[f];
   const Vec3& origin = set.points[static_cast<std::size_t>(face[0])];
   Vec3 sum = Vec3::Zero();
@@ -67,8 +67,7 @@ Vec3 double_area(const FaceSet& set, std::size_t f) {
 
 class Checker {
  public:
-  Checker(const FaceSet& set, std::span<const std::string> patch_names)
-      : set_(set), patch_names_(patch_names) {}
+  explicit Checker(const MeshArrays& set) : set_(set) {}
 
   FaceSetCheck run() {
     check_ = {};
@@ -88,8 +87,9 @@ class Checker {
   std::string patch_text(std::size_t f) const {
     if (f >= set_.patches.size() || set_.patches[f] < 0) return {};
     const auto patch = static_cast<std::size_t>(set_.patches[f]);
-    if (patch >= patch_names_.size()) return fmt::format(" of patch {}", patch);
-    return fmt::format(" of patch {}", patch_names_[patch]);
+    const auto& names = set_.names.patches;
+    if (patch >= names.size()) return fmt::format(" of patch {}", patch);
+    return fmt::format(" of patch {}", names[patch]);
   }
 
   std::string edge_text(const Side& side) const {
@@ -241,8 +241,7 @@ class Checker {
 
   static constexpr std::size_t kNoFace = std::numeric_limits<std::size_t>::max();
 
-  const FaceSet& set_;
-  std::span<const std::string> patch_names_;
+  const MeshArrays& set_;
   FaceSetCheck check_;
   std::vector<std::size_t> face_of_;  ///< a face of each vertex
   MeshFault edges_{"non_manifold_edge", 0, {}};
@@ -263,7 +262,7 @@ std::vector<HistogramBin> empty_angles() {
 /// Gathers the statistics of shapes, face by face.
 class ShapeMeter {
  public:
-  explicit ShapeMeter(const FaceSet& set) : set_(set) {
+  explicit ShapeMeter(const MeshArrays& set) : set_(set) {
     shape_.angles = empty_angles();
     shape_.min_angle = shape_.min_edge = std::numeric_limits<double>::infinity();
     shape_.quality.min = std::numeric_limits<double>::infinity();
@@ -331,7 +330,7 @@ class ShapeMeter {
     if (quality < kPoorQuality) ++poor_;
   }
 
-  const FaceSet& set_;
+  const MeshArrays& set_;
   ShapeStatistics shape_;
   double length_sum_ = 0;
   double quality_sum_ = 0;
@@ -344,10 +343,8 @@ std::string place_text(const Vec3& point) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", point.x(), point.y(), point.z());
 }
 
-FaceSetCheck check_face_set(const FaceSet& set, std::span<const std::string> patch_names) {
-  return Checker(set, patch_names).run();
-}
+FaceSetCheck check_face_set(const MeshArrays& set) { return Checker(set).run(); }
 
-ShapeStatistics measure_shape(const FaceSet& set) { return ShapeMeter(set).run(); }
+ShapeStatistics measure_shape(const MeshArrays& set) { return ShapeMeter(set).run(); }
 
 }  // namespace surfmesh

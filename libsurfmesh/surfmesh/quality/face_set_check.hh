@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "surfmesh/core/face_set.hh"
+#include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/quality/statistics.hh"
 
 namespace surfmesh {
@@ -58,7 +57,7 @@ struct FaceSetCheck {
 /// duplicate_vertex (the same coordinates), unused_vertex. If the faces have patches, locations
 /// name the patch, or give its number if it has no name.
 /// Cost     O(n log n), about 1 µs a triangle
-FaceSetCheck check_face_set(const FaceSet& set, std::span<const std::string> patch_names = {});
+FaceSetCheck check_face_set(const MeshArrays& set);
 
 /// Angles and shapes in space.
 struct ShapeStatistics {
@@ -78,7 +77,7 @@ struct ShapeStatistics {
 
 /// Measure the faces of a mesh in space, whatever sizes were wanted.
 /// Cost     O(corners)
-ShapeStatistics measure_shape(const FaceSet& set);
+ShapeStatistics measure_shape(const MeshArrays& set);
 
 /// A point as written in messages: "(1, 2.5, 0)".
 std::string place_text(const Vec3& point);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surfmesh/formats/write_control.hh"
+#include "surfmesh/pipeline/write_control.hh"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/formats/off_file.hh"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "surfmesh/formats/parse_cage.hh"
+#include "surfmesh/core/mesh_arrays.hh"
+#include "surfmesh/formats/cage_text.hh"
 #include "surfmesh/formats/read_cage.hh"
+#include "surfmesh/io/file_writer.hh"
 
 namespace surfmesh {
 namespace {
@@ -13,21 +17,19 @@ class OffReader {
  public:
   OffReader(std::string_view text, const std::string& name, ReadFor purpose)
       : text_size_(text.size()),
-        scanner_(text, name, TextScanner::Joining::Off),
-        warnings_(name),
-        purpose_(purpose) {}
+        text_(text, name, TextScanner::Joining::Off, purpose),
+        scanner_(text_.scanner) {}
 
   Cage read() {
-    if (!scanner_.next_line()) scanner_.fail_whole("the file is empty");
+    text_.begin();
     read_counts(read_header());
     read_vertices();
     read_faces();
     if (scanner_.next_line()) {
-      warnings_.add(scanner_.line(), "the lines after the last face are ignored");
+      text_.warnings.add(scanner_.line(), "the lines after the last face are ignored");
     }
-    check_not_empty(cage_, scanner_);
-    cage_.warnings = warnings_.texts();
-    return std::move(cage_);
+    text_.check_not_empty();
+    return text_.finish();
   }
 
  private:
@@ -39,10 +41,8 @@ class OffReader {
   std::size_t likely(int count) const;
 
   std::size_t text_size_;
-  TextScanner scanner_;
-  WarningList warnings_;
-  ReadFor purpose_;
-  Cage cage_;
+  CageText text_;
+  TextScanner& scanner_;
   int vertex_count_ = 0;
   int face_count_ = 0;
   bool has_extra_columns_ = false;
@@ -84,26 +84,20 @@ void OffReader::next_element(std::string_view what, int done, int count) {
 }
 
 void OffReader::read_vertices() {
-  cage_.points.reserve(likely(vertex_count_));
+  text_.cage.points.reserve(likely(vertex_count_));
   for (int i = 0; i < vertex_count_; ++i) {
     next_element("vertices", i, vertex_count_);
-    Vec3 point;
-    for (int k = 0; k < 3; ++k) {
-      const std::string_view word = scanner_.next_word();
-      if (word.empty()) scanner_.fail("a vertex needs three coordinates");
-      point[k] = scanner_.to_number(word, "a coordinate");
-    }
-    cage_.points.push_back(point);
+    text_.cage.points.push_back(scanner_.next_point());
     if (has_extra_columns_) continue;
     const std::string_view extra = scanner_.next_word();
     if (extra.empty()) continue;
     scanner_.to_number(extra, "a value after the coordinates");
-    warnings_.add(scanner_.line(), "values after the coordinates are ignored");
+    text_.warnings.add(scanner_.line(), "values after the coordinates are ignored");
   }
 }
 
 void OffReader::read_faces() {
-  cage_.faces.reserve(likely(face_count_));
+  text_.cage.faces.reserve(likely(face_count_));
   std::vector<int> corners;
   for (int i = 0; i < face_count_; ++i) {
     next_element("faces", i, face_count_);
@@ -122,18 +116,41 @@ void OffReader::read_faces() {
       }
       corners.push_back(vertex);
     }
-    add_face(cage_, corners, purpose_, scanner_, warnings_);
+    text_.add_face(corners);
   }
+}
+
+MeshArraysFile parse_off_mesh(std::string text, const std::string& name) {
+  return arrays_of(OffReader(text, name, ReadFor::Mesh).read());
+}
+
+void write_off(const PolyMesh& mesh, const MeshNames&, OutputFile& file) {
+  FileWriter writer(file);
+  writer.text("OFF");
+  writer.number('\n', mesh.n_vertices());
+  writer.number(' ', mesh.n_faces());
+  writer.text(" 0");
+  write_points(mesh, "", writer);
+  for (const FaceHandle fh : mesh.faces()) {
+    writer.number('\n', mesh.valence(fh));
+    for_each_vertex_of(mesh, fh, [&writer](int vertex) { writer.number(' ', vertex); });
+  }
+  writer.text("\n");
+  writer.flush();
 }
 
 }  // namespace
 
-Cage parse_off(std::string_view text, const std::string& name, ReadFor purpose) {
-  return OffReader(text, name, purpose).read();
+Cage parse_off(std::string_view text, const std::string& name) {
+  return OffReader(text, name, ReadFor::Cage).read();
 }
 
-Cage parse_off(std::string_view text, const std::string& name) {
-  return parse_off(text, name, ReadFor::Cage);
+MeshFormat off_format() {
+  return {.ending = ".off",
+          .parse = parse_off_mesh,
+          .parse_cage = parse_off,
+          .write = write_off,
+          .what_is_lost = lost_patches_and_properties};
 }
 
 }  // namespace surfmesh

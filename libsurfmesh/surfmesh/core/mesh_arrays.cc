@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/core/mesh_arrays.hh"
+
+#include <utility>
+
+#include "surfmesh/core/properties.hh"
+
+namespace surfmesh {
+namespace {
+
+/// The values of the corners of all faces, by `value` of the halfedge that leads to each.
+template <class Value, class ValueOf>
+std::vector<Value> corner_values(const PolyMesh& mesh, std::size_t count, ValueOf value) {
+  std::vector<Value> values;
+  values.reserve(count);
+  for (const FaceHandle fh : mesh.faces()) {
+    for_each_corner(mesh, fh, [&](HalfedgeHandle heh) { values.push_back(value(heh)); });
+  }
+  return values;
+}
+
+void add_corners(const PolyMesh& mesh, MeshArrays& arrays) {
+  const std::size_t count = arrays.faces.corner_count();
+  if (const auto contour_of = find(mesh, keys::edge_contour); contour_of.is_valid()) {
+    arrays.contours = corner_values<int>(mesh, count, [&](HalfedgeHandle heh) {
+      return mesh.property(contour_of, mesh.edge_handle(mesh.next_halfedge_handle(heh)));
+    });
+  }
+  if (const auto uv_of = find(mesh, keys::corner_uv); uv_of.is_valid()) {
+    arrays.uvs = corner_values<Uv>(mesh, count,
+                                   [&](HalfedgeHandle heh) { return mesh.property(uv_of, heh); });
+  }
+  if (const auto metric_of = find(mesh, keys::corner_metric); metric_of.is_valid()) {
+    arrays.metrics = corner_values<Metric>(
+        mesh, count, [&](HalfedgeHandle heh) { return mesh.property(metric_of, heh); });
+  }
+}
+
+}  // namespace
+
+MeshArrays mesh_arrays(const PolyMesh& mesh, MeshNames names, ArrayParts parts) {
+  MeshArrays arrays;
+  arrays.names = std::move(names);
+  arrays.points.reserve(mesh.n_vertices());
+  for (const VertexHandle vh : mesh.vertices()) arrays.points.push_back(to_eigen(mesh.point(vh)));
+  arrays.faces.reserve(mesh.n_faces(), mesh.n_halfedges());
+  std::vector<int> face;
+  for (const FaceHandle fh : mesh.faces()) {
+    face.clear();
+    for_each_vertex_of(mesh, fh, [&face](int vertex) { face.push_back(vertex); });
+    arrays.faces.add(face);
+  }
+  const auto patch_of = find(mesh, keys::face_patch);
+  if (patch_of.is_valid()) arrays.patches = mesh.property(patch_of).data_vector();
+  if (parts == ArrayParts::FacesAndCorners) add_corners(mesh, arrays);
+  return arrays;
+}
+
+}  // namespace surfmesh

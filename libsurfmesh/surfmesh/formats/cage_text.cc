@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/formats/cage_text.hh"
+
+#include <algorithm>
+#include <utility>
+
+namespace surfmesh {
+namespace {
+
+/// Up to this many corners, comparing all pairs is faster than sorting.
+constexpr std::size_t kFewCorners = 12;
+
+std::size_t count_different(const std::vector<int>& corners) {
+  std::vector<int> sorted = corners;
+  std::sort(sorted.begin(), sorted.end());
+  return static_cast<std::size_t>(std::unique(sorted.begin(), sorted.end()) - sorted.begin());
+}
+
+bool are_all_different(const std::vector<int>& corners) {
+  if (corners.size() > kFewCorners) return count_different(corners) == corners.size();
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (corners[i] == corners[j]) return false;
+    }
+  }
+  return true;
+}
+
+/// Drop all but one of equal vertices in a row, also across the end.
+void drop_equal_neighbours(std::vector<int>& corners) {
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+}
+
+}  // namespace
+
+CornerFault mend_corners(std::vector<int>& corners) {
+  if (corners.size() >= 3 && are_all_different(corners)) return CornerFault::None;
+  if (count_different(corners) < 3) return CornerFault::TooFew;
+  drop_equal_neighbours(corners);
+  return are_all_different(corners) ? CornerFault::TwiceInARow : CornerFault::Twice;
+}
+
+const char* text_of(CornerFault fault) {
+  switch (fault) {
+    case CornerFault::TwiceInARow:
+      return "a face has a vertex twice in a row, taken once";
+    case CornerFault::TooFew:
+      return "a face has fewer than three different vertices";
+    case CornerFault::Twice:
+      return "a face has a vertex twice, not in a row";
+    case CornerFault::None:
+      break;
+  }
+  return "";
+}
+
+void CageText::begin() {
+  if (!scanner.next_line()) scanner.fail_whole("the file is empty");
+}
+
+void CageText::add_face(const std::vector<int>& corners) {
+  cage.faces.push_back(corners);
+  const CornerFault fault = mend_corners(cage.faces.back());
+  if (fault == CornerFault::TooFew || fault == CornerFault::Twice) scanner.fail(text_of(fault));
+  if (fault == CornerFault::None) return;
+  if (purpose_ == ReadFor::Cage) {
+    cage.faces.back() = corners;
+  } else {
+    warnings.add(scanner.line(), text_of(fault));
+  }
+}
+
+void CageText::check_not_empty() const {
+  if (cage.points.empty()) scanner.fail_whole("the file has no vertices");
+  if (cage.faces.empty()) scanner.fail_whole("the file has no faces");
+}
+
+Cage CageText::finish() {
+  cage.warnings = warnings.texts();
+  return std::move(cage);
+}
+
+MeshArraysFile arrays_of(Cage cage) {
+  MeshArraysFile file;
+  file.mesh.points = std::move(cage.points);
+  file.mesh.faces.reserve(cage.faces.size(), 3 * cage.faces.size());
+  for (const std::vector<int>& face : cage.faces) file.mesh.faces.add(face);
+  file.warnings = std::move(cage.warnings);
+  return file;
+}
+
+}  // namespace surfmesh

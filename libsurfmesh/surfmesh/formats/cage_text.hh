@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "surfmesh/cage/cage.hh"
+#include "surfmesh/formats/read_mesh.hh"
+#include "surfmesh/io/text_scanner.hh"
+
+namespace surfmesh {
+
+/// What is wrong with the vertices of a face.
+enum class CornerFault { None, TwiceInARow, TooFew, Twice };
+
+/// Drop all but one of equal vertices in a row, also across the end, and tell what was or is wrong.
+CornerFault mend_corners(std::vector<int>& corners);
+
+/// The fault as it stands in messages.
+const char* text_of(CornerFault fault);
+
+/// What faces are read for.
+///
+/// Cage     a vertex that comes several times in a row stays so, for a scheme has its own surface
+///          for such a face
+/// Mesh     of equal vertices in a row one is taken, with a warning
+enum class ReadFor { Cage, Mesh };
+
+/// What the readers of OBJ and OFF share: the text, the cage that is made of it, the warnings.
+class CageText {
+ public:
+  CageText(std::string_view text, const std::string& name, TextScanner::Joining joining,
+           ReadFor purpose)
+      : scanner(text, name, joining), warnings(name), purpose_(purpose) {}
+
+  /// Go to the first line.
+  /// Throws   InvalidInput if there is none
+  void begin();
+
+  /// Check the vertices of a face just read from the current line and add it to the cage as the
+  /// purpose asks for.
+  ///
+  /// Throws   InvalidInput for fewer than three different vertices, or one twice but not in a row
+  void add_face(const std::vector<int>& corners);
+
+  /// Throws   InvalidInput if the cage has no vertices or no faces
+  void check_not_empty() const;
+
+  /// The cage with its warnings.
+  Cage finish();
+
+  TextScanner scanner;
+  WarningList warnings;
+  Cage cage;
+
+ private:
+  ReadFor purpose_;
+};
+
+/// The faces of a cage, without its groups, as those of a mesh.
+MeshArraysFile arrays_of(Cage cage);
+
+}  // namespace surfmesh

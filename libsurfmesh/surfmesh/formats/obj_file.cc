@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/formats/obj_file.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "surfmesh/core/error.hh"
+#include "surfmesh/core/mesh_arrays.hh"
+#include "surfmesh/core/properties.hh"
+#include "surfmesh/formats/cage_text.hh"
+#include "surfmesh/formats/obj_labels.hh"
+#include "surfmesh/formats/obj_tags.hh"
+#include "surfmesh/formats/read_cage.hh"
+#include "surfmesh/io/file_writer.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Keywords without meaning for a cage.
+constexpr std::array<std::string_view, 16> kIgnoredKeywords = {
+    "vt", "vn",  "vp",    "s",      "l",        "p",        "mtllib",     "maplib",
+    "mg", "lod", "bevel", "usemap", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view text, const std::string& name, ReadFor purpose)
+      : text_(text, name, TextScanner::Joining::Backslash, purpose), scanner_(text_.scanner) {}
+
+  /// The cage without its groups, which the labels are.
+  Cage read();
+
+  const ObjLabels& labels() const { return labels_; }
+
+ private:
+  void read_statement(std::string_view keyword);
+  void read_face();
+  int read_corner(std::string_view word);
+  void check_ignored_indices(std::string_view indices) const;
+  void read_group_names();
+  void read_object();
+  void check_references() const;
+
+  CageText text_;
+  TextScanner& scanner_;
+  ObjLabels labels_;
+  std::vector<int> corners_;  ///< of the face that is being read
+  std::vector<LaterReference> later_vertices_;
+  ObjTags tags_{text_, later_vertices_};
+};
+
+Cage ObjReader::read() {
+  text_.begin();
+  do {
+    read_statement(scanner_.next_word());
+  } while (scanner_.next_line());
+  text_.check_not_empty();
+  check_references();
+  tags_.check_references();
+  tags_.drop_creases_without_edge();
+  return text_.finish();
+}
+
+void ObjReader::read_statement(std::string_view keyword) {
+  if (keyword == "v") return text_.cage.points.push_back(scanner_.next_point());
+  if (keyword == "f") return read_face();
+  if (keyword == "g") return read_group_names();
+  if (keyword == "o") return read_object();
+  if (keyword == "usemtl") return labels_.set_material(std::string(scanner_.next_word()));
+  if (keyword == "t") return tags_.read();
+  if (std::find(kIgnoredKeywords.begin(), kIgnoredKeywords.end(), keyword) !=
+      kIgnoredKeywords.end()) {
+    return;
+  }
+  text_.warnings.add(scanner_.line(), fmt::format("unknown keyword {} is ignored", quoted(keyword)),
+                     "unknown keyword");
+}
+
+void ObjReader::read_face() {
+  corners_.clear();
+  for (auto word = scanner_.next_word(); !word.empty(); word = scanner_.next_word()) {
+    corners_.push_back(read_corner(word));
+  }
+  text_.add_face(corners_);
+  labels_.add_face();
+}
+
+int ObjReader::read_corner(std::string_view word) {
+  const std::size_t slash = word.find('/');
+  const int index = scanner_.to_integer(word.substr(0, slash), "a vertex index");
+  if (slash != std::string_view::npos) check_ignored_indices(word.substr(slash));
+  const int count = static_cast<int>(text_.cage.points.size());
+  if (index == 0) scanner_.fail("vertex index 0, they count from 1");
+  if (index < 0) {
+    // Not -index, which does not exist for the least integer.
+    if (index < -count) {
+      scanner_.fail(fmt::format("vertex index {}, but {} vertices before it", index, count));
+    }
+    return count + index;
+  }
+  if (index > count) later_vertices_.push_back({scanner_.line(), index - 1, index});
+  return index - 1;
+}
+
+void ObjReader::check_ignored_indices(std::string_view indices) const {
+  if (indices.find_first_not_of("/-+0123456789") != std::string_view::npos ||
+      std::count(indices.begin(), indices.end(), '/') > 2) {
+    scanner_.fail(
+        fmt::format("{} after a vertex index, which is not /vt, //vn or /vt/vn", quoted(indices)));
+  }
+}
+
+void ObjReader::read_group_names() {
+  std::vector<std::string> words;
+  for (auto word = scanner_.next_word(); !word.empty(); word = scanner_.next_word()) {
+    words.emplace_back(word);
+  }
+  labels_.set_groups(std::move(words));
+}
+
+/// Unlike groups, an object has one name, which may have blanks.
+void ObjReader::read_object() {
+  std::string name(scanner_.next_word());
+  for (auto word = scanner_.next_word(); !word.empty(); word = scanner_.next_word()) {
+    name.append(" ").append(word);
+  }
+  labels_.set_object(std::move(name));
+}
+
+void ObjReader::check_references() const {
+  const int vertex_count = static_cast<int>(text_.cage.points.size());
+  for (const LaterReference& vertex : later_vertices_) {
+    if (vertex.index < vertex_count) continue;
+    scanner_.fail_at(vertex.line, fmt::format("vertex index {}, but there are {} vertices",
+                                              vertex.written, vertex_count));
+  }
+}
+
+MeshArraysFile parse_obj_mesh(std::string text, const std::string& name) {
+  ObjReader reader(text, name, ReadFor::Mesh);
+  MeshArraysFile file = arrays_of(reader.read());
+  file.mesh.patches = reader.labels().patches(file.mesh.names);
+  return file;
+}
+
+/// A name as one word of an OBJ file, where blanks part the names of several groups.
+std::string word_of(std::string name) {
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) <= ' ' || c == '\x7f') c = '_';
+  }
+  if (name.empty()) return name;
+  if (name.front() == '#') name.front() = '_';
+  if (name.back() == '\\') name.back() = '_';
+  return name;
+}
+
+/// The names of patches and of groups as words of an OBJ file: those of patches differ among each
+/// other, and those of groups.
+struct ObjWords {
+  ObjWords(const MeshNames& names, std::size_t patch_count) {
+    DifferentNames different;
+    different.add(kNoGroup);  // means faces without a patch
+    for (std::size_t p = 0; p < patch_count; ++p) {
+      const bool has_name = p < names.patches.size() && !names.patches[p].empty();
+      patches.push_back(
+          different.add(has_name ? word_of(names.patches[p]) : fmt::format("patch{}", p)));
+    }
+    DifferentNames different_groups;
+    for (const Group& group : names.groups) {
+      const std::string word = word_of(group.name);
+      groups.push_back(different_groups.add(word.empty() ? "group" : word));
+    }
+  }
+
+  std::vector<std::string> patches;
+  std::vector<std::string> groups;
+};
+
+/// A file names all patches up to the greatest, so that they keep their numbers.
+constexpr int kMostPatches = 10'000'000;
+
+/// True if patches come up in the order of their numbers, without gaps, in the faces.
+bool are_in_order(const std::vector<int>& patches, std::size_t count) {
+  int seen = 0;
+  for (const int patch : patches) {
+    if (patch > seen) return false;
+    if (patch == seen) ++seen;
+  }
+  return seen == static_cast<int>(count);
+}
+
+/// Writes the groups of an OBJ file, which change between the faces.
+class GroupWriter {
+ public:
+  GroupWriter(const PolyMesh& mesh, const MeshNames& names, FileWriter& writer)
+      : mesh_(mesh), patch_of_(find(mesh, keys::face_patch)), writer_(writer) {
+    if (!patch_of_.is_valid()) return;
+    const std::vector<int>& patches = mesh.property(patch_of_).data_vector();
+    const int most = patches.empty() ? -1 : *std::max_element(patches.begin(), patches.end());
+    if (most > kMostPatches) {
+      throw Error(ErrorCode::InvalidInput, fmt::format("a face is of patch {}, but OBJ files hold "
+                                                       "patches up to {}",
+                                                       most, kMostPatches));
+    }
+    make_lines(names, std::max(names.patches.size(), static_cast<std::size_t>(most + 1)));
+    if (are_in_order(patches, lines_.size())) return;
+    for (const std::string& line : lines_) writer_.text(line);
+  }
+
+  void begin_face(FaceHandle fh) {
+    if (!patch_of_.is_valid()) return;
+    const int patch = mesh_.property(patch_of_, fh);
+    if (has_faces_ && patch == patch_) return;
+    patch_ = patch;
+    has_faces_ = true;
+    writer_.text(patch < 0 ? "\ng" : std::string_view(lines_[static_cast<std::size_t>(patch)]));
+  }
+
+ private:
+  /// The groups of each patch, then the patch itself.
+  void make_lines(const MeshNames& names, std::size_t count) {
+    const ObjWords words(names, count);
+    const auto groups = groups_by_patch(names, count);
+    for (std::size_t p = 0; p < count; ++p) {
+      std::string& line = lines_.emplace_back("\ng ");
+      for (const int group : groups[p]) {
+        line.append(words.groups[static_cast<std::size_t>(group)]).append(" ");
+      }
+      line += words.patches[p];
+    }
+  }
+
+  const PolyMesh& mesh_;
+  decltype(keys::face_patch)::Handle patch_of_;
+  FileWriter& writer_;
+  std::vector<std::string> lines_;  ///< by patch
+  int patch_ = -1;
+  bool has_faces_ = false;
+};
+
+void write_obj(const PolyMesh& mesh, const MeshNames& names, OutputFile& file) {
+  FileWriter writer(file);
+  writer.text("# surfmesh");
+  write_points(mesh, "v", writer);
+  GroupWriter groups(mesh, names, writer);
+  for (const FaceHandle fh : mesh.faces()) {
+    groups.begin_face(fh);
+    writer.text("\nf");
+    for_each_vertex_of(mesh, fh, [&writer](int vertex) { writer.number(' ', vertex + 1); });
+  }
+  writer.text("\n");
+  writer.flush();
+}
+
+/// Names that are other words in an OBJ file.
+std::size_t count_changed_names(const MeshNames& names) {
+  const ObjWords words(names, names.patches.size());
+  std::size_t count = 0;
+  for (std::size_t p = 0; p < names.patches.size(); ++p) {
+    if (!names.patches[p].empty() && names.patches[p] != words.patches[p]) ++count;
+  }
+  for (std::size_t g = 0; g < names.groups.size(); ++g) {
+    if (names.groups[g].name != words.groups[g]) ++count;
+  }
+  return count;
+}
+
+std::vector<std::string> lost_in_obj(const PolyMesh& mesh, const MeshNames& names) {
+  std::vector<std::string> lost = lost_properties(mesh);
+  const std::size_t count =
+      find(mesh, keys::face_patch).is_valid() ? count_changed_names(names) : 0;
+  if (count > 0) {
+    lost.insert(lost.begin(), fmt::format("{} names of patches and groups, which are changed to be "
+                                          "words of their own",
+                                          count));
+  }
+  return lost;
+}
+
+}  // namespace
+
+Cage parse_obj(std::string_view text, const std::string& name) {
+  ObjReader reader(text, name, ReadFor::Cage);
+  Cage cage = reader.read();
+  cage.groups = reader.labels().cage_groups();
+  return cage;
+}
+
+MeshFormat obj_format() {
+  return {.ending = ".obj",
+          .parse = parse_obj_mesh,
+          .parse_cage = parse_obj,
+          .write = write_obj,
+          .what_is_lost = lost_in_obj};
+}
+
+}  // namespace surfmesh

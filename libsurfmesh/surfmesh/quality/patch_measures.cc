@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/quality/patch_measures.hh"
+
+#include <algorithm>
+
+#include "surfmesh/core/mesh_arrays.hh"
+#include "surfmesh/core/properties.hh"
+
+namespace surfmesh {
+namespace {
+
+void add_face(const PolyMesh& mesh, FaceHandle fh, PatchMeasure& patch) {
+  const HalfedgeHandle start = mesh.halfedge_handle(fh);
+  const OpenMesh::Vec3d& origin = mesh.point(mesh.to_vertex_handle(start));
+  OpenMesh::Vec3d doubled(0, 0, 0);
+  HalfedgeHandle heh = mesh.next_halfedge_handle(start);
+  for (;;) {
+    const HalfedgeHandle next = mesh.next_halfedge_handle(heh);
+    if (next == start) break;
+    doubled += OpenMesh::cross(mesh.point(mesh.to_vertex_handle(heh)) - origin,
+                               mesh.point(mesh.to_vertex_handle(next)) - origin);
+    ++patch.triangles;
+    heh = next;
+  }
+  patch.area += 0.5 * doubled.norm();
+}
+
+}  // namespace
+
+std::vector<PatchMeasure> measure_patches(const PolyMesh& mesh, const MeshNames& names) {
+  std::vector<PatchMeasure> patches;
+  const auto patch_of = find(mesh, keys::face_patch);
+  if (!patch_of.is_valid()) return patches;
+  const std::vector<int>& numbers = mesh.property(patch_of).data_vector();
+  const int most = numbers.empty() ? -1 : *std::max_element(numbers.begin(), numbers.end());
+  patches.resize(std::max(names.patches.size(), static_cast<std::size_t>(most + 1)));
+  const auto groups = groups_by_patch(names, patches.size());
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    if (p < names.patches.size()) patches[p].name = names.patches[p];
+    for (const int group : groups[p]) {
+      patches[p].groups.push_back(names.groups[static_cast<std::size_t>(group)].name);
+    }
+  }
+  for (const FaceHandle fh : mesh.faces()) {
+    const int patch = mesh.property(patch_of, fh);
+    if (patch >= 0) add_face(mesh, fh, patches[static_cast<std::size_t>(patch)]);
+  }
+  return patches;
+}
+
+}  // namespace surfmesh
