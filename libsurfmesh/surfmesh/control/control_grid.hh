@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "surfmesh/control/control_space.hh"
+#include "surfmesh/geometry/domain.hh"
 
 namespace surfmesh {
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "surfmesh/control/control_space.hh"
+#include "surfmesh/sampling/control_nodes.hh"
 #include "surfmesh/sizes/size_field.hh"
 
 namespace surfmesh {
