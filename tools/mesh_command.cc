@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <ctime>
 
@@ -26,13 +27,10 @@ double processor_seconds() {
   return seconds.count();
 }
 
-std::string footer() {
-  return fmt::format(
-      "Examples:\n  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report "
-      "knob.json\n"
-      "  surfmesh mesh wave.json -o wave.obj --nodes 40000 --set smoothing=4 --quiet\n{}",
-      names_for_set());
-}
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report knob.json\n"
+    "  surfmesh mesh wave.json -o wave.obj --nodes 40000 --set smoothing=4 --quiet\n";
 
 void check_paths(const std::string& input, const std::string& output, const std::string& report) {
   check_mesh_ending(output);
@@ -134,9 +132,10 @@ int tell_failure(const std::exception& error, Progress& progress) {
 void MeshCommand::add_to(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "mesh", "Mesh a control cage (.obj, .off) or a model file (.json) with triangles.");
-  command->footer(footer());
+  command->footer(kFooter);
   add_files(*command);
-  add_flags(*command, named_, FlagSet::Meshing);
+  using enum OptionGroup;
+  add_flags(*command, named_, std::array{Sizes, ControlSpace, Meshing, Cages});
   add_scheme(*command, scheme_);
   add_set(*command, set_, "set any option by its name; beats the other flags and the model file");
 }

@@ -155,8 +155,9 @@ TEST(RefineCircumcentre, AsksForTheMetricAboutOnceANode) {
 }
 
 TEST(RefineOptionsCheck, RefusesNoElements) {
-  EXPECT_EQ(error_of([] { check(RefineOptions{.max_elements = 0}); }),
-            "invalid option: max_elements = 0 is outside its range: above 0");
+  EXPECT_EQ(
+      error_of([] { check(RefineOptions{.max_elements = 0}); }),
+      "invalid option: max_elements = 0 is outside its range: a whole number from 1 to 2147483647");
 }
 
 TEST(RefineLimit, EndsTheRun) {

@@ -12,7 +12,7 @@ namespace {
 
 Sizing with_sag(double sag, std::optional<double> curvature = {}) {
   Sizing sizing;
-  sizing.sag = Length{sag, false};
+  sizing.sag = Length::units(sag);
   sizing.curvature = curvature;
   return sizing;
 }
@@ -38,7 +38,7 @@ TEST(CurvatureLength, OfTheSagTurnsTheFactorOffThatIsNotGiven) {
 
 TEST(CurvatureLength, TakesAShareOfTheDiagonal) {
   Sizing sizing;
-  sizing.sag = Length{0.001, true};
+  sizing.sag = Length::share(0.001);
   EXPECT_DOUBLE_EQ(CurvatureLength(sizing, 10).of_surface(2),
                    CurvatureLength(with_sag(0.01), 1).of_surface(2));
 }
@@ -50,7 +50,7 @@ TEST(CurvatureLength, IsInfiniteWhereNothingBends) {
 
 TEST(CurvatureLength, RefusesWhatIsNoSag) {
   for (const double bad : {0.0, -1.0, double(INFINITY), kUnset}) {
-    EXPECT_NE(error_of([&] { CurvatureLength(with_sag(bad), 1); }).find("sizing.sag"),
+    EXPECT_NE(error_of([&] { CurvatureLength(with_sag(bad), 1); }).find("sag = "),
               std::string::npos);
   }
 }

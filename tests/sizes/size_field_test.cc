@@ -97,7 +97,7 @@ TEST(SizeField, IsClampedBeforeItsStretchIsLimited) {
 TEST(SizeField, GrowsWithTheModel) {
   const auto base = std::make_shared<test::Torus>(3, 1, Domain{0, 2 * pi, 0, 2 * pi});
   const test::Placed large(base, 1e6, Vec3(1, 2, 3));
-  const Sizing sizing{0.25, {0.001, true}, {0.2, true}, 2, 0};
+  const Sizing sizing{0.25, Length::share(0.001), Length::share(0.2), 2, 0};
   const SizeField field(*base, sizing, {}, 8), grown(large, sizing, {}, 8e6);
   expect_near(grown.at({1, 2}).size, scaled(field.at({1, 2}).size, 1e6), 1e-9);
 }
@@ -182,10 +182,11 @@ TEST(SizeField, RefusesSizesThatAreNoLengths) {
 
 TEST(SizeField, TakesSharesOfTheDiagonal) {
   const auto surface = plane();
-  const SizeField field(surface, {0, {0.001, true}, {0.2, true}, 2, 0}, {}, 50);
+  const SizeField field(surface, {0, Length::share(0.001), Length::share(0.2), 2, 0}, {}, 50);
   EXPECT_DOUBLE_EQ(field.bounds().hmin, 0.05);
   EXPECT_DOUBLE_EQ(field.bounds().hmax, 10);
-  expect_near(field.bounds().tensor({{0.1, true}, {0.5, false}, 0}), {5, 0, 0.5}, 1e-15);
+  expect_near(field.bounds().tensor({Length::share(0.1), Length::units(0.5), 0}), {5, 0, 0.5},
+              1e-15);
 }
 
 TEST(SizeField, IsMirroredBeyondTheDiagonalOfATriangle) {

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "surfmesh/core/error.hh"
 #include "surfmesh/pipeline/for_each_patch.hh"
 #include "surfmesh/pipeline/patch_names.hh"
@@ -35,17 +33,8 @@ void check_patches(const Model& model, const Sources& sources) {
   check_all(sources.sag);
 }
 
-void check_length(const char* name, const Length& length) {
-  if (length.value > 0 && std::isfinite(length.value)) return;
-  throw Error(ErrorCode::InvalidOption,
-              fmt::format("{} = {} is outside its range: a length above 0", name, to_text(length)));
-}
-
-/// Throws   InvalidOption if hmin or hmax is no length, or hmin above hmax, which only the size of
-///          the model may tell
+/// Throws   InvalidOption if hmin is above hmax, which only the size of the model may tell
 void check_bounds(const Model& model, const Sizing& sizing) {
-  check_length("hmin", sizing.hmin);
-  check_length("hmax", sizing.hmax);
   const double hmin = sizing.hmin.in_units(model.diagonal);
   const double hmax = sizing.hmax.in_units(model.diagonal);
   if (hmin <= hmax) return;
@@ -69,6 +58,7 @@ std::vector<std::size_t> cells_of_patches(const Model& model) {
 
 ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
                                   const PipelineOptions& options) {
+  check(options);
   check_bounds(model, options.sizing);
   check_patches(model, sources);
   ControlSpaces result;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/option_range.hh"
 #include "surfmesh/delaunay/metric_swaps.hh"
 #include "surfmesh/refine/front_queue.hh"
 #include "surfmesh/refine/placement.hh"
@@ -356,9 +357,9 @@ class Refinement {
 }  // namespace
 
 void check(const RefineOptions& options) {
-  if (options.max_elements == 0) {
-    throw Error(ErrorCode::InvalidOption, "max_elements = 0 is outside its range: above 0");
-  }
+  check_option(ranges::kPlacement, options.placement);
+  check_option(ranges::kKernel, options.kernel);
+  check_option(ranges::kMaxElements, static_cast<double>(options.max_elements));
 }
 
 RefineReport refine(DelaunayMesh& delaunay, const MetricField& field,

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "surfmesh/sizes/size_bounds.hh"
+#include "surfmesh/core/option_range.hh"
 
 namespace surfmesh {
 namespace {
@@ -20,9 +20,8 @@ constexpr double kCurveShare = 0.9;
 
 CurvatureLength::CurvatureLength(const Sizing& sizing, double diagonal)
     : factor_(sizing.curvature_factor()), sag_(sizing.sag ? sizing.sag->in_units(diagonal) : 0) {
-  check_sizing(factor_ >= 0 && std::isfinite(factor_), "curvature", factor_, "0 (off) or above");
-  if (!sizing.sag) return;
-  check_sizing(sizing.sag->value > 0 && std::isfinite(sag_), "sag", sizing.sag->value, "above 0");
+  check_option(ranges::kCurvature, factor_);
+  check_option(ranges::kSag, sizing.sag);
 }
 
 double CurvatureLength::of_surface(double curvature) const {

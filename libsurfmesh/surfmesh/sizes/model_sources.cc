@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstddef>
 #include <set>
 
 #include "surfmesh/core/at_place.hh"
+#include "surfmesh/core/option_range.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/sizes/contour_curvature.hh"
 #include "surfmesh/sizes/features.hh"
@@ -69,8 +69,7 @@ std::vector<std::vector<PlacedSize>> boundary_sizes(const Model& model, const Si
 
 std::vector<PatchSources> model_sources(const Model& model, const Sources& sources,
                                         const Sizing& sizing) {
-  check_sizing(sizing.proximity >= 0 && std::isfinite(sizing.proximity), "proximity",
-               sizing.proximity, "0 (off) or above");
+  check_option(ranges::kProximity, sizing.proximity);
   auto boundary = boundary_sizes(model, sizing);
   const auto near = near_tree(sources, sizing, model.diagonal);
   const SizeBounds bounds(sizing, model.diagonal);

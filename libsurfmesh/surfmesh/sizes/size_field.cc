@@ -9,6 +9,7 @@
 
 #include "surfmesh/control/node_interpolation.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/option_range.hh"
 #include "surfmesh/geometry/beside_pole.hh"
 #include "surfmesh/geometry/curvature.hh"
 #include "surfmesh/geometry/difference_surface.hh"
@@ -53,9 +54,9 @@ SizeField::SizeField(const Surface& surface, const Sizing& sizing, const PatchSo
       bounds_(sizing, diagonal),
       length_(length_on(sizing, sources, diagonal)),
       stretch_(sizing.stretch) {
-  check_sizing(stretch_ >= 1, "stretch", stretch_, "1 or above");
-  check_sizing(sizing.grade == 0 || (sizing.grade >= 1 && std::isfinite(sizing.grade)), "grade",
-               sizing.grade, "0 (off), or 1 and above");
+  check_option(ranges::kStretch, stretch_);
+  check_option(ranges::kGrade, sizing.grade);
+  check_option(ranges::kCurvatureFrom, sizing.curvature_from);
   take_sources(sources, sizing, precision);
   if (length_.is_off()) return;
   take_discs();
