@@ -76,7 +76,7 @@ ModelInput two_rectangles(double hmax) {
   input.options.sizing.curvature = 0;
   input.options.sizing.grade = 0;
   input.options.sizing.hmin = Length::units(1e-6);
-  input.options.sizing.hmax = {hmax, false};
+  input.options.sizing.hmax = Length::units(hmax);
   return input;
 }
 

@@ -71,10 +71,10 @@ std::string outcome(const Case& example, const Settings& settings) {
     const auto path = std::filesystem::path(SURFMESH_SOURCE_DIR) / "models" / example.model;
     ModelInput input = load_model(path, {.patches = asked.patches});
     for (const auto& [name, value] : settings) set_option(input.options, name, value);
-    const TriMesh mesh = mesh_model(input.model, input.sources, input.options).mesh;
-    for (const auto face : mesh.faces()) {
+    const auto meshed = mesh_model(input.model, input.sources, input.options);
+    for (const auto face : meshed.mesh.faces()) {
       for (const auto vertex : face.vertices()) {
-        const auto& point = mesh.point(vertex);
+        const auto& point = meshed.mesh.point(vertex);
         result.insert(result.end(), {point[0], point[1], point[2]});
       }
     }
@@ -100,7 +100,7 @@ TEST_P(OptionEffect, IsThere) {
 std::vector<std::string> names() { return {option_names().begin(), option_names().end()}; }
 
 INSTANTIATE_TEST_SUITE_P(OfEachOption, OptionEffect, ::testing::ValuesIn(names()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& test) { return test.param; });
 
 }  // namespace
 }  // namespace surfmesh

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "surfmesh/geometry/surface.hh"
 #include "surfmesh/metric/metric_field.hh"
 
 /// Metrics with a closed form, so that stages are tested without surfaces.
