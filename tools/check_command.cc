@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <vector>
+
 #include "mesh_command.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/formats/mesh_endings.hh"
@@ -43,16 +46,23 @@ void CheckCommand::add_to(CLI::App& app) {
   CLI::Option* model =
       command->add_option("--model", model_, "what it is a mesh of: cage or model file")
           ->type_name("INPUT");
+  using enum OptionGroup;
+  std::vector<CLI::Option*> of_model = add_flags(*command, named_, std::array{Sizes, Cages});
   add_scheme(*command, scheme_);
-  add_set(*command, set_, "set an option of the sizes that the mesh is measured in");
-  for (const char* name : {"--scheme", "--set"}) command->get_option(name)->needs(model);
+  add_set(*command, set_, "set any option by its name; beats the other flags and the model file");
+  for (const char* name : {"--scheme", "--set"}) of_model.push_back(command->get_option(name));
+  for (CLI::Option* option : of_model) option->needs(model);
   command->add_flag("--json", is_json_, "print JSON text");
 }
 
 int CheckCommand::check() const {
   check_mesh_ending(mesh_);
   ModelInput input;
-  if (!model_.empty()) input = read_model_with(model_, scheme_, set_);
+  if (!model_.empty()) {
+    Settings settings = named_;
+    settings.insert(settings.end(), set_.begin(), set_.end());
+    input = read_model_with(model_, scheme_, settings);
+  }
   MeshCheck check = check_mesh(read_mesh_arrays(mesh_));
   check.mesh = mesh_;
   check.model = model_;

@@ -22,7 +22,8 @@ class CheckCommand {
 
   std::string mesh_;
   std::string model_;  ///< empty for none
-  Settings set_;
+  Settings named_;     ///< by flags of their own
+  Settings set_;       ///< by --set, which beats them
   Scheme scheme_ = Scheme::Auto;
   bool is_json_ = false;
 };

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "mesh_command.hh"
 #include "output_paths.hh"
 #include "progress.hh"
@@ -16,14 +18,11 @@
 namespace surfmesh {
 namespace {
 
-std::string footer() {
-  return fmt::format(
-      "In a .vtu file points hold uv, the two sizes, the size tensor and the radii; triangles the "
-      "patch and\nthe class of interpolation. ParaView shows the tensors with its filter Tensor "
-      "Glyph.\n"
-      "Example:\n  surfmesh control wave.json -o wave.vtu --nodes 2500 --interpolation auto\n{}",
-      names_for_set());
-}
+constexpr const char* kFooter =
+    "In a .vtu file points hold uv, the two sizes, the size tensor and the radii; triangles the\n"
+    "patch and the class of interpolation. ParaView shows the tensors with its filter Tensor "
+    "Glyph.\n"
+    "Example:\n  surfmesh control wave.json -o wave.vtu --nodes 2500 --interpolation auto\n";
 
 std::vector<ControlPicture> pictures_of(const Model& model, const ControlSpaces& control) {
   std::vector<ControlPicture> pictures;
@@ -39,7 +38,7 @@ std::vector<ControlPicture> pictures_of(const Model& model, const ControlSpaces&
 void ControlCommand::add_to(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "control", "Write the control meshes of a cage or a model file, to look at the sizes.");
-  command->footer(footer());
+  command->footer(kFooter);
   command
       ->add_option("INPUT", input_,
                    fmt::format("control cage ({}) or model file (.json)", cage_endings()))
@@ -49,7 +48,8 @@ void ControlCommand::add_to(CLI::App& app) {
       ->required()
       ->type_name("FILE");
   command->add_flag("--quiet", is_quiet_, "print warnings and errors only");
-  add_flags(*command, named_, FlagSet::Control);
+  using enum OptionGroup;
+  add_flags(*command, named_, std::array{Sizes, ControlSpace, Cages});
   add_scheme(*command, scheme_);
   add_set(*command, set_, "set any option by its name; beats the other flags and the model file");
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 
 #include "output_paths.hh"
@@ -18,13 +19,10 @@
 namespace surfmesh {
 namespace {
 
-std::string footer() {
-  return fmt::format(
-      "Examples:\n  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report "
-      "knob.json\n"
-      "  surfmesh mesh wave.json -o wave.obj --nodes 40000 --set smoothing=4 --quiet\n{}",
-      names_for_set());
-}
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report knob.json\n"
+    "  surfmesh mesh wave.json -o wave.obj --nodes 40000 --set smoothing=4 --quiet\n";
 
 void check_paths(const std::string& input, const std::string& output, const std::string& report) {
   check_mesh_ending(output);
@@ -118,9 +116,10 @@ int tell_failure(const std::exception& error, Progress& progress) {
 void MeshCommand::add_to(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("mesh", "Mesh a control cage or a model file with triangles.");
-  command->footer(footer());
+  command->footer(kFooter);
   add_files(*command);
-  add_flags(*command, named_, FlagSet::Meshing);
+  using enum OptionGroup;
+  add_flags(*command, named_, std::array{Sizes, ControlSpace, Meshing, Cages});
   add_scheme(*command, scheme_);
   add_set(*command, set_, "set any option by its name; beats the other flags and the model file");
 }

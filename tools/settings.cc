@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <memory>
+#include <set>
+#include <utility>
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/pipeline/set_option.hh"
@@ -11,46 +14,116 @@
 namespace surfmesh {
 namespace {
 
-/// Options of the pipeline that have a flag of their own, in the order of the help text.
-struct NamedOption {
-  const char* group;
-  const char* name;
-  const char* unit;
-  const char* text;
+constexpr std::size_t kColumn = 32;
+constexpr std::size_t kScreen = 100;
+
+/// Shows the flags that are most used, or all, without a double blank line between groups.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter() { column_width(kColumn); }
+
+  void hide(const CLI::Option* flag) { hidden_.insert(flag); }
+  void show_all() { hidden_.clear(); }
+
+  std::string make_help(const CLI::App* app, std::string name,
+                        CLI::AppFormatMode mode) const override {
+    return CLI::detail::find_and_replace(CLI::Formatter::make_help(app, name, mode), "\n\n\n",
+                                         "\n\n");
+  }
+
+  std::string make_group(std::string group, bool is_positional,
+                         std::vector<const CLI::Option*> flags) const override {
+    std::erase_if(flags, [this](const CLI::Option* flag) { return hidden_.contains(flag); });
+    return CLI::Formatter::make_group(std::move(group), is_positional, std::move(flags));
+  }
+
+ private:
+  std::set<const CLI::Option*> hidden_;
 };
 
-constexpr const char* kSizes = "Sizes (lengths in model units, or with % of the model's diagonal)";
-constexpr const char* kControl = "Control space (where the sizes are kept)";
-constexpr const char* kMeshing = "Meshing";
-constexpr const char* kCages = "Cages";
+const char* heading(OptionGroup group) {
+  switch (group) {
+    case OptionGroup::Sizes:
+      return "Sizes (lengths in model units, or with % of the model's diagonal)";
+    case OptionGroup::ControlSpace:
+      return "Control space (where the sizes are kept)";
+    case OptionGroup::Meshing:
+      return "Meshing";
+    case OptionGroup::Cages:
+      return "Cages";
+  }
+  return "";
+}
 
-constexpr NamedOption kNamedOptions[] = {
-    {kSizes, "curvature", "C", "size = C × radius of curvature; 0 is off, as it is beside --sag"},
-    {kSizes, "sag", "E", "greatest distance between mesh and surface"},
-    {kSizes, "hmin", "H", "lower bound of all sizes: a length, or a share of the diagonal (0.1%)"},
-    {kSizes, "hmax", "H", "upper bound of all sizes"},
-    {kSizes, "stretch", "R", "greatest ratio of the two sizes from curvature"},
-    {kSizes, "grade", "G", "sizes grow by at most ln G per unit of length; 0 is off"},
-    {kControl, "nodes", "auto|N",
-     "control nodes: chosen to the precision, or N regular ones a patch"},
-    {kControl, "precision", "P", "conformity of the control space with the sizes asked for"},
-    {kControl, "control", "mesh|grid", "triangulated, or a regular grid"},
-    {kControl, "interpolation", "linear|s|t|o|auto",
-     "sizes linear in a triangle of nodes, or by distance from one, its triangle's, all "
-     "circumcircles', or the cheapest that is as good"},
-    {kControl, "epsilon", "E", "accuracy of the interpolation auto"},
-    {kControl, "reuse", "F", "use a size again within this metric distance; 0 is off"},
-    {kMeshing, "placement", "frontal|circumcentre", "where new nodes go"},
-    {kMeshing, "threads", "all|N", "that work; all is one for each core. The mesh is the same"},
-    {kMeshing, "max_elements", "N", "refuse to make more triangles"},
-    {kCages, "patches", "auto|faces|blocks",
-     "what is a patch of a cage: a face, or a block of faces (auto, where they are quads)"},
-};
-
-/// "max-elements" for "max_elements".
-std::string flag_of(std::string name) {
+/// "--max-elements" for "max_elements".
+std::string flag_of(const Option& option) {
+  std::string name(option.name());
   for (char& c : name) c = c == '_' ? '-' : c;
   return "--" + name;
+}
+
+/// What stands for the value in the help: "LENGTH", "off|NUMBER", "mesh|grid".
+std::string placeholder(const Option& option) {
+  const auto* number = std::get_if<NumberAccess>(&option.access);
+  std::string text;
+  const auto add = [&text](std::string_view word) {
+    text += text.empty() ? "" : "|";
+    text += word;
+  };
+  if (!number) {
+    for (const std::string_view word : option.words()) add(word);
+    add("LENGTH");
+    return text;
+  }
+  for (const OptionWord& word : number->range->words) {
+    if (word.use == WordUse::Shown) add(word.word);
+  }
+  if (number->range->has_numbers()) add(number->range->is_whole ? "N" : "NUMBER");
+  return text;
+}
+
+/// The text in lines that fit beside the column of the names.
+std::string wrapped(std::string text) {
+  std::size_t start = 0;
+  while (text.size() - start > kScreen - kColumn) {
+    const std::size_t blank = text.rfind(' ', start + kScreen - kColumn);
+    if (blank == text.npos || blank <= start) break;
+    text[blank] = '\n';
+    start = blank + 1;
+  }
+  return text;
+}
+
+/// With unit and range; choices stand beside the flag already.
+std::string long_text(const Option& option) {
+  const bool is_length = std::holds_alternative<LengthAccess>(option.access);
+  if (!is_length && !std::get<NumberAccess>(option.access).range->has_numbers()) {
+    return std::string(option.text);
+  }
+  const std::string unit = option.unit.empty() || is_length ? "" : fmt::format("{}: ", option.unit);
+  return fmt::format("{} ({}{})", option.text, unit, option.range_text());
+}
+
+CLI::Option* add_flag(CLI::App& command, Settings& settings, const Option& option) {
+  const std::string name(option.name());
+  const auto* number = std::get_if<NumberAccess>(&option.access);
+  const bool is_switch = number && number->range->is_switch();
+  const auto value_of = [is_switch](const std::string& value) {
+    return is_switch && value.empty() ? std::string("on") : value;
+  };
+  CLI::Option* flag = command.add_option_function<std::string>(
+      flag_of(option),
+      [&settings, name, value_of](const std::string& value) {
+        settings.emplace_back(name, value_of(value));
+      },
+      wrapped(std::string(option.text)));
+  flag->option_text(
+      fmt::format("{}={}", placeholder(option), option.value_text(PipelineOptions())));
+  flag->group(heading(option.group));
+  flag->check(
+      [name, value_of](const std::string& value) { return fault_of(name, value_of(value)); });
+  if (is_switch) flag->expected(0, 1);
+  return flag;
 }
 
 std::pair<std::string, std::string> split_setting(const std::string& text) {
@@ -59,6 +132,20 @@ std::pair<std::string, std::string> split_setting(const std::string& text) {
     throw CLI::ValidationError("--set", fmt::format("'{}' is not key=value", text));
   }
   return {text.substr(0, mark), text.substr(mark + 1)};
+}
+
+void add_help_all(CLI::App& command, const std::shared_ptr<HelpFormatter>& formatter) {
+  command.add_flag_callback(
+      "--help-all",
+      [&command, formatter] {
+        formatter->show_all();
+        for (const Option& option : option_table()) {
+          CLI::Option* flag = command.get_option_no_throw(flag_of(option));
+          if (flag) flag->description(wrapped(long_text(option)));
+        }
+        throw CLI::CallForHelp();
+      },
+      "show every option with its range and exit");
 }
 
 }  // namespace
@@ -73,41 +160,26 @@ std::string fault_of(const std::string& name, const std::string& value) {
   }
 }
 
-void add_flags(CLI::App& command, Settings& settings, FlagSet flags) {
-  const PipelineOptions defaults;
-  for (const NamedOption& option : kNamedOptions) {
-    if (option.group == kMeshing && flags == FlagSet::Control) continue;
-    const std::string name = option.name;
-    command
-        .add_option_function<std::string>(
-            flag_of(name),
-            [&settings, name](const std::string& value) { settings.emplace_back(name, value); },
-            option.text)
-        ->group(option.group)
-        ->type_name(option.unit)
-        ->default_str(to_text(get_option(defaults, name)))
-        ->check([name](const std::string& value) { return fault_of(name, value); });
+std::vector<CLI::Option*> add_flags(CLI::App& command, Settings& settings,
+                                    std::span<const OptionGroup> groups) {
+  const auto formatter = std::make_shared<HelpFormatter>();
+  command.formatter(formatter);
+  add_help_all(command, formatter);
+  std::vector<CLI::Option*> flags;
+  for (const OptionGroup group : groups) {
+    for (const Option& option : option_table()) {
+      if (option.group != group) continue;
+      flags.push_back(add_flag(command, settings, option));
+      if (!option.is_common) formatter->hide(flags.back());
+    }
   }
-  command
-      .add_flag_callback(
-          "--inner-nodes", [&settings] { settings.emplace_back("inner_nodes", "true"); },
-          "refine the control mesh for the shape of its triangles")
-      ->group(kControl);
+  return flags;
 }
 
 CageOptions cage_options(Scheme scheme, const Settings& settings) {
   PipelineOptions options;
   for (const auto& [name, value] : settings) set_option(options, name, value);
   return {.scheme = scheme, .patches = options.patches};
-}
-
-std::string names_for_set() {
-  std::string names;
-  for (const std::string_view name : option_names()) {
-    if (!names.empty()) names += names.size() - names.rfind('\n') > 70 ? ",\n  " : ", ";
-    names += name;
-  }
-  return fmt::format("Names for --set:\n  {}\n", names);
 }
 
 void add_scheme(CLI::App& command, Scheme& scheme) {
@@ -119,7 +191,7 @@ void add_scheme(CLI::App& command, Scheme& scheme) {
       ->transform(CLI::Transformer(schemes).description(""))
       ->type_name("catmark|loop|bilinear|auto")
       ->default_str("auto")
-      ->group(kCages);
+      ->group(heading(OptionGroup::Cages));
 }
 
 void add_set(CLI::App& command, Settings& settings, const std::string& text) {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "surfmesh/cage/cage_model.hh"
+#include "surfmesh/pipeline/option_table.hh"
 
 namespace surfmesh {
 
@@ -17,18 +19,14 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 /// Returns the reason, empty if there is none.
 std::string fault_of(const std::string& name, const std::string& value);
 
-/// Which options of the pipeline get flags of their own: those of the sizes, of the control space
-/// and of cages, or those of the meshing, too.
-enum class FlagSet { Control, Meshing };
-
-/// Add flags for the options that are most used, in groups.
-void add_flags(CLI::App& command, Settings& settings, FlagSet flags);
+/// Add a flag for each option of these groups, `--max-elements` for `max_elements`; the short help
+/// shows those that are most used, --help-all every one with its range. A switch without a value is
+/// on. Returns the flags.
+std::vector<CLI::Option*> add_flags(CLI::App& command, Settings& settings,
+                                    std::span<const OptionGroup> groups);
 
 /// What the command line asks for that a cage has to be loaded with.
 CageOptions cage_options(Scheme scheme, const Settings& settings);
-
-/// The names of all options, for the help of --set.
-std::string names_for_set();
 
 /// Add --scheme to a command.
 void add_scheme(CLI::App& command, Scheme& scheme);

@@ -55,7 +55,7 @@ std::vector<SurfacePoint> random_queries(const SizeField& field) {
 SizeField fine_field() {
   static const auto surface = testing::paper_wave();
   Sizing sizing = testing::paper_sizing();
-  sizing.hmax = {0.2, false};
+  sizing.hmax = Length::units(0.2);
   return SizeField(*surface, resolve(sizing, 1), {});
 }
 

@@ -33,7 +33,7 @@ void count_triangles(benchmark::State& state, std::size_t triangles) {
 void mesh_whole(benchmark::State& state, const Model& model) {
   PipelineOptions options;
   options.sizing.curvature = 1 / static_cast<double>(state.range(0));
-  options.sizing.hmin = {1e-5, true};
+  options.sizing.hmin = Length::share(1e-5);
   std::size_t triangles = 0;
   for (auto _ : state) triangles = mesh_model(model, {}, options).mesh.n_faces();
   count_triangles(state, triangles);
@@ -65,7 +65,7 @@ void creased_torus_cage(benchmark::State& state) {
   }
   const Model model = model_from_cage(cage);
   PipelineOptions options;
-  options.sizing.hmin = {1e-4, true};
+  options.sizing.hmin = Length::share(1e-4);
   std::size_t triangles = 0;
   double control = 0, total = 0;
   for (auto _ : state) {
@@ -83,8 +83,8 @@ BENCHMARK(creased_torus_cage)->RangeMultiplier(2)->Range(8, 64)->Unit(benchmark:
 void torus_cage_within_sag(benchmark::State& state) {
   const Model model = model_from_cage(testing::torus(12, 8));
   PipelineOptions options;
-  options.sizing.sag = Length{1 / static_cast<double>(state.range(0)), true};
-  options.sizing.hmin = {1e-5, true};
+  options.sizing.sag = Length::share(1 / static_cast<double>(state.range(0)));
+  options.sizing.hmin = Length::share(1e-5);
   std::size_t triangles = 0;
   for (auto _ : state) triangles = mesh_model(model, {}, options).mesh.n_faces();
   count_triangles(state, triangles);
@@ -124,7 +124,7 @@ BENCHMARK_CAPTURE(strong_metric, jump, testing::jump_formulas)
 void torus_cage_by_threads(benchmark::State& state) {
   const Model model = model_from_cage(testing::torus(24, 16), {.patches = PatchKind::Faces});
   PipelineOptions options;
-  options.sizing.hmax = {0.005, true};
+  options.sizing.hmax = Length::share(0.005);
   options.threads = static_cast<int>(state.range(0));
   std::size_t triangles = 0;
   for (auto _ : state) triangles = mesh_model(model, {}, options).mesh.n_faces();

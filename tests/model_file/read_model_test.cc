@@ -203,35 +203,30 @@ TEST(ReadModel, ReadsSourcesOfGroups) {
 TEST(ReadModel, HandsOptionsOnAsText) {
   const ModelFile file =
       read(model("", R"("options": {"nodes": 40000, "interpolation": "auto", "a": [1, true]})"));
-  EXPECT_EQ(file.options,
-            (std::vector<std::pair<std::string, std::string>>{
-                {"nodes", "40000"}, {"interpolation", "\"auto\""}, {"a", "[1,true]"}}));
+  ASSERT_EQ(file.options.size(), 3u);
+  EXPECT_EQ(file.options[0].name, "nodes");
+  EXPECT_EQ(file.options[0].value, "40000");
+  EXPECT_EQ(file.options[1].value, "\"auto\"");
+  EXPECT_EQ(file.options[2].value, "[1,true]");
+  EXPECT_EQ(file.options[2].origin, "/options/a");
+  EXPECT_FALSE(file.options[2].is_in_sizing);
+}
+
+TEST(ReadModel, KeepsTheSizingForThePipeline) {
+  const ModelFile file = read(sizing(R"("hmin": "1%", "grade": 2)"));
+  ASSERT_EQ(file.options.size(), 2u);
+  EXPECT_EQ(file.options[1].name, "grade");
+  EXPECT_EQ(file.options[1].origin, "/sizing/grade");
+  EXPECT_TRUE(file.options[1].is_in_sizing);
 }
 
 TEST(ReadModel, AcceptsWhatIsNotBuiltWhereItIsOff) {
   EXPECT_EQ(fault(model(R"("loops": [], "sources": [])",
                         R"("cages": [], "contours": [], "sources": [])")),
             "no error");
-  EXPECT_EQ(fault(sizing(
-                R"("sag": null, "proximity": 0, "features": false, "contour_curvature": false)")),
-            "no error");
-  EXPECT_EQ(
-      fault(sizing(R"("sag": 0, "proximity": 1, "features": true, "contour_curvature": true)")),
-      "no error");
   EXPECT_EQ(fault(source(
                 R"("everywhere": true, "size": 1, "radius": 0, "outer": {}, "precision": null)")),
             "no error");
-}
-
-TEST(ReadModel, ReadsTheSag) {
-  const auto sag = [](const std::string& text) { return read(sizing(text)).sizing.sag; };
-  ASSERT_TRUE(sag(R"("sag": "0.1%")").has_value());
-  EXPECT_EQ(sag(R"("sag": "0.1%")")->value, 0.001);
-  EXPECT_FALSE(sag(R"("sag": 2)")->is_relative);
-  for (const char* off : {R"("sag": 0)", R"("sag": "off")", R"("sag": null)"}) {
-    EXPECT_FALSE(sag(off).has_value()) << off;
-  }
-  EXPECT_EQ(fault(sizing(R"("sag": -1)")), " /sizing/sag: must be above 0");
 }
 
 TEST(ReadModelFaults, OfSyntaxWithLineAndColumn) {
@@ -263,8 +258,6 @@ TEST(ReadModelFaults, OfUnknownKeysWithASuggestion) {
   EXPECT_EQ(fault(model("", "\"sizign\": {}")), " /sizign: unknown key, did you mean sizing?");
   EXPECT_EQ(fault(model("\"source\": []")),
             " /patches/0/source: unknown key, did you mean sources?");
-  EXPECT_EQ(fault(sizing("\"Hmin\": 1")), " /sizing/Hmin: unknown key, did you mean hmin?");
-  EXPECT_EQ(fault(sizing("\"colour\": 1")), " /sizing/colour: unknown key");
   EXPECT_EQ(fault(source("\"size\": 1, \"at\": [0, 0], \"raduis\": 1")),
             " /patches/0/sources/0/raduis: unknown key, did you mean radius?");
 }
@@ -291,29 +284,22 @@ TEST(ReadModelFaults, OfTypes) {
   EXPECT_EQ(fault(R"({"patches": {}})"), " /patches: must be an array, not object");
   EXPECT_EQ(fault(R"({"patches": [{"name": 1}]})"),
             " /patches/0/name: must be a string, not number");
-  EXPECT_EQ(fault(sizing("\"curvature\": \"1\"")),
-            " /sizing/curvature: must be a number, not string");
-  EXPECT_EQ(fault(sizing("\"features\": 1")),
-            " /sizing/features: must be true or false, not number");
-  EXPECT_EQ(fault(sizing("\"hmin\": true")), " /sizing/hmin: must be a number, not boolean");
   EXPECT_EQ(fault(source("\"at\": [0], \"size\": 1")),
             " /patches/0/sources/0/at: must be an array of 2 values, not 1");
 }
 
 TEST(ReadModelFaults, OfRanges) {
-  EXPECT_EQ(fault(sizing("\"hmin\": 0")), " /sizing/hmin: must be above 0");
-  EXPECT_EQ(fault(sizing("\"hmax\": \"-1%\"")), " /sizing/hmax: must be above 0");
-  EXPECT_EQ(fault(sizing("\"hmax\": \"1\"")),
-            " /sizing/hmax: a length in model units is a number, without quotes");
+  const std::string place = " /patches/0/sources/0/size: ";
+  const auto size = [](const std::string& text) {
+    return fault(source("\"everywhere\": true, \"size\": " + text));
+  };
+  EXPECT_EQ(size("0"), place + "must be above 0");
+  EXPECT_EQ(size("\"-1%\""), place + "must be above 0");
+  EXPECT_EQ(size("\"500%\""), place + "a share of the diagonal is at most 100%");
+  EXPECT_EQ(size("\"1\""), place + "a length in model units is a number, without quotes");
   const std::string reason = " is no length: a number, or a share of the diagonal such as 0.1%";
-  EXPECT_EQ(fault(sizing("\"hmax\": \"x%\"")), " /sizing/hmax: 'x%'" + reason);
-  EXPECT_EQ(fault(sizing("\"hmax\": \"inf%\"")), " /sizing/hmax: 'inf%'" + reason);
-  EXPECT_EQ(fault(sizing("\"hmin\": 2, \"hmax\": 1")),
-            " /sizing/hmax: hmin must not be above hmax");
-  EXPECT_EQ(fault(sizing("\"hmin\": \"30%\"")), " /sizing/hmin: hmin must not be above hmax");
-  EXPECT_EQ(fault(sizing("\"curvature\": -1")), " /sizing/curvature: must be at least 0");
-  EXPECT_EQ(fault(sizing("\"stretch\": 0.5")), " /sizing/stretch: must be at least 1");
-  EXPECT_EQ(fault(sizing("\"grade\": 0.5")), " /sizing/grade: must be 0 (off), or at least 1");
+  EXPECT_EQ(size("\"x%\""), place + "'x%'" + reason);
+  EXPECT_EQ(size("\"inf%\""), place + "'inf%'" + reason);
   EXPECT_EQ(fault(source("\"at\": [3, 0], \"size\": 1")),
             " /patches/0/sources/0/at: this point is outside of the domain");
   EXPECT_EQ(fault(source("\"at\": [0, 0], \"size\": [1, 0]")),
@@ -422,13 +408,7 @@ TEST(SharedModels, AreRead) {
   EXPECT_DOUBLE_EQ(point(file, 0, {1, 0})[2], 1.5 * std::sin(2.0) * std::exp(-0.001));
   EXPECT_EQ(file.patches[0].surface->domain().u0, -6);
   EXPECT_EQ(file.patches[0].surface->domain().v1, 6);
-  EXPECT_EQ(file.sizing.curvature, 0.06858261876789555);
-  EXPECT_EQ(file.sizing.hmin.value, 0.02);
-  EXPECT_FALSE(file.sizing.hmin.is_relative);
-  EXPECT_EQ(file.sizing.hmax.value, 1);
-  EXPECT_EQ(file.sizing.stretch, 5);
-  EXPECT_EQ(file.sizing.grade, 0);
-  EXPECT_TRUE(file.options.empty());
+  for (const FileOption& option : file.options) EXPECT_TRUE(option.is_in_sizing) << option.name;
 }
 
 TEST(SharedModels, HaveFields) {

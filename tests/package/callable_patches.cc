@@ -16,10 +16,11 @@ int main() try {
       surfmesh::model_from_patches({{"tube", surfmesh::make_callable_surface({0, pi, 0, 2}, tube)},
                                     {"lid", surfmesh::make_callable_surface({0, pi, 0, 1}, lid)}});
 
-  const surfmesh::Size fine = {{0.05}, {0.05}};  // lengths in model units
+  const auto fine = surfmesh::Size::isotropic(surfmesh::Length::units(0.05));
   surfmesh::Sources sources;
   sources.everywhere.push_back(
-      {.patch = 0, .size = {{0.02, true}, {0.1, true}}});  // of the diagonal
+      {.patch = 0,
+       .size = {surfmesh::Length::share(0.02), surfmesh::Length::share(0.1)}});  // of the diagonal
   sources.at.push_back({.patch = 1, .at = {pi / 2, 0.5}, .size = fine});
   surfmesh::PipelineOptions options;
   options.sizing.grade = 1.3;

@@ -24,7 +24,7 @@ int main() try {
       {{.name = "cut", .on = {{"plate", cut}}}, {.name = "hole", .on = {{"plate", circle}}}});
 
   surfmesh::PipelineOptions options;
-  options.sizing.hmax = {0.15, false};
+  options.sizing.hmax = surfmesh::Length::units(0.15);
   const auto [mesh, names, report] = surfmesh::mesh_model(model, {}, options);
   std::printf("%zu triangles, Euler number %ld\n", report.mesh.triangles, report.mesh.euler);
 } catch (const std::exception& error) {

@@ -11,8 +11,8 @@ int main(int argc, char** argv) try {
   if (argc != 2) return std::fprintf(stderr, "usage: walk_result CAGE\n"), 2;
   const surfmesh::Model model = surfmesh::model_from_cage(surfmesh::read_cage(argv[1]));
   surfmesh::PipelineOptions options;
-  options.sizing.curvature = 0.2;      // elements of 0.2 × radius of curvature,
-  options.sizing.hmax = {0.05, true};  // but of at most 5 % of the model's diagonal
+  options.sizing.curvature = 0.2;                      // elements of 0.2 × radius of curvature,
+  options.sizing.hmax = surfmesh::Length::percent(5);  // at most 5 % of the model's diagonal
   const auto [mesh, names, report] = surfmesh::mesh_model(model, {}, options);
 
   const auto patch_of = require(mesh, surfmesh::keys::face_patch);

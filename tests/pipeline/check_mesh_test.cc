@@ -75,8 +75,8 @@ ModelInput two_rectangles(double hmax) {
   input.model = testing::model_of({testing::rectangle(0, 0, 1, 2), testing::rectangle(1, 0, 2, 2)});
   input.options.sizing.curvature = 0;
   input.options.sizing.grade = 0;
-  input.options.sizing.hmin = {1e-6, false};
-  input.options.sizing.hmax = {hmax, false};
+  input.options.sizing.hmin = Length::units(1e-6);
+  input.options.sizing.hmax = Length::units(hmax);
   return input;
 }
 
@@ -117,7 +117,7 @@ TEST(MeasureFit, ReplacesTheMetricOfTheMesh) {
 
 TEST(MeasureFit, TakesASizeInItsPatchOnly) {
   ModelInput input = two_rectangles(1);
-  input.sources.everywhere.push_back({1, {{0.5, false}, {0.5, false}, 0}});
+  input.sources.everywhere.push_back({1, {Length::units(0.5), Length::units(0.5), 0}});
   MeshFile mesh = grid_on_patches();
   measure_fit(mesh, input);
   const auto metric_of = require(mesh.mesh, keys::corner_metric);
@@ -136,7 +136,7 @@ TEST(MeasureFit, TellsWhatItDoesNotKnow) {
   input.options.sizing.grade = 1.5;
   EXPECT_TRUE(measure_fit(mesh, input).has_other_sizes);
   input.options.sizing.grade = 0;
-  input.sources.at.push_back({0, {0.5, 0.5}, {{0.5, false}, {0.5, false}, 0}});
+  input.sources.at.push_back({0, {0.5, 0.5}, {Length::units(0.5), Length::units(0.5), 0}});
   EXPECT_TRUE(measure_fit(mesh, input).has_other_sizes);
 }
 

@@ -14,6 +14,7 @@
 #include "surfmesh/formats/read_mesh.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
+#include "surfmesh/pipeline/option_schema.hh"
 #include "surfmesh/pipeline/set_option.hh"
 #include "surfmesh/quality/face_set_check.hh"
 
@@ -246,6 +247,12 @@ TEST(Schema, KnowsTheKeysOfAllModels) {
     if (entry.path().extension() != ".json" || name == "surfmesh.schema.json") continue;
     expect_known(nlohmann::json::parse(read_text(entry.path())), root, root, name);
   }
+}
+
+TEST(Schema, TellsTheOptionsAsTheirTableDoes) {
+  const std::string text = read_text(kModels / "surfmesh.schema.json");
+  EXPECT_TRUE(schema_with_options(text) == text)
+      << "run build/release/tools/make_schema models/surfmesh.schema.json";
 }
 
 TEST(Schema, HasTheKeysThatTheReaderKnows) {

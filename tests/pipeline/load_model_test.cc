@@ -54,10 +54,71 @@ TEST(LoadModel, NamesThePlaceOfAWrongOption) {
   EXPECT_EQ(fault(folder / "a.json"),
             front + "node: there is no option 'node'; did you mean nodes?");
   write_text(folder / "a.json", model(R"("options": {"nodes": 1})"));
-  EXPECT_EQ(fault(folder / "a.json"),
-            front + "nodes: nodes = 1 is outside its range: auto, or 4 and above");
+  EXPECT_EQ(fault(folder / "a.json"), front +
+                                          "nodes: nodes = 1 is outside its range: auto, or a "
+                                          "whole number from 4 to 4000000");
   write_text(folder / "a.json", model(R"("options": {"hmin": 1})"));
   EXPECT_EQ(fault(folder / "a.json"), front + "hmin: its place is in sizing");
+}
+
+/// The sizing of a model file, and its fault without the place of the file.
+Sizing sizing(const std::string& keys) {
+  const TestFolder folder;
+  write_text(folder / "a.json", model("\"sizing\": {" + keys + "}"));
+  return load_model(folder / "a.json").options.sizing;
+}
+
+std::string sizing_fault(const std::string& keys) {
+  const std::string text = error_of([&] { sizing(keys); });
+  const std::size_t place = text.find(": /sizing/");
+  return place == text.npos ? text : text.substr(place + 10);
+}
+
+TEST(LoadModel, ReadsTheSizing) {
+  const Sizing read = sizing(R"("hmin": 0.02, "hmax": "7%", "stretch": 5, "grade": "off",
+      "curvature": 0.06858261876789555, "curvature_from": "differences", "features": "off",
+      "contour_curvature": false, "proximity": 0)");
+  EXPECT_EQ(read.hmin, Length::units(0.02));
+  EXPECT_EQ(read.hmax, Length::share(0.07));
+  EXPECT_EQ(read.stretch, 5);
+  EXPECT_EQ(read.grade, 0);
+  EXPECT_EQ(read.curvature, 0.06858261876789555);
+  EXPECT_EQ(read.curvature_from, CurvatureFrom::Differences);
+  EXPECT_FALSE(read.features || read.contour_curvature);
+  EXPECT_EQ(read.proximity, 0);
+}
+
+TEST(LoadModel, ReadsTheSag) {
+  EXPECT_EQ(sizing(R"("sag": "0.1%")").sag, Length::share(0.001));
+  EXPECT_EQ(sizing(R"("sag": 2)").sag, Length::units(2));
+  for (const char* off : {R"("sag": 0)", R"("sag": "off")", R"("sag": null)"}) {
+    EXPECT_FALSE(sizing(off).sag.has_value()) << off;
+  }
+}
+
+TEST(LoadModel, TellsFaultsOfTheSizingAsAllOthers) {
+  const std::string length =
+      " is outside its range: a length above 0 in model units, or a share of the diagonal up to "
+      "100%";
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {R"("hmin": 0)", "hmin: hmin = 0" + length},
+      {R"("hmin": true)", "hmin: hmin = true" + length},
+      {R"("hmin": [1])", "hmin: hmin = [1]" + length},
+      {R"("hmax": "1")", "hmax: hmax = \"1\"" + length},
+      {R"("hmax": "500%")", "hmax: hmax = 500%" + length},
+      {R"("hmax": "x%")", "hmax: hmax = x%" + length},
+      {R"("sag": -1)", "sag: sag = -1 is outside its range: off, " + length.substr(23)},
+      {R"("grade": 0.5)",
+       "grade: grade = 0.5 is outside its range: off, or a number from 1 to 1000000"},
+      {R"("grade": "1.5")",
+       "grade: grade = \"1.5\" is outside its range: off, or a number from 1 to 1000000"},
+      {R"("features": 1)", "features: features = 1 is outside its range: on or off"},
+      {R"("Hmin": 1)", "Hmin: there is no option 'Hmin'; did you mean hmin?"},
+      {R"("nodes": 9)", "nodes: its place is in options"},
+      {R"("hmin": 2, "hmax": 1)", "hmax: hmin = 2 must not be above hmax = 1"},
+      {R"("hmin": "30%")", "hmin: hmin = 30% must not be above hmax = 20%"},
+      {R"("hmin": 1, "hmin": 1)", "hmin: this key comes twice"}};
+  for (const auto& [keys, text] : cases) EXPECT_EQ(sizing_fault(keys), text) << keys;
 }
 
 TEST(LoadModel, HasNoSchemeForModelFiles) {

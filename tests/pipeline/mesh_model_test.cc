@@ -22,12 +22,12 @@ namespace {
 
 using testing::model_of;
 
-Size isotropic(double size) { return {{size, false}, {size, false}, 0}; }
+Size isotropic(double size) { return {Length::units(size), Length::units(size), 0}; }
 
 /// One size everywhere, nothing from curvature.
 MeshResult mesh_with_size(const Model& model, double size) {
   PipelineOptions options;
-  options.sizing = {.curvature = 0, .hmin = {size, false}, .hmax = {size, false}};
+  options.sizing = {.curvature = 0, .hmin = Length::units(size), .hmax = Length::units(size)};
   return mesh_model(model, {}, options);
 }
 
@@ -78,7 +78,7 @@ TEST(MeshModel, FillsAPlaneSquareWithTrianglesOfOneSize) {
 
 TEST(MeshModel, ReachesGoodFiguresOnTheWave) {
   PipelineOptions options;
-  options.sizing = {.curvature = 0.15, .hmax = {1, false}, .stretch = 5};
+  options.sizing = {.curvature = 0.15, .hmax = Length::units(1), .stretch = 5};
   const MeshResult result = mesh_model(wave(), {}, options);
   testing::expect_valid(result.mesh);
   EXPECT_NEAR(result.report.edges.mean, 1, 0.05);
@@ -135,7 +135,7 @@ TEST(MeshModel, TakesTheSizeOfOnePatchOnly) {
   Sources sources;
   sources.everywhere.push_back({1, isotropic(0.05)});
   PipelineOptions options;
-  options.sizing = {.curvature = 0, .hmax = {0.3, false}, .grade = 0};
+  options.sizing = {.curvature = 0, .hmax = Length::units(0.3), .grade = 0};
   const PolyMesh mesh = mesh_model(testing::opposite_squares(), sources, options).mesh;
   const auto patch = require(mesh, keys::face_patch);
   std::array<int, 2> count{};
@@ -146,7 +146,7 @@ TEST(MeshModel, TakesTheSizeOfOnePatchOnly) {
 
 TEST(MeshModel, IsAsGoodAtUnequalScalesOfTheParameters) {
   PipelineOptions options;
-  options.sizing = {.curvature = 0.15, .hmax = {1, false}, .stretch = 5};
+  options.sizing = {.curvature = 0.15, .hmax = Length::units(1), .stretch = 5};
   const Report equal = mesh_model(wave(), {}, options).report;
   const Report scaled = mesh_model(scaled_wave(1e6, 1e-3), {}, options).report;
   const auto count = static_cast<double>(equal.mesh.triangles);
@@ -185,7 +185,7 @@ class HugeSize : public ::testing::TestWithParam<NamedModel> {};
 TEST_P(HugeSize, StillMakesAClosedMesh) {
   const Model& model = GetParam().model;
   PipelineOptions options;
-  options.sizing = {.curvature = 0, .hmax = {1000, false}};
+  options.sizing = {.curvature = 0, .hmax = Length::units(1000)};
   const MeshResult coarse = mesh_model(model, {}, options);
   testing::expect_valid(coarse.mesh);
   EXPECT_TRUE(coarse.report.mesh.is_closed);
@@ -271,7 +271,7 @@ TEST(MeshModelError, EndsAtTheLimitOfAllPatchesTogether) {
 TEST(MeshModel, HasElementsLargerThanFacesOnBlocks) {
   const Cage cage = testing::torus(24, 16);
   PipelineOptions options;
-  options.sizing = {.curvature = 0, .hmax = {1, false}};
+  options.sizing = {.curvature = 0, .hmax = Length::units(1)};
   const MeshResult faces =
       mesh_model(model_from_cage(cage, {.patches = PatchKind::Faces}), {}, options);
   const MeshResult blocks = mesh_model(model_from_cage(cage), {}, options);
@@ -285,7 +285,7 @@ TEST(MeshModel, HasElementsLargerThanFacesOnBlocks) {
 
 TEST(MeshModel, IsNotFlatOnATubeThinnerThanItsElements) {
   PipelineOptions options;
-  options.sizing = {.curvature = 0.25, .hmin = {0.5, false}, .hmax = {2, false}};
+  options.sizing = {.curvature = 0.25, .hmin = Length::units(0.5), .hmax = Length::units(2)};
   const MeshResult result = mesh_model(model_from_cage(testing::tube(6, 12, 0.1)), {}, options);
   testing::expect_valid(result.mesh);
   EXPECT_EQ(result.report.mesh.euler, 0);

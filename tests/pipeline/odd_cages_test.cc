@@ -157,8 +157,8 @@ double least_shape(const PolyMesh& mesh) {
 TEST(PrismOfManySides, HasNoSliversBesideItsCentres) {
   // The parts of its ends are narrow quads around a vertex.
   PipelineOptions options;
-  options.sizing.hmin = {0.005, true};
-  options.sizing.hmax = {0.1, true};
+  options.sizing.hmin = Length::share(0.005);
+  options.sizing.hmax = Length::share(0.1);
   const MeshResult result = mesh_model(model_from_cage(testing::prism(16)), {}, options);
   EXPECT_GT(least_shape(result.mesh), 0.3);
 }

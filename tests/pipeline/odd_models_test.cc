@@ -27,7 +27,7 @@ Model formula(SurfaceFormulas formulas, Domain domain = {}) {
 TEST(OddModel, ThatIsUndefinedBeyondItsSideIsNotAskedThere) {
   PipelineOptions options;
   options.sizing.curvature = 0;
-  options.sizing.hmax = {0.004, true};
+  options.sizing.hmax = Length::share(0.004);
   const Model model = formula({"u+5*v", "v", "0.05*sin(35*u+3*v)+0*log(u+0.001)"});
   const MeshResult result = mesh_model(model, {}, options);
   testing::expect_valid(result.mesh);
@@ -78,7 +78,7 @@ TEST(OddModel, WithARimNearItsPoleIsMeshedAtAnySize) {
     for (const double size : {0.05, 0.1, 0.2, 0.4, 1.0}) {
       SCOPED_TRACE(::testing::Message() << tilt << " " << size);
       PipelineOptions options;
-      options.sizing = {.curvature = 0, .hmax = {size, false}};
+      options.sizing = {.curvature = 0, .hmax = Length::units(size)};
       const MeshResult result = mesh_model(model, {}, options);
       testing::expect_valid(result.mesh);
       EXPECT_EQ(result.report.mesh.euler, 1);
@@ -102,7 +102,7 @@ TEST(OddModel, WithAUseWithoutACurveIsRefused) {
 
 TEST(OddModel, WithASourceOfNoPatchIsRefused) {
   Sources sources;
-  sources.at.push_back({5, {0.5, 0.5}, {{0.1, false}, {0.1, false}, 0}});
+  sources.at.push_back({5, {0.5, 0.5}, {Length::units(0.1), Length::units(0.1), 0}});
   const std::string error = error_of([&] { mesh_model(testing::unit_square(), sources); });
   EXPECT_NE(error.find("patch 5 of 1"), std::string::npos) << error;
 }
@@ -112,12 +112,15 @@ TEST(OddSizes, AreRefusedByName) {
     return error_of(
         [&] { mesh_model(testing::unit_square(), {}, {.sizing = {.hmin = hmin, .hmax = hmax}}); });
   };
-  EXPECT_EQ(fault({0.1, true}, {-1, false}),
-            "invalid option: hmax = -1 is outside its range: a length above 0");
-  EXPECT_EQ(fault({kUnset, false}, {1, false}),
-            "invalid option: hmin = nan is outside its range: a length above 0");
+  EXPECT_EQ(fault(Length::share(0.1), Length::units(-1)),
+            "invalid option: hmax = -1 is outside its range: a length above 0 in model units, or a "
+            "share of the diagonal up to 100%");
   EXPECT_EQ(
-      fault({1, true}, {0.5, false}),
+      fault(Length::units(kUnset), Length::units(1)),
+      "invalid option: hmin = nan is outside its range: a length above 0 in model units, or a "
+      "share of the diagonal up to 100%");
+  EXPECT_EQ(
+      fault(Length::share(1), Length::units(0.5)),
       "invalid option: hmin = 100% must not be above hmax = 0.5, which are lengths of 1.41421 "
       "and 0.5");
 }

@@ -20,7 +20,7 @@ using std::numbers::pi;
 
 PipelineOptions with_sag(double sag) {
   PipelineOptions options;
-  options.sizing.sag = Length{sag, false};
+  options.sizing.sag = Length::units(sag);
   return options;
 }
 
@@ -83,7 +83,7 @@ TEST(ReachSag, IsNotMeasuredWhereItIsNotAskedFor) {
 
 TEST(ReachSag, IsAShortfallWhereTheLeastSizeIsInTheWay) {
   PipelineOptions options = with_sag(1e-4);
-  options.sizing.hmin = {0.2, false};
+  options.sizing.hmin = Length::units(0.2);
   const MeshResult result = mesh_model(testing::torus_of(3), {}, options);
   ASSERT_EQ(result.report.shortfalls.size(), 1u);
   EXPECT_NE(result.report.shortfalls[0].find("sag = 0.0001"), std::string::npos);
@@ -101,7 +101,7 @@ TEST(ReachSag, HoldsTogetherWithCurvature) {
 TEST(ReachSag, LeavesSizesOfTheUserAsTheyAre) {
   const Model model = testing::torus_of(3);
   Sources sources;
-  sources.everywhere.push_back({0, {{0.1, false}, {0.1, false}, 0}});
+  sources.everywhere.push_back({0, {Length::units(0.1), Length::units(0.1), 0}});
   const MeshResult result = mesh_model(model, sources, with_sag(0.05));
   const auto coarse = mesh_with_sag(model, 0.05).report.mesh.triangles;
   EXPECT_GT(result.report.mesh.triangles, 3 * coarse);

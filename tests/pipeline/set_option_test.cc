@@ -32,18 +32,18 @@ TEST(SetOption, TakesBackTheDefaultOfEveryOption) {
 
 TEST(SetOption, SetsEveryOptionThatIsBuilt) {
   const std::vector<std::pair<std::string, std::string>> cases = {{"curvature", "0.5"},
-                                                                  {"curvature", "0"},
+                                                                  {"curvature", "off"},
                                                                   {"hmin", "0.07%"},
                                                                   {"hmax", "3.25"},
                                                                   {"stretch", "1"},
                                                                   {"grade", "1.25"},
-                                                                  {"grade", "0"},
+                                                                  {"grade", "off"},
                                                                   {"nodes", "40000"},
                                                                   {"nodes", "auto"},
                                                                   {"precision", "0.01"},
                                                                   {"placement", "circumcentre"},
                                                                   {"kernel", "swap"},
-                                                                  {"smoothing", "0"},
+                                                                  {"smoothing", "off"},
                                                                   {"repairs", "7"},
                                                                   {"max_elements", "1000"}};
   for (const auto& [name, value] : cases) EXPECT_EQ(after(name, value), value) << name;
@@ -80,7 +80,7 @@ TEST(SetOption, SetsTheSag) {
   PipelineOptions options;
   set_option(options, "sag", "0.05%");
   EXPECT_EQ(to_text(get_option(options, "sag")), "0.05%");
-  EXPECT_EQ(std::get<double>(get_option(options, "curvature")), 0);
+  EXPECT_EQ(to_text(get_option(options, "curvature")), "off");
   for (const char* off : {"off", "0"}) {
     set_option(options, "sag", off);
     EXPECT_EQ(to_text(get_option(options, "sag")), "off");
@@ -111,8 +111,9 @@ TEST(SetOption, SetsTheNumberOfThreads) {
   EXPECT_EQ(to_text(get_option(options, "threads")), "8");
   set_option(options, "threads", "all");
   EXPECT_EQ(options.threads, 0);
-  EXPECT_EQ(fault("threads", "257"),
-            "invalid option: threads = 257 is outside its range: all, or 1 to 256");
+  EXPECT_EQ(
+      fault("threads", "257"),
+      "invalid option: threads = 257 is outside its range: all, or a whole number from 1 to 256");
 }
 
 TEST(SetOption, SaysWhatIsNotBuiltYet) {
@@ -134,14 +135,14 @@ TEST(SetOption, SetsWhatIsAPatchOfACage) {
     EXPECT_EQ(to_text(get_option(options, "patches")), value);
   }
   EXPECT_EQ(fault("patches", "all"),
-            "invalid option: patches = all is outside its range: auto or faces or blocks");
+            "invalid option: patches = all is outside its range: auto, faces or blocks");
 }
 
 TEST(SetOption, SetsHowControlSpacesAreMadeAndAsked) {
   PipelineOptions options;
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"control", "grid"}, {"interpolation", "o"}, {"epsilon", "0.2"},     {"blend", "log"},
-      {"reuse", "0.5"},    {"lookup", "vertices"}, {"inner_nodes", "true"}};
+      {"control", "grid"}, {"interpolation", "o"}, {"epsilon", "0.2"},   {"blend", "log"},
+      {"reuse", "0.5"},    {"lookup", "vertices"}, {"inner_nodes", "on"}};
   for (const auto& [name, value] : cases) {
     set_option(options, name, value);
     EXPECT_EQ(to_text(get_option(options, name)), value) << name;
@@ -168,6 +169,25 @@ TEST(SetOption, RefusesValuesOutOfTheirRange) {
     const std::string front = "invalid option: " + name + " = " + value + " is outside its range: ";
     EXPECT_TRUE(fault(name, value).starts_with(front)) << fault(name, value);
   }
+}
+
+TEST(PipelineOptions, RefuseWhatSetOptionRefuses) {
+  const auto error_with = [](auto change) {
+    PipelineOptions options;
+    change(options);
+    return error_of([&] { check(options); });
+  };
+  EXPECT_EQ(error_with([](auto&) {}), "no error");
+  EXPECT_EQ(error_with([](auto& o) { o.sizing.grade = 0.5; }), fault("grade", "0.5"));
+  EXPECT_EQ(error_with([](auto& o) { o.sizing.hmax = Length::share(5); }), fault("hmax", "500%"));
+  EXPECT_EQ(error_with([](auto& o) { o.sizing.sag = Length::units(-1); }), fault("sag", "-1"));
+  EXPECT_EQ(error_with([](auto& o) { o.sizing.proximity = kUnset; }), fault("proximity", "nan"));
+  EXPECT_EQ(error_with([](auto& o) { o.improve.sweeps = -1; }), fault("smoothing", "-1"));
+  EXPECT_EQ(error_with([](auto& o) { o.threads = 257; }), fault("threads", "257"));
+  EXPECT_EQ(error_with([](auto& o) { o.patches = static_cast<PatchKind>(9); }),
+            fault("patches", "9"));
+  EXPECT_EQ(error_with([](auto& o) { o.refine.kernel = static_cast<Kernel>(2); }),
+            fault("kernel", "2"));
 }
 
 TEST(SetOption, LeavesTheOptionsAsTheyWereOnAFault) {

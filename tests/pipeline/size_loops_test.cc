@@ -184,10 +184,10 @@ TEST_P(SizeLoops, OfSourcesGiveProperMeshes) {
     SCOPED_TRACE(size);
     Sources sources;
     for (int p = 0; p < GetParam().pieces; ++p) {
-      sources.everywhere.push_back({p, {{size, false}, {size, false}, 0}});
+      sources.everywhere.push_back({p, {Length::units(size), Length::units(size), 0}});
     }
     const PipelineOptions options{
-        .sizing = {.curvature = 0, .hmin = {1e-4, true}, .hmax = {1, true}}};
+        .sizing = {.curvature = 0, .hmin = Length::share(1e-4), .hmax = Length::share(1)}};
     expect_right(GetParam(), model, mesh_model(model, sources, options));
   }
 }
@@ -197,7 +197,7 @@ TEST_P(SizeLoops, OfHmaxGiveProperMeshes) {
   for (const double size : sizes()) {
     SCOPED_TRACE(size);
     const PipelineOptions options{
-        .sizing = {.curvature = 0, .hmin = {1e-4, true}, .hmax = {size, false}}};
+        .sizing = {.curvature = 0, .hmin = Length::share(1e-4), .hmax = Length::units(size)}};
     expect_right(GetParam(), model, mesh_model(model, {}, options));
   }
 }

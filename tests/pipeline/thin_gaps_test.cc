@@ -113,7 +113,7 @@ TEST_P(ThinGapShapes, GiveValidMeshesAtCoarseSizes) {
       PipelineOptions options;
       options.sizing = {.curvature = 0,
                         .hmin = {is_gap_seen ? 0.02 : 1e-4, false},
-                        .hmax = {size, false},
+                        .hmax = Length::units(size),
                         .contour_curvature = is_gap_seen,
                         .proximity = is_gap_seen ? 0.1 : 0.0,
                         .features = is_gap_seen};

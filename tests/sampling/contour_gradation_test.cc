@@ -25,13 +25,13 @@ struct Controls {
 };
 
 Size size_of(double along, double across, double angle = 0) {
-  return {{along, false}, {across, false}, angle};
+  return {Length::units(along), Length::units(across), angle};
 }
 
 Controls graded_controls(Model model, const std::vector<Size>& sizes, double grade = kGrade,
                          ControlKind kind = ControlKind::Mesh) {
   Controls controls{std::move(model), {}, {}, {}};
-  Sizing sizing{.curvature = 0, .hmin = {1e-3, false}, .hmax = {10, false}};
+  Sizing sizing{.curvature = 0, .hmin = Length::units(1e-3), .hmax = Length::units(10)};
   sizing.grade = grade;
   for (std::size_t p = 0; p < sizes.size(); ++p) {
     const PatchSources sources{{{static_cast<int>(p), sizes[p]}}, {}};

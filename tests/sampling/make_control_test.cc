@@ -269,7 +269,7 @@ TEST(MakeControl, GradesFromTheRimOfADiscOfPointsAlone) {
   const Domain domain{-5, 5, -5, 5};
   const auto surface = plane(domain);
   AtSource at{0, {0, 0}, size_of(0.2)};
-  at.radius = {2, false};
+  at.radius = Length::units(2);
   const PatchSources sources{{}, {at, {0, {4, 4}, size_of(2)}}};
   Sizing sizing = sizing_of(0, 0.01, 4, 2);
   sizing.grade = 1.5;

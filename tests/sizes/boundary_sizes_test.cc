@@ -125,7 +125,7 @@ TEST(Proximity, IsTheWidthOfACurvedStripWhateverHmax) {
   for (const double width : {0.05, 1e-3, 1e-5}) {
     for (const double hmax : {0.1, 0.4, 1.0}) {
       Sizing own = sizing(hmax);
-      own.hmin = {1e-7, false};
+      own.hmin = Length::units(1e-7);
       const auto sizes = proximity_sizes(half_ring(width), resolve(own, 1))[0];
       double covered = 0;
       for (const PlacedSize& placed : sizes) {

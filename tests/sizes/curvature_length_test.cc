@@ -12,7 +12,7 @@ namespace {
 
 Sizing with_sag(double sag, std::optional<double> curvature = {}) {
   Sizing sizing;
-  sizing.sag = Length{sag, false};
+  sizing.sag = Length::units(sag);
   sizing.curvature = curvature;
   return sizing;
 }
@@ -39,7 +39,7 @@ TEST(CurvatureLength, OfTheSagTurnsTheFactorOffThatIsNotGiven) {
 
 TEST(CurvatureLength, TakesAShareOfTheDiagonal) {
   Sizing sizing;
-  sizing.sag = Length{0.001, true};
+  sizing.sag = Length::share(0.001);
   EXPECT_DOUBLE_EQ(CurvatureLength(resolve(sizing, 10)).of_surface(2),
                    CurvatureLength(resolve(with_sag(0.01), 1)).of_surface(2));
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <random>
+#include <type_traits>
 
 #include "support/errors.hh"
 
@@ -35,17 +36,45 @@ TEST(ParseLength, ReadsItsOwnTextToTheLastBit) {
   for (int i = 0; i < 10000; ++i) {
     const double value = std::pow(10.0, exponent(random));
     for (const bool is_relative : {false, true}) {
-      const Length length = parse_length(to_text(Length{value, is_relative}));
+      const Length given = is_relative ? Length::share(value) : Length::units(value);
+      const Length length = parse_length(to_text(given));
       ASSERT_EQ(length.value, value);
       ASSERT_EQ(length.is_relative, is_relative);
     }
   }
 }
 
+TEST(Length, IsMadeByName) {
+  EXPECT_EQ(Length::percent(5), Length::share(0.05));
+  EXPECT_EQ(Length::units(3).in_units(10), 3);
+  EXPECT_EQ(Length::share(0.5).in_units(10), 5);
+  // {5, true}, meant as 5 %, was taken for 500 %.
+  static_assert(!std::is_constructible_v<Length, double, bool>);
+  static_assert(!std::is_convertible_v<double, Length>);
+}
+
+TEST(Length, IsNoMoreThanTheDiagonalWhereItIsAShare) {
+  EXPECT_TRUE(Length::share(1).is_legal() && Length::units(5).is_legal());
+  EXPECT_FALSE(Length::share(5).is_legal());
+  EXPECT_FALSE(Length::units(-1).is_legal());
+  EXPECT_FALSE(Length::units(std::nan("")).is_legal());
+}
+
+TEST(LengthRange, RefusesWithNameValueAndRange) {
+  const LengthRange sag = {"sag", true}, hmax = {"hmax", false};
+  EXPECT_EQ(error_of([&] { check_option(sag, std::nullopt); }), "no error");
+  EXPECT_EQ(error_of([&] { check_option(hmax, Length::share(5)); }),
+            "invalid option: hmax = 500% is outside its range: a length above 0 in model units, or "
+            "a share of the diagonal up to 100%");
+  EXPECT_TRUE(error_of([&] {
+                check_option(hmax, std::nullopt);
+              }).starts_with("invalid option: hmax = off is outside its range: "));
+}
+
 TEST(ParseLength, WritesSharesAsAPersonWould) {
-  EXPECT_EQ(to_text(Length{0.001, true}), "0.1%");
-  EXPECT_EQ(to_text(Length{0.07, true}), "7%");
-  EXPECT_EQ(to_text(Length{0.5, false}), "0.5");
+  EXPECT_EQ(to_text(Length::share(0.001)), "0.1%");
+  EXPECT_EQ(to_text(Length::share(0.07)), "7%");
+  EXPECT_EQ(to_text(Length::units(0.5)), "0.5");
 }
 
 }  // namespace

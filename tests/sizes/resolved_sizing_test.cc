@@ -14,8 +14,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(ResolvedSizing, IsInModelUnits) {
-  const ResolvedSizing sizing = resolve(
-      {.hmin = {0.01, true}, .hmax = {5, false}, .sag = Length{0.001, true}}, /*diagonal=*/10);
+  const ResolvedSizing sizing =
+      resolve({.hmin = Length::share(0.01), .hmax = Length::units(5), .sag = Length::share(0.001)},
+              /*diagonal=*/10);
   EXPECT_DOUBLE_EQ(sizing.bounds.hmin, 0.1);
   EXPECT_EQ(sizing.bounds.hmax, 5);
   EXPECT_DOUBLE_EQ(sizing.sag, 0.01);
@@ -24,13 +25,13 @@ TEST(ResolvedSizing, IsInModelUnits) {
 
 TEST(ResolvedSizing, TurnsTheFactorOffBesideASag) {
   EXPECT_EQ(resolve({}, 1).curvature, 0.25);
-  EXPECT_EQ(resolve({.sag = Length{0.1, false}}, 1).curvature, 0);
-  EXPECT_EQ(resolve({.curvature = 0.2, .sag = Length{0.1, false}}, 1).curvature, 0.2);
+  EXPECT_EQ(resolve({.sag = Length::units(0.1)}, 1).curvature, 0);
+  EXPECT_EQ(resolve({.curvature = 0.2, .sag = Length::units(0.1)}, 1).curvature, 0.2);
 }
 
 TEST(ResolvedSizing, FollowsCurvatureWithAFactorOrASag) {
   EXPECT_TRUE(resolve({}, 1).follows_curvature());
-  EXPECT_TRUE(resolve({.sag = Length{0.1, false}}, 1).follows_curvature());
+  EXPECT_TRUE(resolve({.sag = Length::units(0.1)}, 1).follows_curvature());
   EXPECT_FALSE(resolve({.curvature = 0}, 1).follows_curvature());
 }
 
@@ -43,9 +44,9 @@ struct Fault {
 TEST(ResolvedSizing, RefusesWhatIsOutOfRangeByName) {
   for (const double bad : {-1.0, kUnset, kInfinity}) {
     const Fault faults[] = {
-        {{.curvature = bad}, "curvature"}, {{.hmin = {bad, false}}, "hmin"},
-        {{.hmax = {bad, false}}, "hmax"},  {{.grade = bad}, "grade"},
-        {{.proximity = bad}, "proximity"}, {{.sag = Length{bad, false}}, "sag"}};
+        {{.curvature = bad}, "curvature"},      {{.hmin = Length::units(bad)}, "hmin"},
+        {{.hmax = Length::units(bad)}, "hmax"}, {{.grade = bad}, "grade"},
+        {{.proximity = bad}, "proximity"},      {{.sag = Length::units(bad)}, "sag"}};
     for (const auto& [sizing, option] : faults) {
       EXPECT_EQ(error_of([&, s = sizing] { resolve(s, 1); }).find("invalid option: " + option), 0U)
           << option << " " << bad;
@@ -57,12 +58,12 @@ TEST(ResolvedSizing, RefusesWhatIsOutOfRangeByName) {
 }
 
 TEST(ResolvedSizing, RefusesNoLength) {
-  EXPECT_NE(error_of([] { resolve({.hmin = {0, false}}, 1); }), "no error");
-  EXPECT_NE(error_of([] { resolve({.sag = Length{0, true}}, 1); }), "no error");
+  EXPECT_NE(error_of([] { resolve({.hmin = Length::units(0)}, 1); }), "no error");
+  EXPECT_NE(error_of([] { resolve({.sag = Length::share(0)}, 1); }), "no error");
 }
 
 TEST(ResolvedSizing, RefusesAnHminAboveHmaxThatOnlyTheSizeOfTheModelTells) {
-  const Sizing sizing{.hmin = {0.1, true}, .hmax = {5, false}};
+  const Sizing sizing{.hmin = Length::share(0.1), .hmax = Length::units(5)};
   EXPECT_EQ(resolve(sizing, 50).bounds.hmin, 5);
   EXPECT_EQ(error_of([&] { resolve(sizing, 60); }),
             "invalid option: hmin = 10% must not be above hmax = 5, which are lengths of 6 and 5");

@@ -84,7 +84,7 @@ TEST(SizeField, WithoutCurvatureIsTheLargest) {
 
 TEST(SizeField, IsClampedToTheLargestInEachDirection) {
   const auto surface = cylinder(2);
-  const SizeField field = field_of(surface, sizing_of(0.25, 0.01, 10, kInfinity));
+  const SizeField field = field_of(surface, sizing_of(0.25, 0.01, 10, 1e6));
   expect_near(field.at({1, 0.3}).size, {0.5, 0, 10}, 1e-12);
 }
 
@@ -97,7 +97,7 @@ TEST(SizeField, IsClampedBeforeItsStretchIsLimited) {
 TEST(SizeField, GrowsWithTheModel) {
   const auto base = std::make_shared<test::Torus>(3, 1, Domain{0, 2 * pi, 0, 2 * pi});
   const test::Placed large(base, 1e6, Vec3(1, 2, 3));
-  const Sizing sizing{0.25, {0.001, true}, {0.2, true}, 2, 0};
+  const Sizing sizing{0.25, Length::share(0.001), Length::share(0.2), 2, 0};
   const SizeField field(*base, resolve(sizing, 8), {}), grown(large, resolve(sizing, 8e6), {});
   expect_near(grown.at({1, 2}).size, scaled(field.at({1, 2}).size, 1e6), 1e-9);
 }
@@ -119,8 +119,7 @@ TEST(SizeField, IsThatOfAPoleOnThePole) {
 
 TEST(SizeField, TakesTheMinimumWithTheSizeEverywhere) {
   const auto surface = cylinder(2);
-  const SizeField field =
-      field_of(surface, sizing_of(0.25, 0.01, 10, kInfinity), {{0, size_of(1)}});
+  const SizeField field = field_of(surface, sizing_of(0.25, 0.01, 10, 1e6), {{0, size_of(1)}});
   expect_near(field.at({1, 0.3}).size, {0.5, 0, 1}, 1e-9);
 }
 
@@ -166,10 +165,12 @@ TEST(SizeField, RefusesSizesThatAreNoLengths) {
 
 TEST(SizeField, TakesSharesOfTheDiagonal) {
   const auto surface = plane();
-  const SizeField field(surface, resolve({0, {0.001, true}, {0.2, true}, 2, 0}, 50), {});
+  const SizeField field(surface, resolve({0, Length::share(0.001), Length::share(0.2), 2, 0}, 50),
+                        {});
   EXPECT_DOUBLE_EQ(field.bounds().hmin, 0.05);
   EXPECT_DOUBLE_EQ(field.bounds().hmax, 10);
-  expect_near(field.bounds().tensor({{0.1, true}, {0.5, false}, 0}), {5, 0, 0.5}, 1e-15);
+  expect_near(field.bounds().tensor({Length::share(0.1), Length::units(0.5), 0}), {5, 0, 0.5},
+              1e-15);
 }
 
 TEST(SizeField, IsMirroredBeyondTheDiagonalOfATriangle) {

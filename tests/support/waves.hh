@@ -11,7 +11,7 @@
 /// The wavy surfaces on which control spaces are judged, and sizes for them.
 namespace surfmesh::testing {
 
-inline Length units(double length) { return {length, false}; }
+inline Length units(double length) { return Length::units(length); }
 
 inline Size size_of(double along, double across, double angle = 0) {
   return {units(along), units(across), angle};

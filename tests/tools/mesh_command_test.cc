@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 #include "support/program.hh"
 #include "surfmesh/core/version.hh"
+#include "surfmesh/pipeline/option_table.hh"
 
 namespace surfmesh {
 namespace {
@@ -42,11 +45,49 @@ TEST_F(MeshProgram, HelpsWithDefaultsAndAnExample) {
   for (const char* text : {"--curvature", "0.25",      "--hmin",    "0.1%",      "--hmax",
                            "20%",         "--stretch", "--grade",   "--nodes",   "--precision",
                            "--placement", "--scheme",  "--patches", "--threads", "--max-elements",
-                           "--report",    "--quiet",   "--set",     "Examples:", "smoothing"}) {
+                           "--report",    "--quiet",   "--set",     "Examples:", "--help-all"}) {
     EXPECT_NE(out_.find(text), std::string::npos) << text;
   }
   EXPECT_EQ(run("--help"), 0);
   EXPECT_NE(out_.find("mesh"), std::string::npos);
+}
+
+TEST_F(MeshProgram, HelpsOnOneScreen) {
+  for (const char* command : {"mesh", "control", "check"}) {
+    EXPECT_EQ(run(std::string(command) + " --help"), 0);
+    EXPECT_LE(std::count(out_.begin(), out_.end(), '\n'), 45) << command;
+  }
+}
+
+TEST_F(MeshProgram, HelpsWithEveryOption) {
+  EXPECT_EQ(run("mesh --help-all"), 0);
+  for (const Option& option : option_table()) {
+    std::string flag = "  --" + std::string(option.name()) + ' ';
+    std::replace(flag.begin(), flag.end(), '_', '-');
+    EXPECT_NE(out_.find(flag), std::string::npos) << flag;
+    EXPECT_NE(out_.find('=' + option.value_text({})), std::string::npos) << flag;
+  }
+  std::istringstream lines(out_);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
+}
+
+TEST_F(MeshProgram, SetsEveryOptionByAFlag) {
+  EXPECT_EQ(mesh("cube.obj",
+                 "--contour-curvature off --inner-nodes --curvature-from differences "
+                 "--smoothing off --report report.json"),
+            0)
+      << err_;
+  const Json options = report()["options"];
+  EXPECT_EQ(options["contour_curvature"], false);
+  EXPECT_EQ(options["inner_nodes"], true);
+  EXPECT_EQ(options["curvature_from"], "differences");
+  EXPECT_EQ(options["smoothing"], "off");
+}
+
+TEST_F(MeshProgram, NamesTheFlagOfABadValue) {
+  expect_wrong_usage(mesh("cube.obj", "--features maybe"),
+                     "--features: features = maybe is outside its range: on or off");
+  expect_wrong_usage(mesh("cube.obj", "--hmax 500%"), "hmax = 500% is outside its range");
 }
 
 TEST_F(MeshProgram, WritesTheSameFileWithAnyNumberOfThreads) {

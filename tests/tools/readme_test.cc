@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "support/program.hh"
+#include "surfmesh/pipeline/set_option.hh"
 
 namespace surfmesh {
 namespace {
@@ -32,6 +34,16 @@ TEST_F(Readme, HasCommandLinesThatWork) {
   EXPECT_GE(lines.size(), 8u);
   for (const std::string& line : lines) {
     EXPECT_EQ(shell("'" SURFMESH_PROGRAM "'" + line.substr(8)), 0) << line << '\n' << err_;
+  }
+}
+
+TEST(ReadmeText, NamesEveryOption) {
+  const std::string text = read_text(std::filesystem::path(SURFMESH_SOURCE_DIR) / "README.md");
+  for (const std::string_view name : option_names()) {
+    const std::string quoted = '`' + std::string(name) + '`';
+    std::string flag = "--" + std::string(name);
+    std::replace(flag.begin(), flag.end(), '_', '-');
+    EXPECT_TRUE(text.find(quoted) != text.npos || text.find(flag) != text.npos) << name;
   }
 }
 

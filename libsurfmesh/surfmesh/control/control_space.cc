@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/control/control_space.hh"
 
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "surfmesh/core/error.hh"
+#include "surfmesh/core/option_range.hh"
 #include "surfmesh/metric/minimum.hh"
 #include "surfmesh/metric/tensor.hh"
 
 namespace surfmesh {
 
 void check(const ControlSpaceOptions& options) {
-  const auto expect = [](bool is_good, const char* name, double value, const char* range) {
-    if (is_good) return;
-    throw Error(ErrorCode::InvalidOption,
-                fmt::format("{} = {} is outside its range: {}", name, value, range));
-  };
-  const bool is_grade = options.grade == 0 || options.grade >= 1;
-  expect(is_grade && std::isfinite(options.grade), "grade", options.grade,
-         "0 (off), or 1 and above");
-  expect(options.epsilon > 0, "epsilon", options.epsilon, "above 0");
-  expect(options.reuse >= 0 && std::isfinite(options.reuse), "reuse", options.reuse,
-         "0 (off) or above");
+  check_option(ranges::kGrade, options.grade);
+  check_option(ranges::kInterpolation, options.interpolation);
+  check_option(ranges::kEpsilon, options.epsilon);
+  check_option(ranges::kBlend, options.blend);
+  check_option(ranges::kLookup, options.lookup);
+  check_option(ranges::kReuse, options.reuse);
 }
 
 ControlSpace::ControlSpace(const ControlSpaceOptions& options,

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/improve/improve.hh"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "surfmesh/core/error.hh"
+#include "surfmesh/core/option_range.hh"
 #include "surfmesh/improve/fit_lengths.hh"
 #include "surfmesh/improve/vertex_moves.hh"
 
@@ -114,11 +112,8 @@ class Improvement {
 }  // namespace
 
 void check(const ImproveOptions& options) {
-  if (options.sweeps < 0 || options.repairs < 0) {
-    throw Error(ErrorCode::InvalidOption,
-                fmt::format("smoothing = {} sweeps and {} repairs is outside its range: 0 or above",
-                            options.sweeps, options.repairs));
-  }
+  check_option(ranges::kSmoothing, options.sweeps);
+  check_option(ranges::kRepairs, options.repairs);
 }
 
 ImproveReport improve(DelaunayMesh& delaunay, const MetricField& field,

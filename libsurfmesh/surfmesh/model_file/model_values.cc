@@ -26,8 +26,9 @@ Length read_any_length(const JsonNode& node) {
     }
     if (!length.is_relative) node.fail("a length in model units is a number, without quotes");
   } else {
-    length = {node.number(), false};
+    length = Length::units(node.number());
   }
+  if (length.is_relative && length.value > 1) node.fail("a share of the diagonal is at most 100%");
   return length;
 }
 

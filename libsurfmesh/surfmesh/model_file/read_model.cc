@@ -22,12 +22,6 @@
 namespace surfmesh {
 namespace {
 
-double read_at_least(const JsonNode& node, double least) {
-  const double value = node.number();
-  if (!(value >= least)) node.fail(fmt::format("must be at least {}", least));
-  return value;
-}
-
 bool is_name(std::string_view text) {
   const auto is_letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
@@ -114,42 +108,13 @@ void read_patches(const JsonNode& root, const FileScope& file, ModelFile& model)
   if (model.patches.empty() && model.cages.empty()) patches.fail("the model has no patches");
 }
 
-/// None where it is off.
-std::optional<Length> read_sag(const JsonNode& node) {
-  const Json& json = node.json();
-  if (json.is_null() || json == 0 || json == "off") return std::nullopt;
-  return read_length(node);
-}
-
-Sizing read_sizing(const JsonNode& node) {
-  node.expect_keys({"curvature", "sag", "hmin", "hmax", "stretch", "grade", "contour_curvature",
-                    "proximity", "features", "curvature_from"});
-  Sizing sizing;
-  if (const auto curvature = node.find("curvature")) {
-    sizing.curvature = read_at_least(*curvature, 0);
+void read_options(const JsonNode& root, const char* key, ModelFile& model) {
+  const auto node = root.find(key);
+  if (!node) return;
+  for (const auto& [name, value] : node->members()) {
+    model.options.push_back(
+        {name, value.json().dump(), key == std::string_view("sizing"), value.pointer()});
   }
-  if (const auto hmin = node.find("hmin")) sizing.hmin = read_length(*hmin);
-  if (const auto hmax = node.find("hmax")) sizing.hmax = read_length(*hmax);
-  if (const auto stretch = node.find("stretch")) sizing.stretch = read_at_least(*stretch, 1);
-  if (const auto grade = node.find("grade")) {
-    sizing.grade = grade->number();
-    if (sizing.grade != 0 && !(sizing.grade >= 1)) grade->fail("must be 0 (off), or at least 1");
-  }
-  if (sizing.hmin.is_relative == sizing.hmax.is_relative && sizing.hmin.value > sizing.hmax.value) {
-    (node.has("hmax") ? node.at("hmax") : node.at("hmin")).fail("hmin must not be above hmax");
-  }
-  if (const auto sag = node.find("sag")) sizing.sag = read_sag(*sag);
-  if (const auto proximity = node.find("proximity")) {
-    sizing.proximity = read_at_least(*proximity, 0);
-  }
-  if (const auto flag = node.find("contour_curvature")) sizing.contour_curvature = flag->boolean();
-  if (const auto flag = node.find("features")) sizing.features = flag->boolean();
-  if (const auto from = node.find("curvature_from")) {
-    const std::string text = from->text();
-    if (text != "exact" && text != "differences") from->fail("must be exact or differences");
-    if (text == "differences") sizing.curvature_from = CurvatureFrom::Differences;
-  }
-  return sizing;
 }
 
 }  // namespace
@@ -173,12 +138,8 @@ ModelFile parse_model(std::string_view text, const std::string& name) {
       read_space_source(source, file.constants, model);
     }
   }
-  if (const auto node = root.find("sizing")) model.sizing = read_sizing(*node);
-  if (const auto node = root.find("options")) {
-    for (const auto& [key, value] : node->members()) {
-      model.options.emplace_back(key, value.json().dump());
-    }
-  }
+  read_options(root, "sizing", model);
+  read_options(root, "options", model);
   return model;
 }
 

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "surfmesh/cage/cage_model.hh"
@@ -37,6 +36,14 @@ struct AlongContour {
   std::string origin;  ///< JSON pointer
 };
 
+/// An entry of `sizing` or `options`; only the pipeline knows what options there are.
+struct FileOption {
+  std::string name;
+  std::string value;  ///< JSON text
+  bool is_in_sizing = false;
+  std::string origin;  ///< JSON pointer
+};
+
 /// What a model file holds.
 struct ModelFile {
   std::vector<PatchInput> patches;  ///< formula surfaces on rectangles, with their loops
@@ -45,16 +52,14 @@ struct ModelFile {
   Sources sources;                  ///< `patch` is an index into patches
   std::vector<GroupSource> groups;  ///< sources of groups
   std::vector<AlongContour> along_contours;
-  Sizing sizing;
-  /// Names of options of the pipeline and their values as JSON text, in the order of the file.
-  std::vector<std::pair<std::string, std::string>> options;
+  std::vector<FileOption> options;  ///< those of `sizing` first, not checked
 };
 
 /// Read a model file (JSON).
 ///
 /// Angles are degrees in the file and radians in the result. Domains, constants and the places of
-/// `at` may be numbers or constant expressions of the constants before them. Keys whose stage is
-/// not built yet may have their off value or their default only.
+/// `at` may be numbers or constant expressions of the constants before them. Options are taken as
+/// they are: load_model reads them.
 /// Throws   Io if the file cannot be read; InvalidInput as parse_model
 ModelFile read_model(const std::filesystem::path& path);
 
@@ -63,8 +68,7 @@ ModelFile read_model(const std::filesystem::path& path);
 ///
 /// Throws   InvalidInput: with name:line:column where the text is not JSON; with the JSON pointer
 ///          for an unknown, missing or doubled key, a value of the wrong type or outside of its
-///          range, a formula that cannot be read, a name that is not known or there twice, a key
-///          that is not built yet
+///          range, a formula that cannot be read, a name that is not known or there twice
 ModelFile parse_model(std::string_view text, const std::string& name);
 
 }  // namespace surfmesh

@@ -127,7 +127,7 @@ class TableReader {
       return node;
     }
     const bool is_one = columns_ == Columns::Size;
-    node.size = {{values[2]}, {is_one ? values[2] : values[3]}, 0};
+    node.size = {Length::units(values[2]), Length::units(is_one ? values[2] : values[3])};
     // Divided first: the greatest angles would overflow.
     if (!is_one) node.size.angle = values[4] * (std::numbers::pi / 180);
     check_length(node.size.along.value);

@@ -19,7 +19,9 @@
 #include "surfmesh/model/append_model.hh"
 #include "surfmesh/model/join_sides.hh"
 #include "surfmesh/model_file/read_model.hh"
+#include "surfmesh/pipeline/option_table.hh"
 #include "surfmesh/pipeline/set_option.hh"
+#include "surfmesh/sizes/length.hh"
 
 namespace surfmesh {
 namespace {
@@ -46,13 +48,43 @@ ModelInput load_cage(const std::filesystem::path& path, const CageOptions& cage_
   return input;
 }
 
-/// Set one entry of a file's `options`; its value is JSON text, null leaves the default.
-void set_file_option(PipelineOptions& options, const std::string& key, const std::string& value) {
-  const auto json = nlohmann::json::parse(value);
-  if (is_sizing_option(key)) {
-    throw Error(ErrorCode::InvalidInput, "its place is in sizing");
+/// The text of a JSON value for set_option: what stands in quotes are words and shares of the
+/// diagonal. A number in quotes keeps them, to be refused with them.
+std::string text_for(const nlohmann::json& value) {
+  if (!value.is_string()) return value.dump();
+  const std::string text = value.get<std::string>();
+  const bool is_number = text.find_first_of("0123456789+-.") == 0 && text.find('%') == text.npos;
+  return is_number ? value.dump() : text;
+}
+
+/// Set one entry of a file's `sizing` or `options`; null leaves the default.
+void set_file_option(PipelineOptions& options, const FileOption& entry) {
+  const Option& option = find_option(entry.name);
+  if ((option.group == OptionGroup::Sizes) != entry.is_in_sizing) {
+    throw Error(ErrorCode::InvalidOption,
+                fmt::format("its place is in {}", entry.is_in_sizing ? "options" : "sizing"));
   }
-  if (!json.is_null()) set_option(options, key, json.is_string() ? json.get<std::string>() : value);
+  const auto value = nlohmann::json::parse(entry.value);
+  if (!value.is_null()) set_option(options, entry.name, text_for(value));
+}
+
+/// Where both bounds are of one kind, a file is told of its fault before the model is there.
+void check_bounds(const Sizing& sizing) {
+  if (sizing.hmin.is_relative != sizing.hmax.is_relative) return;
+  if (sizing.hmin.value <= sizing.hmax.value) return;
+  throw Error(ErrorCode::InvalidOption, fmt::format("hmin = {} must not be above hmax = {}",
+                                                    to_text(sizing.hmin), to_text(sizing.hmax)));
+}
+
+PipelineOptions file_options(const ModelFile& file, const std::string& name) {
+  PipelineOptions options;
+  std::string bounds;  // where the last of them stands
+  for (const FileOption& entry : file.options) {
+    at_file(fmt::format("{}: {}", name, entry.origin), [&] { set_file_option(options, entry); });
+    if (entry.name == ranges::kHmin.name || entry.name == ranges::kHmax.name) bounds = entry.origin;
+  }
+  at_file(fmt::format("{}: {}", name, bounds), [&] { check_bounds(options.sizing); });
+  return options;
 }
 
 /// What is asked for from outside comes first, then what a cage names itself, then what the file
@@ -158,11 +190,7 @@ ModelInput load_model_file(const std::filesystem::path& path, const CageOptions&
                 fmt::format("{}: only cages have a subdivision scheme", name));
   }
   ModelInput input;
-  input.options.sizing = file.sizing;
-  for (const auto& [key, value] : file.options) {
-    at_file(fmt::format("{}: /options/{}", name, key),
-            [&, k = key, v = value] { set_file_option(input.options, k, v); });
-  }
+  input.options = file_options(file, name);
   if (!file.patches.empty()) {
     at_file(name, [&] { input.model = model_from_patches(file.patches, file.contours); });
     for (std::string& warning : input.model.warnings) warning.insert(0, name + ": ");

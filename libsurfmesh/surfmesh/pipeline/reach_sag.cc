@@ -128,8 +128,9 @@ class SagLoop {
     const double along = bounds_.clamp(factor * middle.sizes.l_s);
     const double across = bounds_.clamp(factor * middle.sizes.l_t);
     if (along >= middle.sizes.l_s && across >= middle.sizes.l_t) return false;
-    AtSource source{middle.patch, middle.uv, {{along, false}, {across, false}, middle.sizes.angle}};
-    source.radius = {kReach * middle.sizes.l_t, false};
+    AtSource source{
+        middle.patch, middle.uv, {Length::units(along), Length::units(across), middle.sizes.angle}};
+    source.radius = Length::units(kReach * middle.sizes.l_t);
     sources_.at.push_back(source);
     return true;
   }

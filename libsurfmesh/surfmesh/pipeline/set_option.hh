@@ -18,16 +18,17 @@ const std::vector<std::string_view>& option_names();
 /// Throws   InvalidOption as set_option
 bool is_sizing_option(std::string_view name);
 
-/// Set an option by its name from text: `grade=1.3`, `hmin=0.1%`, `nodes=auto`, `quads=false`.
+/// Set an option by its name from text: `grade=1.3`, `hmin=0.1%`, `nodes=auto`, `features=off`.
 ///
-/// An option whose stage is not built yet takes its off value and its default, nothing else.
+/// What can be off is so by `off`, numbers and the sag also by 0, switches also by `false`. An
+/// option whose stage is not built yet can only be off.
 /// Throws   InvalidOption: for an unknown name, with the nearest one; for a value that cannot be
 ///          read or is out of its range, naming option, value and range; for what is not built yet
 void set_option(PipelineOptions& options, std::string_view name, std::string_view value);
 
 using OptionValue = std::variant<bool, std::int64_t, double, std::string>;
 
-/// The effective value of an option; its text is accepted by set_option.
+/// The effective value of an option; its text is accepted by set_option. Switches are bool.
 /// Throws   InvalidOption as set_option
 OptionValue get_option(const PipelineOptions& options, std::string_view name);
 

@@ -33,7 +33,7 @@ MeshArrays join(const std::vector<ControlPicture>& pictures) {
   MeshArrays joined;
   std::vector<int> corners;
   for (const ControlPicture& picture : pictures) {
-    const TriMesh& mesh = *picture.mesh;
+    const PolyMesh& mesh = *picture.mesh;
     const int first = static_cast<int>(joined.points.size());
     const int patch = static_cast<int>(joined.names.patches.size());
     joined.names.patches.push_back(picture.patch);
@@ -73,7 +73,7 @@ std::array<double, 2> sizes_of(const ControlPicture& picture, VertexHandle vh) {
 }
 
 std::array<double, 9> tensor_of(const ControlPicture& picture, VertexHandle vh) {
-  const TriMesh& mesh = *picture.mesh;
+  const PolyMesh& mesh = *picture.mesh;
   const Eigen::Matrix3d h =
       space_tensor(*picture.surface, mesh.property(require(mesh, keys::vertex_uv), vh),
                    mesh.property(require(mesh, keys::vertex_size), vh));
@@ -92,7 +92,7 @@ std::array<double, 2> radii_of(const ControlPicture& picture, VertexHandle vh) {
 std::vector<int> classes_of(const std::vector<ControlPicture>& pictures) {
   std::vector<int> classes;
   for (const ControlPicture& picture : pictures) {
-    const TriMesh& mesh = *picture.mesh;
+    const PolyMesh& mesh = *picture.mesh;
     const auto class_of = find(mesh, keys::face_class);
     for (const FaceHandle fh : mesh.faces()) {
       classes.push_back(class_of.is_valid() ? mesh.property(class_of, fh) : -1);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "surfmesh/core/option_range.hh"
 #include "surfmesh/delaunay/metric_swaps.hh"
 #include "surfmesh/refine/face_states.hh"
 #include "surfmesh/refine/front.hh"
@@ -195,8 +196,14 @@ class Refinement {
 
 }  // namespace
 
+void check(const RefineOptions& options) {
+  check_option(ranges::kPlacement, options.placement);
+  check_option(ranges::kKernel, options.kernel);
+}
+
 RefineReport refine(DelaunayMesh& delaunay, const MetricField& field, const RefineOptions& options,
                     const RunContext& context) {
+  check(options);
   const std::size_t boundary_count = delaunay.n_vertices();
   RefineReport report = Refinement(delaunay, field, options, context).run();
   delaunay.shrink();

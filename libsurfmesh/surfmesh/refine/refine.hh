@@ -23,6 +23,8 @@ struct RefineOptions {
   Kernel kernel = Kernel::Cavity;
 };
 
+void check(const RefineOptions& options);
+
 struct RefineReport {
   std::size_t inserted = 0;  ///< inner nodes
   std::size_t refused = 0;   ///< triangles left larger than wanted, for no place was good

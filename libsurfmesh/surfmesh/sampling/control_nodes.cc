@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/sampling/control_nodes.hh"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "surfmesh/core/error.hh"
+#include "surfmesh/core/option_range.hh"
 #include "surfmesh/sampling/control_cells.hh"
 
 namespace surfmesh {
 namespace {
 
-/// Most regular nodes: far more than sizes that elements can follow ever need in one patch.
-constexpr int kMostRegularNodes = 4'000'000;
-
 std::vector<ControlNode> regular_nodes(const SizeField& field, int count) {
   const Domain domain = field.surface().domain();
-  if (count > kMostRegularNodes) {
-    throw Error(ErrorCode::Limit, fmt::format("{} control nodes in one patch are more than {}",
-                                              count, kMostRegularNodes));
-  }
   const int side = std::max(2, static_cast<int>(std::lround(std::sqrt(count))));
   const double width = (domain.u1 - domain.u0) / (side - 1);
   const double height = (domain.v1 - domain.v0) / (side - 1);
@@ -40,15 +31,8 @@ std::vector<ControlNode> regular_nodes(const SizeField& field, int count) {
 }  // namespace
 
 void check(const ControlNodeOptions& options) {
-  if (options.regular < 0 || (options.regular > 0 && options.regular < 4)) {
-    throw Error(
-        ErrorCode::InvalidOption,
-        fmt::format("nodes = {} is outside its range: auto, or 4 and above", options.regular));
-  }
-  if (!(options.precision > 0)) {
-    throw Error(ErrorCode::InvalidOption,
-                fmt::format("precision = {} is outside its range: above 0", options.precision));
-  }
+  check_option(ranges::kNodes, options.regular);
+  check_option(ranges::kPrecision, options.precision);
 }
 
 ChosenNodes choose_control_nodes(const SizeField& field, const ControlNodeOptions& options) {

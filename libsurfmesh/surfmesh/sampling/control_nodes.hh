@@ -15,7 +15,7 @@ inline constexpr double kLeastCellLength = 0.3;
 /// How control nodes are placed.
 struct ControlNodeOptions {
   /// Number of regular nodes in the bounding rectangle, made square (40,000 is 200 × 200); 0
-  /// chooses them by precision. 0 or at least 4.
+  /// chooses them by precision. 0, or 4 to 4,000,000.
   int regular = 0;
   /// Greatest conformity (max |ln λ|, DESIGN terms) between the exact field and one interpolated
   /// within a cell from its corners. Above 0.
@@ -39,7 +39,7 @@ struct ChosenNodes {
 /// The corners of the domain are always nodes, no position comes twice.
 ///
 /// Cost     about twenty samples of the field a node
-/// Throws   Limit for more regular nodes than four million
+/// Throws   InvalidOption
 ChosenNodes choose_control_nodes(const SizeField& field, const ControlNodeOptions& options);
 
 }  // namespace surfmesh

@@ -6,6 +6,7 @@
 #include "surfmesh/control/control_grid.hh"
 #include "surfmesh/control/control_mesh.hh"
 #include "surfmesh/control/node_interpolation.hh"
+#include "surfmesh/core/option_range.hh"
 #include "surfmesh/sampling/accurate_nodes.hh"
 #include "surfmesh/sizes/point_nodes.hh"
 #include "surfmesh/sizes/table_sizes.hh"
@@ -86,6 +87,7 @@ std::vector<ControlNode> sag_nodes(const TableSource& sag, const SizeField& fiel
 }  // namespace
 
 void check(const ControlOptions& options) {
+  check_option(ranges::kControl, options.kind);
   check(node_options(options));
   check(space_options(options));
 }

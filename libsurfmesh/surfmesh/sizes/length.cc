@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/option_range.hh"
 
 namespace surfmesh {
 namespace {
@@ -62,6 +63,10 @@ std::string percent_text(double share) {
 
 }  // namespace
 
+bool Length::is_legal() const {
+  return value >= 0 && std::isfinite(value) && !(is_relative && value > 1);
+}
+
 Length parse_length(std::string_view text) {
   std::string_view digits = without_blanks(text);
   const bool is_relative = digits.ends_with('%');
@@ -72,11 +77,28 @@ Length parse_length(std::string_view text) {
                 fmt::format("'{}' is no length: a number, or a share of the diagonal such as 0.1%",
                             text.substr(0, 40)));
   }
-  return {*value, is_relative};
+  return is_relative ? Length::share(*value) : Length::units(*value);
 }
 
 std::string to_text(const Length& length) {
   return length.is_relative ? percent_text(length.value) : fmt::format("{}", length.value);
+}
+
+bool LengthRange::contains(const std::optional<Length>& length) const {
+  return length ? length->is_legal() && length->value > 0 : can_be_off;
+}
+
+std::string to_text(const LengthRange& range) {
+  return fmt::format("{}a length above 0 in model units, or a share of the diagonal up to 100%",
+                     range.can_be_off ? "off, " : "");
+}
+
+std::string to_text(const std::optional<Length>& length) {
+  return length ? to_text(*length) : "off";
+}
+
+void check_option(const LengthRange& range, const std::optional<Length>& length) {
+  if (!range.contains(length)) fail_option(range.name, to_text(length), to_text(range));
 }
 
 }  // namespace surfmesh

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstddef>
 #include <set>
 
 #include "surfmesh/core/at_place.hh"
+#include "surfmesh/core/option_range.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/sizes/contour_curvature.hh"
 #include "surfmesh/sizes/features.hh"

@@ -3,36 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <string>
-#include <string_view>
-
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/option_range.hh"
 #include "surfmesh/sizes/length.hh"
 
 namespace surfmesh {
 namespace {
 
-void expect(bool is_good, std::string_view option, const std::string& value,
-            std::string_view range) {
-  if (is_good) return;
-  throw Error(ErrorCode::InvalidOption,
-              fmt::format("{} = {} is outside its range: {}", option, value, range));
-}
-
-void expect(bool is_good, std::string_view option, double value, std::string_view range) {
-  expect(is_good, option, fmt::format("{}", value), range);
-}
-
-double resolve(std::string_view option, const Length& length, double diagonal) {
-  const double units = length.in_units(diagonal);
-  expect(units > 0 && std::isfinite(units), option, to_text(length), "a length above 0");
-  return units;
-}
-
 SizeBounds resolve_bounds(const Sizing& sizing, double diagonal) {
-  const SizeBounds bounds{resolve("hmin", sizing.hmin, diagonal),
-                          resolve("hmax", sizing.hmax, diagonal), diagonal};
+  const SizeBounds bounds{sizing.hmin.in_units(diagonal), sizing.hmax.in_units(diagonal), diagonal};
   if (bounds.hmin <= bounds.hmax) return bounds;
   // Only the size of the model may tell.
   throw Error(ErrorCode::InvalidOption,
@@ -41,23 +20,24 @@ SizeBounds resolve_bounds(const Sizing& sizing, double diagonal) {
                           to_text(sizing.hmin), to_text(sizing.hmax), bounds.hmin, bounds.hmax));
 }
 
-void check_numbers(const Sizing& sizing) {
-  const auto is_from_zero = [](double x) { return x >= 0 && std::isfinite(x); };
-  const bool is_grade = sizing.grade == 0 || (sizing.grade >= 1 && std::isfinite(sizing.grade));
-  expect(is_from_zero(sizing.curvature_factor()), "curvature", sizing.curvature_factor(),
-         "0 (off) or above");
-  expect(sizing.stretch >= 1, "stretch", sizing.stretch, "1 or above");
-  expect(is_grade, "grade", sizing.grade, "0 (off), or 1 and above");
-  expect(is_from_zero(sizing.proximity), "proximity", sizing.proximity, "0 (off) or above");
+void check(const Sizing& sizing) {
+  check_option(ranges::kCurvature, sizing.curvature_factor());
+  check_option(ranges::kSag, sizing.sag);
+  check_option(ranges::kHmin, sizing.hmin);
+  check_option(ranges::kHmax, sizing.hmax);
+  check_option(ranges::kStretch, sizing.stretch);
+  check_option(ranges::kGrade, sizing.grade);
+  check_option(ranges::kProximity, sizing.proximity);
+  check_option(ranges::kCurvatureFrom, sizing.curvature_from);
 }
 
 }  // namespace
 
 ResolvedSizing resolve(const Sizing& sizing, double diagonal) {
-  check_numbers(sizing);
+  check(sizing);
   return {.bounds = resolve_bounds(sizing, diagonal),
           .curvature = sizing.curvature_factor(),
-          .sag = sizing.sag ? resolve("sag", *sizing.sag, diagonal) : 0,
+          .sag = sizing.sag ? sizing.sag->in_units(diagonal) : 0,
           .stretch = sizing.stretch,
           .grade = sizing.grade,
           .contour_curvature = sizing.contour_curvature,

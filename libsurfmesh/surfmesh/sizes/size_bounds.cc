@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/option_range.hh"
 #include "surfmesh/metric/size_tensor.hh"
 
 namespace surfmesh {
@@ -24,9 +25,10 @@ SizeTensor SizeBounds::clamp(const SizeTensor& size) const { return clamp_sizes(
 SizeLengths SizeBounds::lengths(const Size& size) const {
   const SizeLengths lengths{size.along.in_units(diagonal), size.across.in_units(diagonal)};
   const auto [along, across] = lengths;
-  if (!(along > 0 && across > 0 && std::isfinite(along) && std::isfinite(across))) {
+  if (!(along > 0 && across > 0 && size.along.is_legal() && size.across.is_legal())) {
     throw Error(ErrorCode::InvalidInput,
-                fmt::format("a size of [{}, {}] is not positive and finite", along, across));
+                fmt::format("a size of [{}, {}] is not positive and finite, or a share above 100%",
+                            to_text(size.along), to_text(size.across)));
   }
   if (!std::isfinite(size.angle)) {
     throw Error(ErrorCode::InvalidInput,
@@ -53,9 +55,10 @@ bool SizeBounds::changes(const Size& size) const {
 
 double SizeBounds::radius(const Length& length) const {
   const double radius = length.in_units(diagonal);
-  if (!(radius >= 0 && std::isfinite(radius))) {
+  if (!length.is_legal()) {
     throw Error(ErrorCode::InvalidInput,
-                fmt::format("a radius of {} is negative or not finite", radius));
+                fmt::format("a radius of {} is negative, not finite, or a share above 100%",
+                            to_text(length)));
   }
   return radius;
 }

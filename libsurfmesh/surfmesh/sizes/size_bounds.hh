@@ -23,7 +23,8 @@ struct SizeBounds {
   SizeTensor clamp(const SizeTensor& size) const;
 
   /// The lengths of a user's size in model units, as they are.
-  /// Throws   InvalidInput if a length is not positive and finite, or the angle not finite
+  /// Throws   InvalidInput if a length is not positive and finite or a share above 1, or the angle
+  /// not finite
   SizeLengths lengths(const Size& size) const;
 
   /// The same, clamped.
@@ -37,7 +38,7 @@ struct SizeBounds {
   bool changes(const Size& size) const;
 
   /// A radius in model units.
-  /// Throws   InvalidInput if it is negative or not finite
+  /// Throws   InvalidInput if it is negative, not finite or a share above 1
   double radius(const Length& length) const;
 };
 

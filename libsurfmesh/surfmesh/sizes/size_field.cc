@@ -9,6 +9,7 @@
 
 #include "surfmesh/control/node_interpolation.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/option_range.hh"
 #include "surfmesh/geometry/beside_pole.hh"
 #include "surfmesh/geometry/curvature.hh"
 #include "surfmesh/geometry/difference_surface.hh"

@@ -8,16 +8,9 @@
 
 #include "surfmesh/core/values.hh"
 #include "surfmesh/geometry/curve.hh"
+#include "surfmesh/sizes/length.hh"
 
 namespace surfmesh {
-
-/// A length in model units, or a share of the diagonal of the model's bounding box.
-struct Length {
-  double value = 0;
-  bool is_relative = false;
-
-  double in_units(double diagonal) const { return is_relative ? value * diagonal : value; }
-};
 
 /// Where the curvature of a surface comes from.
 enum class CurvatureFrom {
@@ -29,10 +22,10 @@ enum class CurvatureFrom {
 struct Sizing {
   /// Size = factor × radius of curvature; 0 is off. Unset: 0.25, and off where `sag` is given.
   std::optional<double> curvature = {};
-  Length hmin = {0.001, true};  ///< lower clamp of all sizes, above 0
-  Length hmax = {0.2, true};    ///< upper clamp of all sizes, at least hmin
-  double stretch = 2;           ///< greatest ratio of the two sizes from curvature, at least 1
-  double grade = 1.5;           ///< sizes grow by at most ln(grade) per unit of length; 0 is off
+  Length hmin = Length::share(0.001);  ///< lower clamp of all sizes, above 0
+  Length hmax = Length::share(0.2);    ///< upper clamp of all sizes, at least hmin
+  double stretch = 2;  ///< greatest ratio of the two sizes from curvature, at least 1
+  double grade = 1.5;  ///< sizes grow by at most ln(grade) per unit of length; 0 is off
   /// Sizes from the curvature of true boundaries, creases and trims; off without `curvature` and
   /// `sag`.
   bool contour_curvature = true;
@@ -46,11 +39,21 @@ struct Sizing {
   double curvature_factor() const { return curvature.value_or(sag ? 0 : 0.25); }
 };
 
+namespace ranges {
+
+inline constexpr LengthRange kSag = {"sag", true};
+inline constexpr LengthRange kHmin = {"hmin"};
+inline constexpr LengthRange kHmax = {"hmax"};
+
+}  // namespace ranges
+
 /// Wanted edge lengths: l_s along the first axis turned by `angle`, l_t across.
 struct Size {
   Length along;
   Length across;
   double angle = 0;  ///< radians, from the first tangent axis (along p_u)
+
+  static Size isotropic(Length length) { return {length, length}; }
 };
 
 /// What is wanted farther away: beyond `radius` of the source sizes change linearly to `size` over

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace surfmesh {
+
+/// The JSON schema of model files with the properties of its `sizing` and `options` made from the
+/// table of options; all else stays as it is.
+/// Throws   InvalidInput if the text is no such schema
+std::string schema_with_options(std::string_view schema);
+
+}  // namespace surfmesh

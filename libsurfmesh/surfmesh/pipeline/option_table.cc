@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/pipeline/option_table.hh"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <type_traits>
+
+#include "surfmesh/core/error.hh"
+#include "surfmesh/io/nearest_word.hh"
+#include "surfmesh/pipeline/set_option.hh"
+
+namespace surfmesh {
+namespace {
+
+using Options = PipelineOptions;
+
+/// Access to a member that is a number, a bool or an enum; `at` makes a reference to it.
+template <class At>
+constexpr NumberAccess number(const OptionRange& range, At) {
+  return {&range, [](const Options& options) { return static_cast<double>(At{}(options)); },
+          [](Options& options, double value) {
+            auto& member = At{}(options);
+            member = static_cast<std::remove_reference_t<decltype(member)>>(value);
+          }};
+}
+
+template <class At>
+constexpr LengthAccess length(const LengthRange& range, At) {
+  return {&range, [](const Options& options) -> std::optional<Length> { return At{}(options); },
+          [](Options& options, const std::optional<Length>& value) {
+            auto& member = At{}(options);
+            if constexpr (std::is_same_v<decltype(member), Length&>) {
+              member = value.value();
+            } else {
+              member = value;
+            }
+          }};
+}
+
+/// Its default depends on the sag.
+constexpr NumberAccess kCurvature = {
+    &ranges::kCurvature, [](const Options& options) { return options.sizing.curvature_factor(); },
+    [](Options& options, double value) { options.sizing.curvature = value; }};
+
+/// Not built yet: there is only off.
+constexpr NumberAccess kQuads = {&ranges::kQuads, [](const Options&) { return 0.0; },
+                                 [](Options&, double) {}};
+
+constexpr std::string_view kLengthUnit = "model units or % of the diagonal";
+constexpr OptionGroup kSizes = OptionGroup::Sizes;
+constexpr OptionGroup kControl = OptionGroup::ControlSpace;
+constexpr OptionGroup kMeshing = OptionGroup::Meshing;
+constexpr OptionGroup kCages = OptionGroup::Cages;
+
+constexpr auto kTable = std::to_array<Option>({
+    {kSizes, true, "", "size as a share of the radius of curvature; off beside sag", kCurvature},
+    {kSizes, true, kLengthUnit, "greatest distance between mesh and surface",
+     length(
+         ranges::kSag, [](auto& o) -> auto& { return o.sizing.sag; })},
+    {kSizes, true, kLengthUnit, "lower bound of all sizes",
+     length(
+         ranges::kHmin, [](auto& o) -> auto& { return o.sizing.hmin; })},
+    {kSizes, true, kLengthUnit, "upper bound of all sizes",
+     length(
+         ranges::kHmax, [](auto& o) -> auto& { return o.sizing.hmax; })},
+    {kSizes, true, "", "greatest ratio of the two sizes from curvature",
+     number(
+         ranges::kStretch, [](auto& o) -> auto& { return o.sizing.stretch; })},
+    {kSizes, true, "", "growth of sizes: by at most its logarithm per unit of length",
+     number(
+         ranges::kGrade, [](auto& o) -> auto& { return o.sizing.grade; })},
+    {kSizes, false, "",
+     "sizes from the curvature of boundaries, creases and trims; off without curvature and sag",
+     number(
+         ranges::kContourCurvature, [](auto& o) -> auto& { return o.sizing.contour_curvature; })},
+    {kSizes, true, "elements", "elements wanted across a gap between two parts of a boundary",
+     number(
+         ranges::kProximity, [](auto& o) -> auto& { return o.sizing.proximity; })},
+    {kSizes, false, "", "finer sizes near short contours",
+     number(
+         ranges::kFeatures, [](auto& o) -> auto& { return o.sizing.features; })},
+    {kSizes, false, "", "source of curvature: second derivatives, or differences of positions",
+     number(
+         ranges::kCurvatureFrom, [](auto& o) -> auto& { return o.sizing.curvature_from; })},
+    {kControl, true, "nodes", "control nodes: chosen to the precision, or so many regular ones",
+     number(
+         ranges::kNodes, [](auto& o) -> auto& { return o.control.regular_nodes; })},
+    {kControl, true, "", "conformity of the control space with the sizes asked for",
+     number(
+         ranges::kPrecision, [](auto& o) -> auto& { return o.control.precision; })},
+    {kControl, false, "", "control space: a triangulation of the control nodes, or a regular grid",
+     number(
+         ranges::kControl, [](auto& o) -> auto& { return o.control.kind; })},
+    {kControl, false, "",
+     "interpolation of sizes: linear in a triangle of nodes, or by distance from one node (s), "
+     "its triangle (t), all circumcircles (o), or the cheapest that agrees with o (auto)",
+     number(
+         ranges::kInterpolation, [](auto& o) -> auto& { return o.control.interpolation; })},
+    {kControl, false, "", "conformity with o below which interpolation auto takes a cheaper one",
+     number(
+         ranges::kEpsilon, [](auto& o) -> auto& { return o.control.epsilon; })},
+    {kControl, false, "", "averages of lengths, or of their logarithms",
+     number(
+         ranges::kBlend, [](auto& o) -> auto& { return o.control.blend; })},
+    {kControl, false, "",
+     "reach of a size with a radius: its whole disc, or only the triangles at its node",
+     number(
+         ranges::kLookup, [](auto& o) -> auto& { return o.control.lookup; })},
+    {kControl, false, "", "more control nodes, for the shape of the control triangles",
+     number(
+         ranges::kInnerNodes, [](auto& o) -> auto& { return o.control.inner_nodes; })},
+    {kControl, false, "", "metric distance within which the last sizes are used again",
+     number(
+         ranges::kReuse, [](auto& o) -> auto& { return o.control.reuse; })},
+    {kMeshing, true, "", "place of new nodes: at the front, or at circumcentres",
+     number(
+         ranges::kPlacement, [](auto& o) -> auto& { return o.refine.placement; })},
+    {kMeshing, false, "", "connection of new nodes: by their cavity, or by edge swaps",
+     number(
+         ranges::kKernel, [](auto& o) -> auto& { return o.refine.kernel; })},
+    {kMeshing, true, "sweeps", "smoothing sweeps over the inner nodes; best is 2",
+     number(
+         ranges::kSmoothing, [](auto& o) -> auto& { return o.improve.sweeps; })},
+    {kMeshing, false, "passes",
+     "most passes over bad triangles, after edges far too short or long are collapsed or split",
+     number(
+         ranges::kRepairs, [](auto& o) -> auto& { return o.improve.repairs; })},
+    {kCages, true, "", "patches of a cage: its faces, or blocks of quads (auto: blocks)",
+     number(
+         ranges::kPatches, [](auto& o) -> auto& { return o.patches; })},
+    {kMeshing, false, "", "quads in place of triangles, not built yet", kQuads},
+    {kMeshing, true, "threads",
+     "threads; all is one for each core, and the mesh is always the same",
+     number(
+         ranges::kThreads, [](auto& o) -> auto& { return o.threads; })},
+    {kMeshing, true, "triangles", "triangles above which the run ends with an error",
+     number(
+         ranges::kMaxElements, [](auto& o) -> auto& { return o.max_elements; })},
+});
+
+}  // namespace
+
+std::string_view Option::name() const {
+  return std::visit([](const auto& a) { return a.range->name; }, access);
+}
+
+std::string Option::range_text() const {
+  return std::visit([](const auto& a) { return to_text(*a.range); }, access);
+}
+
+std::vector<std::string_view> Option::words() const {
+  std::vector<std::string_view> result;
+  if (const auto* number = std::get_if<NumberAccess>(&access)) {
+    for (const OptionWord& word : number->range->words) {
+      if (word.use != WordUse::Planned) result.push_back(word.word);
+    }
+  } else if (std::get<LengthAccess>(access).range->can_be_off) {
+    result.push_back("off");
+  }
+  return result;
+}
+
+std::string Option::value_text(const PipelineOptions& options) const {
+  if (const auto* number = std::get_if<NumberAccess>(&access)) {
+    return to_text(*number->range, number->get(options));
+  }
+  return to_text(std::get<LengthAccess>(access).get(options));
+}
+
+std::span<const Option> option_table() { return kTable; }
+
+const Option& find_option(std::string_view name) {
+  const auto found = std::find_if(kTable.begin(), kTable.end(),
+                                  [name](const Option& option) { return option.name() == name; });
+  if (found != kTable.end()) return *found;
+  const std::string front = fmt::format("there is no option '{}'", name.substr(0, kLongestQuote));
+  if (const auto near = nearest_word(name, option_names())) {
+    throw Error(ErrorCode::InvalidOption, fmt::format("{}; did you mean {}?", front, *near));
+  }
+  throw Error(ErrorCode::InvalidOption,
+              fmt::format("{}; there are {}", front, fmt::join(option_names(), ", ")));
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The law of options: each of them changes a result, or is refused. One that is silently ignored
+// fails here, and so does one that is new in the table and has no case.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "support/errors.hh"
+#include "surfmesh/pipeline/load_model.hh"
+#include "surfmesh/pipeline/mesh_model.hh"
+#include "surfmesh/pipeline/option_table.hh"
+#include "surfmesh/pipeline/set_option.hh"
+
+namespace surfmesh {
+namespace {
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+/// A value other than the default, and the model and other settings with which it has an effect.
+struct Case {
+  std::string value;
+  std::string model = "torus.json";
+  Settings others = {};
+};
+
+const std::map<std::string_view, Case> kCases = {
+    {"curvature", {"0.5"}},
+    {"sag", {"1%"}},
+    {"hmin", {"10%"}},
+    {"hmax", {"3%"}},
+    {"stretch", {"1"}},
+    {"grade", {"1.05", "plate.json"}},
+    {"contour_curvature", {"off", "window.json"}},
+    {"proximity", {"3", "window.json"}},
+    {"features",
+     {"off",
+      "window.json",
+      {{"proximity", "off"},
+       {"contour_curvature", "off"},
+       {"curvature", "off"},
+       {"hmax", "100%"}}}},
+    {"curvature_from", {"differences"}},
+    {"nodes", {"100"}},
+    {"precision", {"0.5", "wave.json"}},
+    {"control", {"grid"}},
+    {"interpolation", {"t"}},
+    {"epsilon", {"0.9", "wave.json", {{"interpolation", "auto"}}}},
+    {"blend", {"log"}},
+    {"lookup", {"vertices", "sizes.json"}},
+    {"inner_nodes", {"on", "wave.json"}},
+    {"reuse", {"0.5"}},
+    {"placement", {"circumcentre"}},
+    {"kernel", {"swap"}},
+    {"smoothing", {"off"}},
+    {"repairs", {"off"}},
+    {"patches", {"faces", "torus.obj"}},
+    {"quads", {"on"}},
+    {"threads", {"1"}},
+    {"max_elements", {"10"}},
+};
+
+/// Where all triangles are, or the error.
+std::string outcome(const Case& example, const Settings& settings) {
+  std::vector<double> result;
+  const std::string error = error_of([&] {
+    PipelineOptions asked;
+    for (const auto& [name, value] : settings) set_option(asked, name, value);
+    const auto path = std::filesystem::path(SURFMESH_SOURCE_DIR) / "models" / example.model;
+    ModelInput input = load_model(path, {.patches = asked.patches});
+    for (const auto& [name, value] : settings) set_option(input.options, name, value);
+    const auto meshed = mesh_model(input.model, input.sources, input.options);
+    for (const auto face : meshed.mesh.faces()) {
+      for (const auto vertex : face.vertices()) {
+        const auto& point = meshed.mesh.point(vertex);
+        result.insert(result.end(), {point[0], point[1], point[2]});
+      }
+    }
+  });
+  return error +
+         std::string(reinterpret_cast<const char*>(result.data()), result.size() * sizeof(double));
+}
+
+class OptionEffect : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(OptionEffect, IsThere) {
+  const auto found = kCases.find(GetParam());
+  ASSERT_NE(found, kCases.end()) << "a new option needs a case here";
+  const Case& example = found->second;
+  Settings settings = example.others;
+  const std::string before = outcome(example, settings);
+  settings.emplace_back(GetParam(), example.value);
+  const bool is_same = outcome(example, settings) == before;
+  // The mesh must not depend on the number of threads.
+  EXPECT_EQ(is_same, GetParam() == "threads");
+}
+
+std::vector<std::string> names() { return {option_names().begin(), option_names().end()}; }
+
+INSTANTIATE_TEST_SUITE_P(OfEachOption, OptionEffect, ::testing::ValuesIn(names()),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace surfmesh
