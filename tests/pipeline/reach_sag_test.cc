@@ -72,7 +72,7 @@ TEST(ReachSag, IsReportedAndSoAreTheSizesThatHold) {
   EXPECT_GT(*result.report.sag.reached, 0.01);
   EXPECT_LE(*result.report.sag.reached, 0.02);
   EXPECT_EQ(to_text(get_option(result.report.options, "sag")), "0.02");
-  EXPECT_EQ(to_text(get_option(result.report.options, "curvature")), "0");
+  EXPECT_EQ(to_text(get_option(result.report.options, "curvature")), "off");
 }
 
 TEST(ReachSag, IsNotMeasuredWhereItIsNotAskedFor) {

@@ -8,7 +8,7 @@
 #include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/core/validate.hh"
 #include "surfmesh/formats/read_cage.hh"
-#include "surfmesh/model_file/read_model.hh"
+#include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 
 namespace surfmesh {
@@ -106,10 +106,8 @@ INSTANTIATE_TEST_SUITE_P(Cages, SmallSharedCage,
 TEST(SharedCaseC2, ReachesItsFigures) {
   const auto path = kShared / "bench" / "c2.json";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no model " << path;
-  const ModelFile file = read_model(path);
-  PipelineOptions options;
-  options.sizing = file.sizing;
-  const Report report = mesh_model(model_from_patches(file.patches), file.sources, options).report;
+  const ModelInput input = load_model(path);
+  const Report report = mesh_model(input.model, input.sources, input.options).report;
   EXPECT_NEAR(static_cast<double>(report.mesh.triangles), 42'000, 0.08 * 42'000);
   EXPECT_GE(report.edges.unit_fraction, 0.98);
   EXPECT_GE(report.quality.mean, 0.93);

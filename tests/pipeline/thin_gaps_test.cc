@@ -70,7 +70,7 @@ TEST(ThinGaps, GetTheRowsAskedForWhateverHmax) {
     const double predicted = 0.5 * std::numbers::sqrt3 * rows * rows * 2 * std::numbers::pi / width;
     for (const double hmax : {0.06, 0.2, 1.0}) {
       PipelineOptions options;
-      options.sizing = {.hmax = {hmax, false}, .proximity = rows};
+      options.sizing = {.hmax = Length::units(hmax), .proximity = rows};
       const MeshResult result = mesh_model(input.model, {}, options);
       const auto count = static_cast<double>(result.report.mesh.triangles);
       EXPECT_NEAR(count, predicted, 0.05 * predicted) << rows << " " << hmax;
@@ -112,7 +112,7 @@ TEST_P(ThinGapShapes, GiveValidMeshesAtCoarseSizes) {
       SCOPED_TRACE(size);
       PipelineOptions options;
       options.sizing = {.curvature = 0,
-                        .hmin = {is_gap_seen ? 0.02 : 1e-4, false},
+                        .hmin = Length::units(is_gap_seen ? 0.02 : 1e-4),
                         .hmax = Length::units(size),
                         .contour_curvature = is_gap_seen,
                         .proximity = is_gap_seen ? 0.1 : 0.0,

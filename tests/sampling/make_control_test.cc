@@ -294,7 +294,7 @@ TEST(MakeControl, RefusesMoreNodesThanItCanHold) {
   const auto surface = plane();
   const std::string error = error_of(
       [&] { control_of(surface, sizing_of(0.25, 0.01, 1, 2), {}, {.regular_nodes = 2147483647}); });
-  EXPECT_EQ(error.rfind(name(ErrorCode::Limit), 0), 0U) << error;
+  EXPECT_EQ(error.rfind(name(ErrorCode::InvalidOption), 0), 0U) << error;
 }
 
 TEST(MakeControl, IsDeterministic) {

@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"MissingKey", "a.json", patch("\"x\": \"u\""),
                  "a.json: /patches/0/surface/z: this key is missing"},
         BadInput{"SizeZero", "a.json", patch("\"z\": \"0\"", "", "", R"("sizing": {"hmax": 0})"),
-                 "a.json: /sizing/hmax: must be above 0"},
+                 "a.json: /sizing/hmax: hmax = 0 is outside its range: "},
         BadInput{"SizeNegative", "a.json",
                  patch("\"z\": \"0\"", "", R"(, "sources": [{"everywhere": true, "size": -1}])"),
                  "a.json: /patches/0/sources/0/size: must be above 0"},
@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "'\"hmax\": N'"},
         BadInput{"HminAboveHmax", "a.json",
                  patch("\"z\": \"0\"", "", "", R"("sizing": {"hmin": 2, "hmax": 1})"),
-                 "a.json: /sizing/hmax: hmin must not be above hmax"}),
+                 "a.json: /sizing/hmax: hmin = 2 must not be above hmax = 1"}),
     fact_of);
 
 INSTANTIATE_TEST_SUITE_P(

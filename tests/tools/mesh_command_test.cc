@@ -204,7 +204,7 @@ TEST_F(MeshProgram, ReachesTheSag) {
   EXPECT_EQ(mesh("knob.obj", "--sag 0.2% --report report.json"), 0) << err_;
   const Json sag = report()["sag"];
   EXPECT_LE(sag["reached"].get<double>(), sag["asked"].get<double>());
-  EXPECT_EQ(report()["options"]["curvature"], 0);
+  EXPECT_EQ(report()["options"]["curvature"], "off");
   EXPECT_NE(out_.find("sag"), std::string::npos);
 }
 
@@ -219,7 +219,7 @@ TEST_F(MeshProgram, BeatsTheModelFileByTheCommandLine) {
   const Json options = report()["options"];
   EXPECT_EQ(options["hmax"], "0.3");
   EXPECT_EQ(options["grade"], 1.2);
-  EXPECT_EQ(options["curvature"], 0);
+  EXPECT_EQ(options["curvature"], "off");
 }
 
 TEST_F(MeshProgram, TakesTheOptionsOfTheControlSpace) {
