@@ -88,7 +88,7 @@ FaceList faces_of(const std::vector<std::vector<int>>& faces) {
 TEST(BuildFaces, GluesPolygonsAndKeepsTheirFirstVertices) {
   const std::vector<std::vector<int>> faces = {{0, 1, 2, 3}, {1, 4, 2}, {3, 2, 4, 5, 6}};
   PolyMesh mesh;
-  build_faces(mesh, 7, faces_of(faces));
+  build_faces(mesh, 7, faces_of(faces), FirstSide::ToFirstCorner);
   EXPECT_EQ(mesh.n_edges(), 9u);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     std::vector<int> vertices;
@@ -103,7 +103,8 @@ TEST(BuildFaces, GluesPolygonsAndKeepsTheirFirstVertices) {
 TEST(BuildFaces, GivesTheTrianglesOfBuildTriangles) {
   PolyMesh a, b;
   build_triangles(a, 5, kFan);
-  build_faces(b, 5, faces_of({{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}));
+  build_faces(b, 5, faces_of({{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}),
+              FirstSide::ToFirstCorner);
   EXPECT_EQ(triangles_of(a), triangles_of(b));
   for (std::size_t i = 0; i < a.n_halfedges(); ++i) {
     const HalfedgeHandle heh(static_cast<int>(i));
@@ -112,9 +113,37 @@ TEST(BuildFaces, GivesTheTrianglesOfBuildTriangles) {
   }
 }
 
+TEST(BuildFaces, BeginsAtTheFirstCornerIfAsked) {
+  for (const auto& faces : {std::vector<std::vector<int>>{{0, 1, 2, 3}, {1, 4, 2}},
+                            std::vector<std::vector<int>>{{0, 1, 2}, {1, 4, 2}}}) {
+    PolyMesh mesh;
+    build_faces(mesh, 5, faces_of(faces), FirstSide::FromFirstCorner);
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const HalfedgeHandle heh = mesh.halfedge_handle(FaceHandle(static_cast<int>(f)));
+      EXPECT_EQ(mesh.from_vertex_handle(heh).idx(), faces[f][0]);
+      EXPECT_EQ(mesh.to_vertex_handle(heh).idx(), faces[f][1]);
+    }
+  }
+}
+
+TEST(BuildFaces, GluesTwinsOfPolygonsAsTheirVerticesWould) {
+  // Corners 1 and 6: the side from 1 to 2 of the quad, that from 2 to 1 of the triangle.
+  const FaceList faces = faces_of({{0, 1, 2, 3}, {1, 4, 2}});
+  const std::vector<int> twins = {-1, 6, -1, -1, -1, -1, 1};
+  PolyMesh by_vertices, by_twins;
+  build_faces(by_vertices, 5, faces, FirstSide::FromFirstCorner);
+  build_faces(by_twins, 5, faces, FirstSide::FromFirstCorner, twins);
+  EXPECT_EQ(by_twins.n_edges(), by_vertices.n_edges());
+  EXPECT_TRUE(by_twins.find_halfedge(VertexHandle(1), VertexHandle(2)).is_valid());
+  EXPECT_FALSE(by_twins.is_boundary(
+      by_twins.edge_handle(by_twins.find_halfedge(VertexHandle(1), VertexHandle(2)))));
+  expect_linked(by_twins);
+}
+
 TEST(BuildFaces, DuplicatesAVertexInWhichFacesTouch) {
   PolyMesh mesh;
-  const Separation separation = build_faces(mesh, 7, faces_of({{0, 1, 2, 3}, {2, 4, 5, 6}}));
+  const Separation separation =
+      build_faces(mesh, 7, faces_of({{0, 1, 2, 3}, {2, 4, 5, 6}}), FirstSide::ToFirstCorner);
   EXPECT_EQ(separation.copied, std::vector<int>{2});
   EXPECT_EQ(separation.cut_edges, 0u);
   EXPECT_EQ(mesh.n_vertices(), 8u);
@@ -124,8 +153,8 @@ TEST(BuildFaces, DuplicatesAVertexInWhichFacesTouch) {
 
 TEST(BuildFaces, CutsSheetsThatMeetInOneEdge) {
   PolyMesh mesh;
-  const Separation separation =
-      build_faces(mesh, 8, faces_of({{0, 1, 2, 3}, {1, 0, 4, 5}, {0, 1, 6, 7}}));
+  const Separation separation = build_faces(
+      mesh, 8, faces_of({{0, 1, 2, 3}, {1, 0, 4, 5}, {0, 1, 6, 7}}), FirstSide::ToFirstCorner);
   EXPECT_EQ(separation.cut_edges, 3u);
   EXPECT_EQ(separation.copied, (std::vector<int>{1, 0, 0, 1}));
   expect_linked(mesh);

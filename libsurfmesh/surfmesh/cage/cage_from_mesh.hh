@@ -15,6 +15,7 @@
 
 #include "surfmesh/cage/cage.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/mesh.hh"
 
 namespace surfmesh {
 
