@@ -26,7 +26,7 @@ constexpr const char* kFooter =
     "  that are not where their (u,v) are), open_edge and closed_edge (not as in the model),\n"
     "  components, euler (other numbers than the model's); duplicate_vertex then leaves out where\n"
     "  the model has to be cut\n"
-    "Keys of the JSON text: mesh, model, clean, faults, warnings, counts, open_edges, closed,\n"
+    "Keys of the JSON text: mesh, model, clean, faults, notices, counts, open_edges, closed,\n"
     "  manifold, oriented, angles (degrees), edge_lengths, shape, fit (null without --model)\n"
     "Example:\n  surfmesh check knob.om --model knob.obj --json\n";
 
@@ -67,16 +67,13 @@ int CheckCommand::check() const {
   check.mesh = mesh_;
   check.model = model_;
   if (!model_.empty()) {
-    const auto& warnings = input.model.warnings;
-    check.warnings.insert(check.warnings.end(), warnings.begin(), warnings.end());
+    append(input.model.notices, check.notices);
     // Read again: this is the mesh as it was mended, with all that the format knows of its corners.
     MeshFile mesh = read_mesh(mesh_);
     add_fit(check, measure_fit(mesh, input));
   }
   fmt::print("{}", is_json_ ? to_json(check) : to_text(check));
-  for (const std::string& warning : check.warnings) {
-    fmt::print(stderr, "surfmesh: warning: {}\n", warning);
-  }
+  print_notices(check.notices);
   for (const MeshFault& fault : check.faults) {
     fmt::print(stderr, "surfmesh: fault: {}: {}, the first: {}\n", fault.kind, fault.count,
                fault.places.front());

@@ -76,13 +76,10 @@ int ControlCommand::write_control_meshes(Progress& progress) const {
     triangles += picture.mesh->n_faces();
   }
   if (!is_quiet_) fmt::print("{}: {} nodes, {} triangles\n", output_, nodes, triangles);
-  std::vector<std::string> warnings = input.model.warnings;
-  warnings.insert(warnings.end(), control.warnings.begin(), control.warnings.end());
-  for (const std::string& text : warnings) fmt::print(stderr, "surfmesh: warning: {}\n", text);
-  for (const std::string& text : control.shortfalls) {
-    fmt::print(stderr, "surfmesh: not reached: {}\n", text);
-  }
-  return control.shortfalls.empty() ? kDone : kFellShort;
+  Notices notices = input.model.notices;
+  append(control.notices, notices);
+  print_notices(notices);
+  return has_shortfall(notices) ? kFellShort : kDone;
 }
 
 int ControlCommand::run() const {

@@ -45,9 +45,7 @@ void ConvertCommand::convert() const {
   if (!is_quiet_) {
     fmt::print("{}: {} vertices, {} faces\n", output_, file.mesh.n_vertices(), file.mesh.n_faces());
   }
-  for (const std::string& warning : file.warnings) {
-    fmt::print(stderr, "surfmesh: warning: {}\n", warning);
-  }
+  print_notices(file.notices);
   for (const std::string& lost : what_is_lost(file.mesh, output_, file.names)) {
     fmt::print(stderr, "surfmesh: warning: {} does not hold {}\n", output_, lost);
   }

@@ -92,16 +92,11 @@ class MeshRun {
   double read_seconds_ = 0;
 };
 
-void print_messages(const Report& report) {
-  for (const std::string& text : report.warnings) {
-    fmt::print(stderr, "surfmesh: warning: {}\n", text);
-  }
-  for (const std::string& text : report.shortfalls) {
-    fmt::print(stderr, "surfmesh: not reached: {}\n", text);
-  }
-}
-
 }  // namespace
+
+void print_notices(const Notices& notices) {
+  for (const std::string& line : lines_of(notices)) fmt::print(stderr, "surfmesh: {}\n", line);
+}
 
 int tell_failure(const std::exception& error, Progress& progress) {
   progress.clear();
@@ -152,8 +147,8 @@ int MeshCommand::run() const {
     run.write(output_, report_);
     progress.clear();
     if (!is_quiet_) fmt::print("{}", to_text(run.report()));
-    print_messages(run.report());
-    return run.report().shortfalls.empty() ? kDone : kFellShort;
+    print_notices(run.report().notices);
+    return has_shortfall(run.report().notices) ? kFellShort : kDone;
   } catch (const std::exception& error) {
     return tell_failure(error, progress);
   }

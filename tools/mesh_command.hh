@@ -8,6 +8,7 @@
 #include "progress.hh"
 #include "settings.hh"
 #include "surfmesh/cage/cage.hh"
+#include "surfmesh/core/notice.hh"
 
 namespace surfmesh {
 
@@ -23,6 +24,9 @@ enum ExitStatus : int {
 /// Tell on stderr why a command ends without its result: an error, or a signal that stopped it.
 /// Returns an exit status.
 int tell_failure(const std::exception& error, Progress& progress);
+
+/// Print notices on stderr, the first few of each kind.
+void print_notices(const Notices& notices);
 
 /// `surfmesh mesh`: read a cage or a model file, mesh it, write the mesh and the report.
 class MeshCommand {

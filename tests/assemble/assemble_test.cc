@@ -11,6 +11,7 @@
 #include "support/assembled.hh"
 #include "support/expect_valid.hh"
 #include "support/models.hh"
+#include "support/notices.hh"
 #include "surfmesh/core/properties.hh"
 
 namespace surfmesh {
@@ -75,7 +76,7 @@ TEST_P(AnySize, MakesAProperMesh) {
   EXPECT_EQ(topology.is_closed, std::get<0>(GetParam()).is_closed);
   EXPECT_EQ(topology.components, 1u);
   EXPECT_EQ(topology.split_vertices, 0u);
-  EXPECT_TRUE(assembled_.report.warnings.empty());
+  EXPECT_TRUE(texts_of(assembled_.report.notices, Severity::Warning).empty());
 }
 
 TEST_P(AnySize, GivesCornersTheParametersOfTheirPlace) {
@@ -178,8 +179,9 @@ TEST(Assemble, CutsAMobiusBandWithAWarning) {
   const Assembled result = assemble_with_size(testing::mobius_band(), 0.1);
   testing::expect_valid(result.mesh);
   EXPECT_EQ(measure_topology(result.mesh).euler, 1);
-  ASSERT_EQ(result.report.warnings.size(), 1u);
-  EXPECT_NE(result.report.warnings[0].find("cannot be oriented"), std::string::npos);
+  ASSERT_EQ(texts_of(result.report.notices, Severity::Warning).size(), 1u);
+  EXPECT_NE(texts_of(result.report.notices, Severity::Warning)[0].find("cannot be oriented"),
+            std::string::npos);
 }
 
 /// How many vertices lie at each position, for positions with more than one.
@@ -206,7 +208,7 @@ TEST(Assemble, CutsAnEdgeOfThreePatchesAtEqualPositions) {
   testing::expect_valid(result.mesh);
   EXPECT_EQ(measure_topology(result.mesh).components, 3u);
   EXPECT_EQ(repeated_positions(result.mesh), std::vector<std::size_t>(11, 3));
-  EXPECT_EQ(result.report.warnings.size(), 1u);
+  EXPECT_EQ(texts_of(result.report.notices, Severity::Warning).size(), 1u);
 }
 
 TEST(Assemble, TakesApartPatchesThatMeetInAVertexOnlyWithAWarning) {
@@ -216,10 +218,11 @@ TEST(Assemble, TakesApartPatchesThatMeetInAVertexOnlyWithAWarning) {
                          0.2);
   testing::expect_valid(result.mesh);
   EXPECT_EQ(repeated_positions(result.mesh), std::vector<std::size_t>{2});
-  ASSERT_EQ(result.report.warnings.size(), 1u);
-  EXPECT_NE(result.report.warnings[0].find("in a point only: 1, the first at (1, 1, 0)"),
+  ASSERT_EQ(texts_of(result.report.notices, Severity::Warning).size(), 1u);
+  EXPECT_NE(texts_of(result.report.notices, Severity::Warning)[0].find(
+                "in a point only: 1, the first at (1, 1, 0)"),
             std::string::npos)
-      << result.report.warnings[0];
+      << texts_of(result.report.notices, Severity::Warning)[0];
 }
 
 TEST(Assemble, HasNoVertexWithoutATriangle) {

@@ -7,6 +7,7 @@
 
 #include "cage/cages.hh"
 #include "support/errors.hh"
+#include "support/notices.hh"
 #include "surfmesh/cage/refine_cage.hh"
 #include "surfmesh/core/error.hh"
 
@@ -187,22 +188,22 @@ TEST(CageModel, WarnsOfTagsThatMakeNoSense) {
   EXPECT_EQ(::testing::internal::GetCapturedStdout(), "") << "the library does not print";
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
   EXPECT_EQ(model.patches.size(), 6u);
-  ASSERT_EQ(model.warnings.size(), 7u);
-  EXPECT_EQ(model.warnings[0],
+  ASSERT_EQ(texts_of(model.notices).size(), 7u);
+  EXPECT_EQ(texts_of(model.notices)[0],
             "a crease names the edge of vertices 0 and 7, which no face has; the tag is ignored");
   cage = testing::pentagon_prism();
   cage.creases = {{{0, 7}, 3}};
-  EXPECT_EQ(model_from_cage(cage).warnings.size(), 1u);
+  EXPECT_EQ(texts_of(model_from_cage(cage).notices).size(), 1u);
 }
 
 TEST(CageModel, WarnsOfGapsAtChaikinCreases) {
   Cage cage = testing::cube();
   cage.creases = {{{0, 1}, 5}, {{1, 3}, 1}, {{0, 2}, 1}, {{4, 5}, 5}, {{5, 7}, 2}};
-  EXPECT_TRUE(model_from_cage(cage).warnings.empty());
+  EXPECT_TRUE(texts_of(model_from_cage(cage).notices).empty());
   cage.is_chaikin = true;
-  EXPECT_EQ(model_from_cage(cage).warnings.size(), 1u);
+  EXPECT_EQ(texts_of(model_from_cage(cage).notices).size(), 1u);
   cage.creases.clear();
-  EXPECT_TRUE(model_from_cage(cage).warnings.empty());
+  EXPECT_TRUE(texts_of(model_from_cage(cage).notices).empty());
 }
 
 // --- blocks ---

@@ -7,6 +7,8 @@
 #include "surfmesh/cage/refine_cage.hh"
 #include "surfmesh/core/error.hh"
 
+#include "support/notices.hh"
+
 namespace surfmesh {
 namespace {
 
@@ -68,7 +70,7 @@ TEST(MakeRegular, LeavesOutSidesThatArePointsForLoop) {
   Cage cage = testing::tetrahedron();
   cage.faces[1].push_back(cage.faces[1].back());
   const RefinedCage regular = make_regular(cage, Scheme::Loop);
-  EXPECT_EQ(regular.warnings.size(), 1u);
+  EXPECT_EQ(texts_of(regular.notices).size(), 1u);
   EXPECT_EQ(regular.cage.faces, testing::tetrahedron().faces);
 }
 
@@ -80,7 +82,7 @@ TEST(MakeRegular, LeavesOutFacesThatAreNotSimple) {
   cage.groups = {{"all", {0, 1, 2, 3, 4, 5, 6, 7}}};
   const RefinedCage regular = make_regular(cage, Scheme::CatmullClark);
   EXPECT_TRUE(regular.is_refined);
-  EXPECT_EQ(regular.warnings.size(), 2u);
+  EXPECT_EQ(texts_of(regular.notices).size(), 2u);
   EXPECT_EQ(regular.cage.faces.size(), 33u);
   EXPECT_EQ(regular.parent_faces[5], 2);
   EXPECT_EQ(regular.parent_faces.back(), 8);

@@ -4,6 +4,7 @@
 #include "formats/example_meshes.hh"
 #include "support/errors.hh"
 #include "support/folders.hh"
+#include "support/notices.hh"
 #include "surfmesh/formats/ply_file.hh"
 #include "surfmesh/formats/read_cage.hh"
 #include "surfmesh/formats/read_mesh.hh"
@@ -33,7 +34,7 @@ TEST_P(GroupsRoundTrip, GivesTheSameNamesAndGroups) {
   const MeshFile read = read_mesh(path);
   EXPECT_EQ(read.names, kNames);
   EXPECT_EQ(mesh_arrays(read.mesh).patches, mesh_arrays(mesh).patches);
-  EXPECT_TRUE(read.warnings.empty());
+  EXPECT_TRUE(texts_of(read.notices).empty());
   EXPECT_TRUE(what_is_lost(mesh, path, kNames).empty());
   write_mesh(read.mesh, folder / ("b" + GetParam()), read.names);
   EXPECT_EQ(read_text(path), read_text(folder / ("b" + GetParam())));

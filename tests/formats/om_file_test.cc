@@ -7,6 +7,7 @@
 #include "formats/example_meshes.hh"
 #include "support/errors.hh"
 #include "support/folders.hh"
+#include "support/notices.hh"
 #include "surfmesh/formats/om_file.hh"
 #include "surfmesh/formats/write_mesh.hh"
 
@@ -83,7 +84,7 @@ TEST(OmFile, KeepsNamesAndGroupsOfPatches) {
   const MeshFile read = read_mesh(folder / "a.om");
   EXPECT_EQ(read.names, kNames);
   EXPECT_TRUE(is_same_property(mesh, read.mesh, keys::corner_metric));
-  EXPECT_TRUE(read.warnings.empty());
+  EXPECT_TRUE(texts_of(read.notices).empty());
 }
 
 /// Files of before there were names in them, and programs that do not know of these.

@@ -12,6 +12,7 @@
 #include "formats/example_meshes.hh"
 #include "support/errors.hh"
 #include "support/folders.hh"
+#include "support/notices.hh"
 #include "surfmesh/formats/write_mesh.hh"
 
 namespace surfmesh {
@@ -44,7 +45,7 @@ TEST(PlyFile, IsReadFromText) {
   EXPECT_EQ(file.mesh.faces[0].size(), 4u);
   EXPECT_EQ(file.mesh.patches, (std::vector<int>{1, -1}));
   EXPECT_EQ(file.mesh.names.patches, (std::vector<std::string>{"", "the wing"}));
-  EXPECT_TRUE(file.warnings.empty());
+  EXPECT_TRUE(texts_of(file.notices).empty());
 }
 
 template <class Number>
@@ -180,10 +181,10 @@ TEST(PlyFile, TellsFaultsOfTheBody) {
 }
 
 TEST(PlyFile, WarnsOfWhatComesAfterTheEnd) {
-  EXPECT_EQ(parse_ply(kText + "8\n", "a.ply").warnings.size(), 1u);
+  EXPECT_EQ(texts_of(parse_ply(kText + "8\n", "a.ply").notices).size(), 1u);
   const std::string bytes =
       triangle<float, std::uint8_t, std::int32_t>("float", "uchar", "int", std::endian::little);
-  EXPECT_EQ(parse_ply(bytes + "xy", "a.ply").warnings,
+  EXPECT_EQ(texts_of(parse_ply(bytes + "xy", "a.ply").notices),
             std::vector<std::string>{"a.ply: 2 bytes after the last element are ignored"});
 }
 

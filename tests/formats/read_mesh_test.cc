@@ -10,6 +10,7 @@
 #include "support/errors.hh"
 #include "support/expect_valid.hh"
 #include "support/folders.hh"
+#include "support/notices.hh"
 #include "surfmesh/formats/write_mesh.hh"
 
 namespace surfmesh {
@@ -52,7 +53,7 @@ TEST_P(MeshRoundTrip, GivesTheSameMeshBitForBit) {
   write_mesh(mesh, path, {{"one", "two", "three"}, {}});
   const MeshFile read = read_mesh(path);
   expect_same(mesh, read.mesh, GetParam() != ".off");
-  EXPECT_TRUE(read.warnings.empty());
+  EXPECT_TRUE(texts_of(read.notices).empty());
   const bool has_names = GetParam() != ".off";
   EXPECT_EQ(read.names.patches, has_names ? Names({"one", "two", "three"}) : Names());
 }
@@ -106,7 +107,7 @@ TEST(ReadMesh, TakesTheLastOfSeveralGroupsForThePatch) {
   EXPECT_EQ(read.names.patches, (Names{"b", "b_2"}));
   const std::vector<Group> groups = {{"a", {0}}, {"b", {0, 1}}};
   EXPECT_EQ(read.names.groups, groups);
-  EXPECT_TRUE(read.warnings.empty());
+  EXPECT_TRUE(texts_of(read.notices).empty());
 }
 
 TEST(ReadMesh, HasNoPatchesWithoutGroups) {
@@ -119,10 +120,10 @@ TEST(ReadMesh, SeparatesSheetsOfThreeFacesAtAnEdge) {
   testing::expect_valid(read.mesh);
   EXPECT_EQ(read.mesh.n_faces(), 3u);
   EXPECT_EQ(read.mesh.n_vertices(), 9u);
-  ASSERT_EQ(read.warnings.size(), 1u);
-  EXPECT_NE(read.warnings[0].find("3 sides of faces are left open and 4 vertices"),
+  ASSERT_EQ(texts_of(read.notices).size(), 1u);
+  EXPECT_NE(texts_of(read.notices)[0].find("3 sides of faces are left open and 4 vertices"),
             std::string::npos)
-      << read.warnings[0];
+      << texts_of(read.notices)[0];
 }
 
 TEST(ReadMesh, SeparatesFacesThatTouchInAVertex) {
@@ -135,15 +136,16 @@ TEST(ReadMesh, OpensEdgesOfFacesTurnedAgainstEachOther) {
   const MeshFile read = read_obj_text("f 1 2 3\nf 1 4 3\n");
   testing::expect_valid(read.mesh);
   EXPECT_EQ(read.mesh.n_edges(), 6u);
-  EXPECT_EQ(read.warnings.size(), 1u);
+  EXPECT_EQ(texts_of(read.notices).size(), 1u);
 }
 
 TEST(ReadMesh, TakesAVertexOnceThatAFaceHasTwiceInARow) {
   const MeshFile read = read_obj_text("f 1 2 2 3\nf 1 3 4 1\n");
   testing::expect_valid(read.mesh);
   EXPECT_EQ(read.mesh.n_edges(), 5u);
-  ASSERT_EQ(read.warnings.size(), 1u);
-  EXPECT_TRUE(read.warnings[0].ends_with("taken once (and 1 more)")) << read.warnings[0];
+  ASSERT_EQ(texts_of(read.notices).size(), 1u);
+  EXPECT_TRUE(texts_of(read.notices)[0].ends_with("taken once (and 1 more)"))
+      << texts_of(read.notices)[0];
 }
 
 TEST(ReadMesh, TellsBadFiles) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "support/errors.hh"
+#include "support/notices.hh"
 #include "surfmesh/formats/read_cage.hh"
 
 namespace surfmesh {
@@ -45,7 +46,7 @@ TEST(ReadObj, IgnoresWeightsAndColours) {
   const Cage cage = read("v 1 2 3 4\nv 1 2 4 0.5 0.5 0.5\nv 1 2 5 1 0.5 0.5 0.5\nf 1 2 3\n");
   EXPECT_EQ(cage.points.size(), 3u);
   EXPECT_EQ(cage.points[2], Vec3(1, 2, 5));
-  EXPECT_TRUE(cage.warnings.empty());
+  EXPECT_TRUE(texts_of(cage.notices).empty());
 }
 
 TEST(ReadObj, ReadsAllFormsOfCorners) {
@@ -73,7 +74,7 @@ TEST(ReadObj, SkipsCommentsBlanksAndOtherLineEnds) {
   const Cage cage = read(text);
   EXPECT_EQ(cage.points.size(), 3u);
   EXPECT_EQ(cage.faces.size(), 1u);
-  EXPECT_TRUE(cage.warnings.empty());
+  EXPECT_TRUE(texts_of(cage.notices).empty());
   EXPECT_EQ(read("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r").faces.size(), 1u);
 }
 
@@ -95,12 +96,12 @@ TEST(ReadObj, DoesNotJoinComments) {
 TEST(ReadObj, IgnoresWhatACageDoesNotNeed) {
   const Cage cage = read("mtllib a.mtl\no body\nvt 0 0\nvn 0 0 1\nvp 1\n" + kFive +
                          "s off\nf 1 2 3\nl 1 2\np 1\n");
-  EXPECT_TRUE(cage.warnings.empty());
+  EXPECT_TRUE(texts_of(cage.notices).empty());
 }
 
 TEST(ReadObj, WarnsOfUnknownKeywordsOnce) {
   const Cage cage = read(kFive + "f 1 2 3\nfoo 1 2\nbar\nfoo\n");
-  EXPECT_EQ(cage.warnings,
+  EXPECT_EQ(texts_of(cage.notices),
             std::vector<std::string>{"a.obj:7: unknown keyword 'foo' is ignored (and 2 more)"});
 }
 
@@ -159,7 +160,7 @@ TEST(ReadObjTags, AreReadWithIndicesFromZero) {
   EXPECT_EQ(cage.boundary, BoundaryRule::EdgeAndCorner);
   EXPECT_TRUE(cage.is_chaikin);
   EXPECT_TRUE(cage.is_smooth_triangles);
-  EXPECT_TRUE(cage.warnings.empty());
+  EXPECT_TRUE(texts_of(cage.notices).empty());
 }
 
 TEST(ReadObjTags, HaveTheDefaultsOfTheSuite) {
@@ -184,7 +185,7 @@ TEST(ReadObjTags, WarnWhereTheyAreIgnored) {
   const Cage cage = read(kFive +
                          "f 1 2 3\nt vertexedit 1/1/1 x\nt facevaryinginterpolateboundary\n"
                          "t magic 1/0/0 7\nt crease 2/1/0 0 4 1\n");
-  EXPECT_EQ(cage.warnings,
+  EXPECT_EQ(texts_of(cage.notices),
             (std::vector<std::string>{
                 "a.obj:7: the tag vertexedit is ignored",
                 "a.obj:8: the tag facevaryinginterpolateboundary is ignored",
@@ -196,7 +197,7 @@ TEST(ReadObjTags, WarnWhereTheyAreIgnored) {
 TEST(ReadObjTags, WarnOfValuesTooMany) {
   const Cage cage = read(kFive + "f 1 2 3\nt crease 2/1/0 0 1 3 4 5\n");
   EXPECT_EQ(cage.creases.size(), 1u);
-  EXPECT_EQ(cage.warnings,
+  EXPECT_EQ(texts_of(cage.notices),
             std::vector<std::string>{
                 "a.obj:7: a tag has more values than its counts tell, they are ignored"});
 }
@@ -257,7 +258,7 @@ TEST(ReadObjFaults, OfFaces) {
 TEST(ReadObjFaults, AreNotVerticesThatComeTwiceInARow) {
   const Cage cage = read(kFive + "f 1 1 2 3 3 3\nf 1 2 3 -5\n");
   EXPECT_EQ(cage.faces, (Faces{{0, 0, 1, 2, 2, 2}, {0, 1, 2, 0}}));
-  EXPECT_EQ(cage.warnings, std::vector<std::string>{});
+  EXPECT_EQ(texts_of(cage.notices), std::vector<std::string>{});
 }
 
 TEST(ReadObjFaults, OfTheFileAsAWhole) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/errors.hh"
+#include "support/notices.hh"
 #include "surfmesh/formats/read_cage.hh"
 
 namespace surfmesh {
@@ -26,7 +27,7 @@ TEST(ReadOff, ReadsPointsAndPolygons) {
   ASSERT_EQ(cage.points.size(), 4u);
   EXPECT_EQ(cage.points[3], Vec3(0, 1, 0.5));
   EXPECT_EQ(cage.faces, (Faces{{0, 1, 2, 3}, {0, 2, 3}}));
-  EXPECT_TRUE(cage.warnings.empty());
+  EXPECT_TRUE(texts_of(cage.notices).empty());
 }
 
 TEST(ReadOff, ReadsAllFormsOfTheHeader) {
@@ -41,24 +42,25 @@ TEST(ReadOff, IgnoresColumnsThatTheHeaderTells) {
     const Cage cage = read(header + std::string("\n3 1 0\n0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n"
                                                 "3 0 1 2\n"));
     EXPECT_EQ(cage.points[2], Vec3(0, 1, 0)) << header;
-    EXPECT_TRUE(cage.warnings.empty()) << header;
+    EXPECT_TRUE(texts_of(cage.notices).empty()) << header;
   }
 }
 
 TEST(ReadOff, WarnsOfColumnsThatTheHeaderDoesNotTell) {
   const Cage cage = read("OFF\n3 1 0\n0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n3 0 1 2\n");
-  EXPECT_EQ(cage.warnings, std::vector<std::string>{
-                               "a.off:3: values after the coordinates are ignored (and 2 more)"});
+  EXPECT_EQ(
+      texts_of(cage.notices),
+      std::vector<std::string>{"a.off:3: values after the coordinates are ignored (and 2 more)"});
 }
 
 TEST(ReadOff, IgnoresColoursOfFaces) {
   const Cage cage = read("OFF\n4 2 0\n" + kFour + "3 0 1 2 255 0 0\n3 0 2 3 0.5 0.5 0.5 1\n");
   EXPECT_EQ(cage.faces.size(), 2u);
-  EXPECT_TRUE(cage.warnings.empty());
+  EXPECT_TRUE(texts_of(cage.notices).empty());
 }
 
 TEST(ReadOff, WarnsOfLinesAfterTheLastFace) {
-  EXPECT_EQ(read("OFF\n4 1 0\n" + kFour + "3 0 1 2\n3 0 2 3\n").warnings,
+  EXPECT_EQ(texts_of(read("OFF\n4 1 0\n" + kFour + "3 0 1 2\n3 0 2 3\n").notices),
             std::vector<std::string>{"a.off:8: the lines after the last face are ignored"});
 }
 

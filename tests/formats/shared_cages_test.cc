@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "support/errors.hh"
+#include "support/notices.hh"
 #include "surfmesh/formats/read_cage.hh"
 
 namespace surfmesh {
@@ -71,7 +72,7 @@ TEST_F(SharedCages, AreRefusedAtTheFirstFaceWithoutThreeVertices) {
 
 TEST_F(SharedCages, WarnOfNothingButTagsAndEdges) {
   for (const auto& path : suite()) {
-    for (const std::string& warning : read_cage(path).warnings) {
+    for (const std::string& warning : texts_of(read_cage(path).notices)) {
       EXPECT_TRUE(warning.find("the tag ") != std::string::npos ||
                   warning.find("are not an edge of a face") != std::string::npos)
           << warning;

@@ -10,6 +10,7 @@
 #include "support/expect_valid.hh"
 #include "support/folders.hh"
 #include "support/meshes.hh"
+#include "support/notices.hh"
 #include "surfmesh/formats/write_mesh.hh"
 
 namespace surfmesh {
@@ -48,11 +49,12 @@ TEST(StlFile, LeavesOutTrianglesWithEqualCorners) {
   write_text(folder / "a.stl", "solid\n" + kFacet + flat + "endsolid\n");
   const MeshFile read = read_mesh(folder / "a.stl");
   EXPECT_EQ(read.mesh.n_faces(), 1u);
-  ASSERT_EQ(read.warnings.size(), 1u);
-  EXPECT_NE(read.warnings[0].find("1 triangles with two equal corners are left out, the first is "
-                                  "number 1"),
+  ASSERT_EQ(texts_of(read.notices).size(), 1u);
+  EXPECT_NE(texts_of(read.notices)[0].find(
+                "1 triangles with two equal corners are left out, the first is "
+                "number 1"),
             std::string::npos)
-      << read.warnings[0];
+      << texts_of(read.notices)[0];
 }
 
 TEST(StlFile, ReadsBackWhatSinglePrecisionHolds) {

@@ -7,6 +7,7 @@
 
 #include "support/errors.hh"
 #include "support/models.hh"
+#include "support/notices.hh"
 
 namespace surfmesh {
 namespace {
@@ -24,7 +25,7 @@ TEST(Append, KeepsBothPartsSound) {
   EXPECT_EQ(model.contours[4].uses[0].patch, 1);
   EXPECT_EQ(model.vertices.size(), 10u);
   EXPECT_NEAR(model.diagonal, std::sqrt(26.0), 1e-14);
-  EXPECT_TRUE(model.warnings.empty());
+  EXPECT_TRUE(texts_of(model.notices).empty());
 }
 
 TEST(Append, ShiftsGroups) {
@@ -39,10 +40,12 @@ TEST(Append, ShiftsGroups) {
 TEST(Append, WarnsOfOpenContoursThatCoincide) {
   Model model = model_of({rectangle(0, 0, 1, 1)});
   append(model, model_of({rectangle(1, 0.25, 2, 0.75)}), "b:");
-  ASSERT_EQ(model.warnings.size(), 1u);
-  EXPECT_NE(model.warnings[0].find("1 pairs of contours run along each other but are not joined"),
+  ASSERT_EQ(texts_of(model.notices).size(), 1u);
+  EXPECT_NE(texts_of(model.notices)[0].find(
+                "1 pairs of contours run along each other but are not joined"),
             std::string::npos);
-  EXPECT_NE(model.warnings[0].find("p0:u1 and b:p0:u0"), std::string::npos) << model.warnings[0];
+  EXPECT_NE(texts_of(model.notices)[0].find("p0:u1 and b:p0:u0"), std::string::npos)
+      << texts_of(model.notices)[0];
 }
 
 }  // namespace

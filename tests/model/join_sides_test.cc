@@ -8,6 +8,7 @@
 #include <set>
 
 #include "support/analytic.hh"
+#include "support/notices.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/model/patch_sides.hh"
 
@@ -125,7 +126,7 @@ void expect_counts(const Model& model, std::size_t vertices, std::size_t contour
   EXPECT_EQ(model.vertices.size(), vertices);
   EXPECT_EQ(model.contours.size(), contours);
   EXPECT_EQ(count_uses(model), uses);
-  EXPECT_EQ(model.warnings, std::vector<std::string>{});
+  EXPECT_EQ(texts_of(model.notices), std::vector<std::string>{});
 }
 
 const Contour& contour_of(const Model& model, std::string_view side) {
@@ -349,40 +350,43 @@ TEST(JoinSides, WarnsOfNearMissesAndTellsTheGap) {
   const Model model = join({rectangle(0, 0, 1, 1), rectangle(1 + 1e-6, 0, 2, 1)});
   EXPECT_EQ(model.vertices.size(), 8U);
   EXPECT_EQ(count_shared(model), 0);
-  ASSERT_EQ(model.warnings.size(), 1U);
-  EXPECT_NE(model.warnings[0].find("p0:u1 and p1:u0"), std::string::npos) << model.warnings[0];
-  EXPECT_NE(model.warnings[0].find("1e-06"), std::string::npos) << model.warnings[0];
+  ASSERT_EQ(texts_of(model.notices).size(), 1U);
+  EXPECT_NE(texts_of(model.notices)[0].find("p0:u1 and p1:u0"), std::string::npos)
+      << texts_of(model.notices)[0];
+  EXPECT_NE(texts_of(model.notices)[0].find("1e-06"), std::string::npos)
+      << texts_of(model.notices)[0];
 }
 
 TEST(JoinSides, WarnsOfASeamThatDoesNotClose) {
   const Model model = join({cylinder(0, 2 * pi - 1e-5)});
   EXPECT_EQ(count_shared(model), 0);
-  ASSERT_EQ(model.warnings.size(), 1U);
+  ASSERT_EQ(texts_of(model.notices).size(), 1U);
 }
 
 TEST(JoinSides, WarnsOfAThirdPatchBesideAJoin) {
   const Model model = join(
       {rectangle(0, 0, 1, 1), rectangle(0, 0, 1, -1), plane({0, 0, 1e-6}, {1, 0, 0}, {0, 0, 1})});
   EXPECT_EQ(count_shared(model), 1);
-  EXPECT_EQ(model.warnings.size(), 1U);
+  EXPECT_EQ(texts_of(model.notices).size(), 1U);
 }
 
 TEST(JoinSides, WarnsOfNearMissesOverAPart) {
   const Model model = join({rectangle(0, 0, 2, 1), rectangle(1, 1 + 1e-6, 3, 2)});
-  EXPECT_EQ(model.warnings.size(), 1U);
+  EXPECT_EQ(texts_of(model.notices).size(), 1U);
 }
 
 TEST(JoinSides, CountsNearMissesInsteadOfListingThousands) {
   std::vector<Shape> shapes;
   for (int i = 0; i < 30; ++i) shapes.push_back(rectangle(i + 1e-5 * (i % 2), 0, i + 0.9999, 1));
   const Model model = join(shapes);
-  ASSERT_EQ(model.warnings.size(), 21U);
-  EXPECT_NE(model.warnings.back().find("9 more"), std::string::npos) << model.warnings.back();
+  ASSERT_EQ(model.notices.size(), 20U);
+  EXPECT_EQ(model.notices.back().count, 10U);
 }
 
 TEST(JoinSides, DoesNotWarnOfThinOrFarSides) {
-  EXPECT_TRUE(join({rectangle(0, 0, 1, 1), rectangle(1.001, 0, 2, 1)}).warnings.empty());
-  EXPECT_TRUE(join({rectangle(0, 0, 1, 1), rectangle(1, 0, 1 + 5e-5, 5e-5)}).warnings.empty());
+  EXPECT_TRUE(texts_of(join({rectangle(0, 0, 1, 1), rectangle(1.001, 0, 2, 1)}).notices).empty());
+  EXPECT_TRUE(
+      texts_of(join({rectangle(0, 0, 1, 1), rectangle(1, 0, 1 + 5e-5, 5e-5)}).notices).empty());
 }
 
 TEST(JoinSides, WorksAtEveryScale) {
@@ -502,7 +506,7 @@ TEST(JoinSides, GivesTheSameModelTwice) {
       }
     }
   }
-  EXPECT_EQ(a.warnings, b.warnings);
+  EXPECT_EQ(texts_of(a.notices), texts_of(b.notices));
 }
 
 TEST(JoinSides, RefusesPatchesWithoutArea) {

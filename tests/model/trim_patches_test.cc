@@ -7,6 +7,7 @@
 
 #include "support/errors.hh"
 #include "support/models.hh"
+#include "support/notices.hh"
 #include "surfmesh/model/join_sides.hh"
 
 namespace surfmesh {
@@ -69,14 +70,15 @@ TEST(TrimPatches, CutsAHole) {
   EXPECT_FALSE(contour.uses[0].is_forward);
   EXPECT_FALSE(contour.is_smooth);
   EXPECT_EQ(model.vertices.size(), 5u);
-  EXPECT_TRUE(model.warnings.empty());
+  EXPECT_TRUE(texts_of(model.notices).empty());
 }
 
 TEST(TrimPatches, TurnsALoopWithAWarning) {
   const Model model = square({{"hole"}}, {hole()});
   EXPECT_FALSE(model.contours.at(4).uses[0].is_forward);
-  ASSERT_EQ(model.warnings.size(), 1u);
-  EXPECT_EQ(model.warnings[0], "patch p: loop 1: the loop runs the wrong way round; it is turned");
+  ASSERT_EQ(texts_of(model.notices).size(), 1u);
+  EXPECT_EQ(texts_of(model.notices)[0],
+            "patch p: loop 1: the loop runs the wrong way round; it is turned");
 }
 
 TEST(TrimPatches, TakesTheLargestLoopAsTheOuterOne) {
@@ -133,7 +135,7 @@ TEST(TrimPatches, ProjectsASideOfAnotherPatch) {
       model_from_patches({{"p", rectangle(-1, -1, 1, 1), {kSides, {"-c:v0"}}}, {"c", cylinder}});
   expect_sound(model);
   EXPECT_EQ(model.contours[static_cast<std::size_t>(contour_index(model, "c:v0"))].uses.size(), 2u);
-  EXPECT_TRUE(model.warnings.empty());
+  EXPECT_TRUE(texts_of(model.notices).empty());
 }
 
 TEST(TrimPatches, TellsDifferentSpeeds) {
@@ -174,8 +176,8 @@ TEST(TrimPatches, TakesPartOfAPole) {
 
 TEST(TrimPatches, WarnsOfAContourThatNoLoopNames) {
   const Model model = square({{"-hole"}}, {hole(), hole(0.1, {0, 0}, "spare")});
-  ASSERT_EQ(model.warnings.size(), 1u);
-  EXPECT_EQ(model.warnings[0], "contour spare: no loop names it, it is left out");
+  ASSERT_EQ(texts_of(model.notices).size(), 1u);
+  EXPECT_EQ(texts_of(model.notices)[0], "contour spare: no loop names it, it is left out");
 }
 
 TEST(TrimPatches, WarnsOfContoursThatAreNotJoined) {
@@ -183,8 +185,8 @@ TEST(TrimPatches, WarnsOfContoursThatAreNotJoined) {
       {"p", rectangle(-1, -1, 1, 1), {{"p:v0", "m", "-p:v1", "-p:u0"}}},
       {"q", rectangle(1, -1, 2, 1)}};
   const Model model = model_from_patches(patches, {{"m", nullptr, {{"p", line({1, -1}, {1, 1})}}}});
-  ASSERT_EQ(model.warnings.size(), 1u);
-  EXPECT_EQ(model.warnings[0],
+  ASSERT_EQ(texts_of(model.notices).size(), 1u);
+  EXPECT_EQ(texts_of(model.notices)[0],
             "contours m and q:u0 run along each other, at most 0 apart, but are not joined: give "
             "them one name");
 }
@@ -198,16 +200,18 @@ TEST(TrimPatches, WarnsNotOfContoursAsShortAsTheyAreNear) {
   const Model model =
       square({{"-a", "-d", "-c", "-b"}}, {side("a", {0, 0}, {d, 0}), side("b", {d, 0}, {d, d}),
                                           side("c", {d, d}, {0, d}), side("d", {0, d}, {0, 0})});
-  EXPECT_EQ(model.warnings, std::vector<std::string>{});
+  EXPECT_EQ(texts_of(model.notices), std::vector<std::string>{});
 }
 
 TEST(TrimPatches, WarnsOfContoursThatNearlyMeet) {
   const Model model = square({{"-hole"}}, {hole(0.5, {0.5 - 1e-5, 0})});
-  ASSERT_EQ(model.warnings.size(), 1u);
-  EXPECT_TRUE(model.warnings[0].starts_with("patch p: contours ")) << model.warnings[0];
-  EXPECT_NE(model.warnings[0].find("nearly meet at (u,v) = (0.99999, "), std::string::npos)
-      << model.warnings[0];
-  EXPECT_TRUE(model.warnings[0].ends_with(": the gap between them is 1e-05")) << model.warnings[0];
+  ASSERT_EQ(texts_of(model.notices).size(), 1u);
+  EXPECT_TRUE(texts_of(model.notices)[0].starts_with("patch p: contours "))
+      << texts_of(model.notices)[0];
+  EXPECT_NE(texts_of(model.notices)[0].find("nearly meet at (u,v) = (0.99999, "), std::string::npos)
+      << texts_of(model.notices)[0];
+  EXPECT_TRUE(texts_of(model.notices)[0].ends_with(": the gap between them is 1e-05"))
+      << texts_of(model.notices)[0];
 }
 
 TEST(TrimPatchesFaults, OfLoopsThatAreAPoint) {

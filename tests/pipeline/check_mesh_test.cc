@@ -10,6 +10,7 @@
 #include "support/errors.hh"
 #include "support/meshes.hh"
 #include "support/models.hh"
+#include "support/notices.hh"
 
 namespace surfmesh {
 namespace {
@@ -65,8 +66,8 @@ TEST(CheckMesh, HasOneFaultOfAKind) {
 
 TEST(CheckMesh, PassesWarningsOn) {
   MeshArraysFile file = tetrahedron();
-  file.warnings = {"a.obj:1: odd"};
-  EXPECT_EQ(check_mesh(file).warnings, file.warnings);
+  file.notices = {warning(NoticeKind::IgnoredInput, "a.obj:1: odd")};
+  EXPECT_EQ(check_mesh(file).notices, file.notices);
 }
 
 /// The rectangle [0,2] × [0,2] as two patches side by side, with the size `hmax` everywhere.

@@ -10,6 +10,7 @@
 #include "support/errors.hh"
 #include "support/expect_valid.hh"
 #include "support/folders.hh"
+#include "support/notices.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/formats/read_mesh.hh"
 #include "surfmesh/pipeline/load_model.hh"
@@ -28,8 +29,9 @@ MeshResult mesh_cleanly(const std::filesystem::path& path) {
   const ModelInput input = load_model(path);
   MeshResult result = mesh_model(input.model, input.sources, input.options);
   testing::expect_valid(result.mesh);
-  EXPECT_EQ(result.report.warnings, std::vector<std::string>{}) << path;
-  EXPECT_EQ(result.report.shortfalls, std::vector<std::string>{}) << path;
+  EXPECT_EQ(texts_of(result.report.notices, Severity::Warning), std::vector<std::string>{}) << path;
+  EXPECT_EQ(texts_of(result.report.notices, Severity::Shortfall), std::vector<std::string>{})
+      << path;
   EXPECT_GT(result.report.quality.min, 0.1) << path;
   return result;
 }
@@ -94,7 +96,7 @@ TEST(EveryModel, IsMeshedAsItPromisesAndWithoutSlivers) {
     const ModelInput input = load_model(entry.path());
     const MeshResult result = mesh_model(input.model, input.sources, input.options);
     testing::expect_valid(result.mesh);
-    EXPECT_EQ(result.report.shortfalls, std::vector<std::string>{});
+    EXPECT_EQ(texts_of(result.report.notices, Severity::Shortfall), std::vector<std::string>{});
     EXPECT_GT(measure_shape(mesh_arrays(result.mesh)).quality.min, kLeastShape);
   }
 }
@@ -102,9 +104,10 @@ TEST(EveryModel, IsMeshedAsItPromisesAndWithoutSlivers) {
 /// Expect a mesh that is cut along a seam, with a warning: every vertex of the cut has another one
 /// in its place.
 void expect_cut(const MeshResult& result, long euler, std::size_t pairs) {
-  EXPECT_EQ(result.report.shortfalls, std::vector<std::string>{});
-  ASSERT_EQ(result.report.warnings.size(), 1u);
-  EXPECT_NE(result.report.warnings[0].find("cannot be oriented"), std::string::npos);
+  EXPECT_EQ(texts_of(result.report.notices, Severity::Shortfall), std::vector<std::string>{});
+  ASSERT_EQ(texts_of(result.report.notices, Severity::Warning).size(), 1u);
+  EXPECT_NE(texts_of(result.report.notices, Severity::Warning)[0].find("cannot be oriented"),
+            std::string::npos);
   EXPECT_EQ(result.report.mesh.euler, euler);
   const FaceSetCheck check = check_face_set(mesh_arrays(result.mesh));
   EXPECT_TRUE(check.is_manifold && check.is_oriented && !check.is_closed);
@@ -115,7 +118,7 @@ void expect_cut(const MeshResult& result, long euler, std::size_t pairs) {
 
 /// The number of edges along which the warning says that the mesh is cut.
 std::size_t cut_edges(const MeshResult& result) {
-  return std::stoul(result.report.warnings.at(0)) / 2;
+  return std::stoul(texts_of(result.report.notices, Severity::Warning).at(0)) / 2;
 }
 
 TEST(OneSidedModels, AreCutAtASeam) {
@@ -159,7 +162,7 @@ TEST(OneSidedModels, MayBeCages) {
   write_text(folder / "two.obj", strip_cage(2));
   const ModelInput two = load_model(folder / "two.obj");
   const MeshResult whole = mesh_model(two.model, two.sources, two.options);
-  EXPECT_EQ(whole.report.warnings, std::vector<std::string>{});
+  EXPECT_EQ(texts_of(whole.report.notices, Severity::Warning), std::vector<std::string>{});
   EXPECT_EQ(whole.report.mesh.euler, 0);
 }
 
@@ -187,7 +190,7 @@ TEST(ContoursOfThreePatches, HaveTheSameNodesOnAll) {
   const ModelInput input = load_model(folder / "a.json");
   const MeshResult result = mesh_model(input.model, input.sources, input.options);
   testing::expect_valid(result.mesh);
-  EXPECT_EQ(result.report.shortfalls.size(), 0u);
+  EXPECT_EQ(texts_of(result.report.notices, Severity::Shortfall).size(), 0u);
   std::set<double> heights;
   std::size_t count = 0;
   for (const auto vertex : result.mesh.vertices()) {

@@ -5,6 +5,7 @@
 
 #include "support/errors.hh"
 #include "support/folders.hh"
+#include "support/notices.hh"
 
 namespace surfmesh {
 namespace {
@@ -253,7 +254,7 @@ TEST(LoadModel, WarnsOfUnusedContours) {
   const TestFolder folder;
   write_text(folder / "a.json",
              trimmed("", R"({"name": "a", "on": [{"patch": "p", "u": "t", "v": "0"}]})"));
-  const std::vector<std::string> warnings = load_model(folder / "a.json").model.warnings;
+  const std::vector<std::string> warnings = texts_of(load_model(folder / "a.json").model.notices);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0], (folder / "a.json").string() +
                              ": /contours/0: contour a: no loop names it, it is left out");

@@ -12,6 +12,7 @@
 #include "support/errors.hh"
 #include "support/expect_valid.hh"
 #include "support/models.hh"
+#include "support/notices.hh"
 #include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/validate.hh"
@@ -96,7 +97,7 @@ TEST(MeshModel, ReportsItsMesh) {
   EXPECT_EQ(result.report.mesh.euler, 0);
   EXPECT_EQ(result.report.edges.count, result.mesh.n_edges());
   EXPECT_GT(result.report.control.queries.refine.total(), 0u);
-  EXPECT_TRUE(result.report.shortfalls.empty());
+  EXPECT_TRUE(texts_of(result.report.notices, Severity::Shortfall).empty());
 }
 
 TEST(MeshModel, PutsVerticesOnTheSurface) {
@@ -289,7 +290,8 @@ TEST(MeshModel, IsNotFlatOnATubeThinnerThanItsElements) {
   const MeshResult result = mesh_model(model_from_cage(testing::tube(6, 12, 0.1)), {}, options);
   testing::expect_valid(result.mesh);
   EXPECT_EQ(result.report.mesh.euler, 0);
-  EXPECT_TRUE(result.report.shortfalls.empty()) << result.report.shortfalls.front();
+  EXPECT_TRUE(texts_of(result.report.notices, Severity::Shortfall).empty())
+      << texts_of(result.report.notices, Severity::Shortfall).front();
 }
 
 struct NamedCage {
@@ -323,8 +325,8 @@ TEST_P(Extraordinary, GivesAClosedMesh) {
   testing::expect_valid(result.mesh);
   EXPECT_TRUE(result.report.mesh.is_closed);
   EXPECT_EQ(result.report.mesh.euler, 2);
-  EXPECT_TRUE(result.report.warnings.empty());
-  EXPECT_TRUE(result.report.shortfalls.empty());
+  EXPECT_TRUE(texts_of(result.report.notices, Severity::Warning).empty());
+  EXPECT_TRUE(texts_of(result.report.notices, Severity::Shortfall).empty());
 }
 
 TEST_P(Extraordinary, HasAsManyTrianglesAtAnyLevelOfApproximation) {

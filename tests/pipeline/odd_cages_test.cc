@@ -10,6 +10,7 @@
 
 #include "cage/cages.hh"
 #include "support/expect_valid.hh"
+#include "support/notices.hh"
 #include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/core/validate.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
@@ -91,14 +92,16 @@ TEST_P(OddCages, AreMeshedAndCutWhereNoHalfEdgeMeshFollows) {
   const auto& [odd, patches] = GetParam();
   const MeshResult result = mesh_model(model_from_cage(odd.cage, {.patches = patches.kind}));
   testing::expect_valid(result.mesh);
-  EXPECT_EQ(result.report.shortfalls, std::vector<std::string>{});
+  EXPECT_EQ(texts_of(result.report.notices, Severity::Shortfall), std::vector<std::string>{});
   const MeshTopology topology = measure_topology(result.mesh);
   EXPECT_EQ(topology.components, odd.components);
   EXPECT_EQ(topology.euler, odd.euler);
-  ASSERT_EQ(result.report.warnings.size(), odd.warning.empty() ? 0u : 1u);
+  ASSERT_EQ(texts_of(result.report.notices, Severity::Warning).size(),
+            odd.warning.empty() ? 0u : 1u);
   if (odd.warning.empty()) return;
-  EXPECT_NE(result.report.warnings[0].find(odd.warning), std::string::npos)
-      << result.report.warnings[0];
+  EXPECT_NE(texts_of(result.report.notices, Severity::Warning)[0].find(odd.warning),
+            std::string::npos)
+      << texts_of(result.report.notices, Severity::Warning)[0];
 }
 
 Cage with_holes(Cage cage, std::vector<int> holes) {

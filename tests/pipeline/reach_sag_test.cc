@@ -7,6 +7,7 @@
 #include "support/errors.hh"
 #include "support/expect_valid.hh"
 #include "support/models.hh"
+#include "support/notices.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/geometry/callable_surface.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
@@ -40,7 +41,8 @@ void expect_reached(const Model& model, double sag) {
   const MeshResult result = mesh_with_sag(model, sag);
   testing::expect_valid(result.mesh);
   EXPECT_LE(measure_sag(result.mesh, model, SurfaceSearch(model)).max, sag);
-  EXPECT_TRUE(result.report.shortfalls.empty()) << result.report.shortfalls.front();
+  EXPECT_TRUE(texts_of(result.report.notices, Severity::Shortfall).empty())
+      << texts_of(result.report.notices, Severity::Shortfall).front();
   EXPECT_GT(result.report.quality.min, 0.2);
 }
 
@@ -85,8 +87,9 @@ TEST(ReachSag, IsAShortfallWhereTheLeastSizeIsInTheWay) {
   PipelineOptions options = with_sag(1e-4);
   options.sizing.hmin = Length::units(0.2);
   const MeshResult result = mesh_model(testing::torus_of(3), {}, options);
-  ASSERT_EQ(result.report.shortfalls.size(), 1u);
-  EXPECT_NE(result.report.shortfalls[0].find("sag = 0.0001"), std::string::npos);
+  ASSERT_EQ(texts_of(result.report.notices, Severity::Shortfall).size(), 1u);
+  EXPECT_NE(texts_of(result.report.notices, Severity::Shortfall)[0].find("sag = 0.0001"),
+            std::string::npos);
   EXPECT_GT(*result.report.sag.reached, 1e-4);
 }
 
@@ -105,7 +108,7 @@ TEST(ReachSag, LeavesSizesOfTheUserAsTheyAre) {
   const MeshResult result = mesh_model(model, sources, with_sag(0.05));
   const auto coarse = mesh_with_sag(model, 0.05).report.mesh.triangles;
   EXPECT_GT(result.report.mesh.triangles, 3 * coarse);
-  EXPECT_TRUE(result.report.warnings.empty());
+  EXPECT_TRUE(texts_of(result.report.notices, Severity::Warning).empty());
 }
 
 TEST(ReachSag, MakesRoundHolesRound) {
@@ -124,7 +127,7 @@ TEST(ReachSag, WorksOnAGrid) {
   PipelineOptions options = with_sag(0.01);
   options.control.kind = ControlKind::Grid;
   const MeshResult result = mesh_model(testing::torus_of(3), {}, options);
-  EXPECT_TRUE(result.report.shortfalls.empty());
+  EXPECT_TRUE(texts_of(result.report.notices, Severity::Shortfall).empty());
 }
 
 TEST(ReachSag, GivesTheSameMeshTwice) {

@@ -7,6 +7,8 @@
 
 #include "surfmesh/pipeline/set_option.hh"
 
+#include "support/notices.hh"
+
 namespace surfmesh {
 namespace {
 
@@ -15,8 +17,11 @@ using Json = nlohmann::ordered_json;
 Report example() {
   Report report;
   report.input = "wave.json";
-  report.warnings = {"a warning"};
-  report.shortfalls = {"a shortfall"};
+  report.notices = {warning(NoticeKind::ClampedSizes, "a warning"),
+                    shortfall(NoticeKind::TurnedTriangles, "a shortfall")};
+  report.notices[1].patch = 0;
+  report.notices[1].point = Vec3(1, 2, 3);
+  report.patches = {{.name = "wing"}};
   report.mesh = {3, 1, 0, 1, false, 1};
   report.edges.histogram = {{0, 0.25, 7}};
   report.quality.below_0_3 = 0.5;
@@ -40,8 +45,8 @@ using Keys = std::vector<std::string>;
 
 TEST(ReportJson, HasTheKeysOfTheDocumentation) {
   const Json json = Json::parse(to_json(example()));
-  EXPECT_EQ(keys_of(json), (Keys{"input", "options", "warnings", "mesh", "edges", "quality",
-                                 "quads", "sag", "control", "seconds", "triangles_per_second"}));
+  EXPECT_EQ(keys_of(json), (Keys{"input", "options", "notices", "mesh", "edges", "quality", "quads",
+                                 "sag", "control", "seconds", "triangles_per_second"}));
   EXPECT_EQ(keys_of(json["mesh"]),
             (Keys{"vertices", "triangles", "quads", "patches", "closed", "euler"}));
   EXPECT_EQ(keys_of(json["edges"]),
@@ -75,7 +80,22 @@ TEST(ReportJson, HasTheFigures) {
   EXPECT_EQ(json["quality"]["below_0.3"], 0.5);
   EXPECT_EQ(json["edges"]["histogram"], Json::parse(R"([{"from": 0.0, "to": 0.25, "count": 7}])"));
   EXPECT_TRUE(json["sag"]["asked"].is_null());
-  EXPECT_EQ(json["warnings"], (Json{"a warning", "a shortfall"}));
+}
+
+TEST(ReportJson, TellsNoticesAsData) {
+  const Json notices = Json::parse(to_json(example()))["notices"];
+  ASSERT_EQ(notices.size(), 2U);
+  EXPECT_EQ(keys_of(notices[0]),
+            (Keys{"kind", "severity", "text", "patch", "contour", "point", "count"}));
+  EXPECT_EQ(notices[0]["kind"], "clamped_sizes");
+  EXPECT_EQ(notices[0]["severity"], "warning");
+  EXPECT_TRUE(notices[0]["patch"].is_null());
+  EXPECT_TRUE(notices[0]["point"].is_null());
+  EXPECT_EQ(notices[1]["severity"], "shortfall");
+  EXPECT_EQ(notices[1]["text"], "a shortfall");
+  EXPECT_EQ(notices[1]["patch"], "wing");
+  EXPECT_EQ(notices[1]["point"], (Json{1.0, 2.0, 3.0}));
+  EXPECT_EQ(notices[1]["count"], 1);
 }
 
 TEST(ReportJson, ListsEveryOptionWithItsEffectiveValue) {
@@ -99,7 +119,7 @@ TEST(ReportJson, HoldsNamesThatAreNotUtf8) {
 TEST(ReportText, IsShort) {
   const std::string text = to_text(example());
   EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 12);
-  for (const char* key : {"mesh", "edges", "quality", "control", "time", "warnings"}) {
+  for (const char* key : {"mesh", "edges", "quality", "control", "time", "notices"}) {
     EXPECT_NE(text.find(key), std::string::npos) << key;
   }
 }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "support/expect_valid.hh"
+#include "support/notices.hh"
 #include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/core/validate.hh"
 #include "surfmesh/formats/read_cage.hh"
@@ -67,7 +68,7 @@ TEST_P(SharedCage, GivesAProperMeshWithTheTopologyOfTheCage) {
   testing::expect_valid(result.mesh);
   EXPECT_EQ(result.report.mesh.is_closed, topology_of(cage_).is_closed);
   EXPECT_EQ(result.report.mesh.euler, topology_of(cage_).euler);
-  EXPECT_EQ(result.report.shortfalls, std::vector<std::string>{});
+  EXPECT_EQ(texts_of(result.report.notices, Severity::Shortfall), std::vector<std::string>{});
 }
 
 INSTANTIATE_TEST_SUITE_P(Cages, SharedCage,

@@ -13,6 +13,7 @@
 
 #include "support/expect_valid.hh"
 #include "support/models.hh"
+#include "support/notices.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/formula/formula_surface.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
@@ -167,7 +168,7 @@ class Inspector {
 
 void expect_right(const Shape& shape, const Model& model, const MeshResult& result) {
   testing::expect_valid(result.mesh);
-  EXPECT_EQ(result.report.shortfalls, std::vector<std::string>{});
+  EXPECT_EQ(texts_of(result.report.notices, Severity::Shortfall), std::vector<std::string>{});
   EXPECT_EQ(result.report.mesh.is_closed, shape.is_closed);
   EXPECT_EQ(result.report.mesh.euler, shape.euler);
   EXPECT_EQ(measure_topology(result.mesh).components, 1u);

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "support/models.hh"
+#include "support/notices.hh"
 #include "support/waves.hh"
 #include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/sizes/tables_from_mesh.hh"
@@ -165,7 +166,8 @@ TEST(ClampedSizes, AreCountedInOneWarning) {
   sources.everywhere = {{0, size_of(0.1)}, {0, size_of(9)}, {0, size_of(1e-9, 0.1)}};
   PipelineOptions options = coarse();
   options.sizing.hmin = units(0.05);
-  const auto warnings = mesh_model(testing::unit_square(), sources, options).report.warnings;
+  const auto warnings = texts_of(
+      mesh_model(testing::unit_square(), sources, options).report.notices, Severity::Warning);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(warnings[0].starts_with("2 sizes of sources")) << warnings[0];
 }

@@ -5,6 +5,7 @@
 #include "support/expect_valid.hh"
 #include "support/folders.hh"
 #include "support/metric_formulas.hh"
+#include "support/notices.hh"
 #include "surfmesh/pipeline/check_mesh.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 
@@ -37,7 +38,7 @@ TEST_P(StrongMetrics, AreFollowedBetterThanByThePeer) {
 
 TEST_P(StrongMetrics, GiveAValidMeshWithoutComplaint) {
   testing::expect_valid(result_.mesh);
-  EXPECT_EQ(result_.report.shortfalls, std::vector<std::string>{});
+  EXPECT_EQ(texts_of(result_.report.notices, Severity::Shortfall), std::vector<std::string>{});
   EXPECT_EQ(result_.report.mesh.euler, 1);
 }
 
@@ -53,9 +54,13 @@ TEST(TurningMetric, EndsAtThreeTimesThePredictedCountAndSaysSo) {
   const ModelInput input = load_model(folder / "model.json");
   const MeshResult result = mesh_model(input.model, input.sources, input.options);
   testing::expect_valid(result.mesh);
-  ASSERT_EQ(result.report.shortfalls.size(), 2u);
-  EXPECT_NE(result.report.shortfalls[0].find("does not hold its precision"), std::string::npos);
-  EXPECT_NE(result.report.shortfalls[1].find("three times the triangles"), std::string::npos);
+  ASSERT_EQ(texts_of(result.report.notices, Severity::Shortfall).size(), 2u);
+  EXPECT_NE(
+      texts_of(result.report.notices, Severity::Shortfall)[0].find("does not hold its precision"),
+      std::string::npos);
+  EXPECT_NE(
+      texts_of(result.report.notices, Severity::Shortfall)[1].find("three times the triangles"),
+      std::string::npos);
   // √det M is 1 / (0.3 · 0.0003); the boundary alone makes 14,000 triangles.
   EXPECT_LT(result.report.mesh.triangles, 3 * 25'660 + 15'000);
 }

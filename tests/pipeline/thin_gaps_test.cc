@@ -9,6 +9,7 @@
 
 #include "support/expect_valid.hh"
 #include "support/folders.hh"
+#include "support/notices.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 
@@ -93,9 +94,11 @@ TEST(ThinGaps, AreToldWhereElementsDoNotFit) {
   write_text(folder / "a.json", model_with({"HoleNearTheRim", false, {{0.7, 0.302, 0.3}}}).dump());
   const ModelInput input = load_model(folder / "a.json");
   PipelineOptions options;
-  EXPECT_EQ(mesh_model(input.model, {}, options).report.warnings, std::vector<std::string>{});
+  EXPECT_EQ(texts_of(mesh_model(input.model, {}, options).report.notices, Severity::Warning),
+            std::vector<std::string>{});
   options.sizing.proximity = 0;
-  const auto warnings = mesh_model(input.model, {}, options).report.warnings;
+  const auto warnings =
+      texts_of(mesh_model(input.model, {}, options).report.notices, Severity::Warning);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(warnings[0].starts_with("triangles are as flat as quality 0.0")) << warnings[0];
   EXPECT_NE(warnings[0].find(", in patch p at (0.69"), std::string::npos) << warnings[0];
@@ -119,7 +122,7 @@ TEST_P(ThinGapShapes, GiveValidMeshesAtCoarseSizes) {
                         .features = is_gap_seen};
       const MeshResult result = mesh_model(input.model, {}, options);
       testing::expect_valid(result.mesh);
-      EXPECT_EQ(result.report.shortfalls, std::vector<std::string>{});
+      EXPECT_EQ(texts_of(result.report.notices, Severity::Shortfall), std::vector<std::string>{});
     }
   }
 }

@@ -165,12 +165,12 @@ TEST(ClampWarning, CountsSourcesAndTables) {
   const SizeBounds bounds = resolve(sizing(0.5), 1).bounds;
   Sources sources;
   sources.everywhere = {{0, testing::size_of(0.2)}};
-  EXPECT_FALSE(clamp_warning(model, sources, bounds).has_value());
+  EXPECT_FALSE(clamp_notice(model, sources, bounds).has_value());
   sources.everywhere = {{0, testing::size_of(2)}, {1, testing::size_of(2)}};
-  EXPECT_EQ(clamp_warning(model, sources, bounds),
+  EXPECT_EQ(clamp_notice(model, sources, bounds)->text,
             "1 size of sources is brought into the bounds hmin = 0.0001 and hmax = 0.5");
   sources.tables = {{1, {{{1, 0}, {}, {1, 0, 1}}, {{2, 1}, {}, {9, 0, 9}}}}};
-  EXPECT_EQ(clamp_warning(model, sources, bounds),
+  EXPECT_EQ(clamp_notice(model, sources, bounds)->text,
             "2 sizes of sources are brought into the bounds hmin = 0.0001 and hmax = 0.5");
 }
 

@@ -60,7 +60,7 @@ TEST_F(CheckProgram, MeasuresInTheSizesAskedFor) {
 TEST_F(CheckProgram, HasTheDocumentedKeys) {
   mesh("plate.json");
   const Json json = check(0, "a.om");
-  for (const char* key : {"mesh", "model", "clean", "faults", "warnings", "counts", "closed",
+  for (const char* key : {"mesh", "model", "clean", "faults", "notices", "counts", "closed",
                           "manifold", "oriented", "angles", "edge_lengths", "shape", "fit"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }

@@ -182,8 +182,8 @@ TEST_F(MeshProgram, IsQuiet) {
 TEST_F(MeshProgram, ReportsWhatItDid) {
   EXPECT_EQ(mesh("wave.json", "--hmax 2 --report report.json"), 0) << err_;
   const Json json = report();
-  for (const char* key : {"input", "options", "warnings", "mesh", "edges", "quality", "quads",
-                          "sag", "control", "seconds", "triangles_per_second"}) {
+  for (const char* key : {"input", "options", "notices", "mesh", "edges", "quality", "quads", "sag",
+                          "control", "seconds", "triangles_per_second"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   EXPECT_EQ(json["input"], own_model("wave.json"));
@@ -253,7 +253,7 @@ TEST_F(MeshProgram, TellsWhatItDidNotReach) {
 })json");
   EXPECT_EQ(run("mesh bellows.json -o out.obj --report report.json --quiet"), 3) << err_;
   EXPECT_NE(err_.find("not reached: "), std::string::npos) << err_;
-  EXPECT_FALSE(report()["warnings"].empty());
+  EXPECT_FALSE(report()["notices"].empty());
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out.obj"));
 }
 

@@ -288,22 +288,25 @@ std::vector<int> touched_vertices(const Model& model) {
 }
 
 /// What the mesh is other than the model, for a half-edge mesh cannot be so.
-std::vector<std::string> warnings_of(const Model& model, const Separation& separation) {
-  std::vector<std::string> warnings;
+Notices notices_of(const Model& model, const Separation& separation) {
+  Notices notices;
   if (separation.cut_edges > 0) {
-    warnings.push_back(
-        fmt::format("{} sides of faces are left open where three or more patches meet, or "
-                    "where the surface cannot be oriented",
-                    separation.cut_edges));
+    notices.push_back(warning(
+        NoticeKind::CutEdges,
+        fmt::format("{} sides of faces are left open where three or more patches meet, or where "
+                    "the surface cannot be oriented",
+                    separation.cut_edges)));
   }
   if (const std::vector<int> touched = touched_vertices(model); !touched.empty()) {
     const Vec3& first = model.position(touched.front());
-    warnings.push_back(
+    notices.push_back(warning(
+        NoticeKind::SplitVertices,
         fmt::format("vertices that are taken apart, as patches meet there in a point only: {}, the "
                     "first at {}",
-                    touched.size(), place_text(first)));
+                    touched.size(), place_text(first))));
+    notices.back().point = first;
   }
-  return warnings;
+  return notices;
 }
 
 }  // namespace
@@ -334,7 +337,7 @@ AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<Co
       build_faces(mesh, points.size(), soup.faces, FirstSide::FromFirstCorner, soup.twins);
   set_points(points, separation.copied, mesh);
   write_properties(faces, first_faces, mesh);
-  return {warnings_of(model, separation)};
+  return {notices_of(model, separation)};
 }
 
 }  // namespace surfmesh

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "surfmesh/core/mesh.hh"
+#include "surfmesh/core/notice.hh"
 #include "surfmesh/patch_mesh/patch_mesh.hh"
 
 namespace surfmesh {
 
 struct AssembleReport {
-  std::vector<std::string> warnings;
+  Notices notices;  ///< what the mesh is other than the model
 };
 
 /// Join the meshes of all patches into one, in a mesh that has no elements yet.

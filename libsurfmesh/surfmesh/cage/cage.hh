@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "surfmesh/core/notice.hh"
 #include "surfmesh/core/values.hh"
 
 namespace surfmesh {
@@ -42,7 +43,7 @@ struct Cage {
   BoundaryRule boundary = BoundaryRule::EdgeOnly;
   bool is_chaikin = false;  ///< crease method
   bool is_smooth_triangles = false;
-  std::vector<std::string> warnings;  ///< of reading, with file and line
+  Notices notices;  ///< of reading, with file and line
 };
 
 /// Diagonal of the bounding box of the cage's points, in model units.

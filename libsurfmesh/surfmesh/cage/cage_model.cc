@@ -227,8 +227,9 @@ void add_groups(const Cage& cage, Model& model) {
     std::vector<char> is_in(model.patches.size(), 0);
     for (int face : group.faces) {
       if (face < 0 || static_cast<std::size_t>(face) >= patches_of.size()) {
-        model.warnings.push_back(
-            fmt::format("group {} names face {}, which does not exist", group.name, face));
+        model.notices.push_back(
+            warning(NoticeKind::IgnoredInput,
+                    fmt::format("group {} names face {}, which does not exist", group.name, face)));
         continue;
       }
       for (const int patch : patches_of[static_cast<std::size_t>(face)]) {
@@ -263,10 +264,11 @@ void warn_of_gaps(Model& model) {
   double gap = 0;
   for (const Contour& contour : model.contours) gap = std::max(gap, gap_of(model, contour));
   if (gap <= kContourGap * model.diagonal) return;
-  model.warnings.push_back(
+  model.notices.push_back(warning(
+      NoticeKind::SurfaceGap,
       fmt::format("Chaikin creases of changing sharpness: surfaces of neighbouring faces differ by "
                   "{:.2g} where they meet",
-                  gap));
+                  gap)));
 }
 
 /// By face a number that tells the groups it is in; -1 for faces without a surface.
@@ -339,9 +341,9 @@ Model model_of_blocks(const RefinedCage& regular, Scheme scheme, const CageOptio
     builder.add_patch(std::move(patch));
   }
   builder.finish();
-  builder.model.warnings = regular.warnings;
-  builder.model.warnings.insert(builder.model.warnings.end(), topology.warnings.begin(),
-                                topology.warnings.end());
+  builder.model.notices = regular.notices;
+  builder.model.notices.insert(builder.model.notices.end(), topology.notices.begin(),
+                               topology.notices.end());
   return std::move(builder.model);
 }
 

@@ -82,10 +82,11 @@ RefinedCage leave_out_faces(const Cage& cage) {
   std::vector<int> index(cage.faces.size(), -1);
   for (std::size_t f = 0; f < cage.faces.size(); ++f) {
     if (!is_simple(cage.faces[f])) {
-      result.warnings.push_back(
+      result.notices.push_back(warning(
+          NoticeKind::IgnoredInput,
           fmt::format("face {} comes back to a vertex, or has fewer than three different ones; it "
                       "is left out",
-                      f));
+                      f)));
       continue;
     }
     index[f] = static_cast<int>(result.cage.faces.size());
@@ -112,8 +113,10 @@ void leave_out_sides(RefinedCage& simple) {
   for (std::size_t f = 0; f < simple.cage.faces.size(); ++f) {
     std::vector<int> face = without_repeats(simple.cage.faces[f]);
     if (face.size() == simple.cage.faces[f].size()) continue;
-    simple.warnings.push_back(fmt::format(
-        "face {} has the same vertex twice in a row; once is taken", simple.parent_faces[f]));
+    simple.notices.push_back(
+        warning(NoticeKind::IgnoredInput,
+                fmt::format("face {} has the same vertex twice in a row; once is taken",
+                            simple.parent_faces[f])));
     simple.cage.faces[f] = std::move(face);
   }
 }
@@ -139,8 +142,8 @@ RefinedCage refine_once(const Cage& cage, Scheme scheme) {
   refined.cage.boundary = cage.boundary;
   refined.cage.is_chaikin = cage.is_chaikin;
   refined.cage.is_smooth_triangles = cage.is_smooth_triangles;
-  refined.cage.warnings = cage.warnings;
-  refined.warnings = std::move(topology.warnings);
+  refined.cage.notices = cage.notices;
+  refined.notices = std::move(topology.notices);
   refined.is_refined = true;
   return refined;
 }
@@ -159,7 +162,7 @@ RefinedCage make_regular(const Cage& cage, Scheme scheme) {
   for (int& parent : refined.parent_faces) {
     parent = simple.parent_faces[static_cast<std::size_t>(parent)];
   }
-  refined.warnings.insert(refined.warnings.begin(), simple.warnings.begin(), simple.warnings.end());
+  refined.notices.insert(refined.notices.begin(), simple.notices.begin(), simple.notices.end());
   return refined;
 }
 

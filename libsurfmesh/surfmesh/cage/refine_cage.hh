@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "surfmesh/cage/cage.hh"
+#include "surfmesh/core/notice.hh"
 
 namespace surfmesh {
 
@@ -13,7 +14,7 @@ struct RefinedCage {
   Cage cage;
   std::vector<int> parent_faces;  ///< of each new face, the face of the cage that it is a part of
   bool is_refined = false;        ///< false if the faces are faces of the cage, not parts of them
-  std::vector<std::string> warnings;  ///< tags that make no sense and were ignored
+  Notices notices;                ///< tags that make no sense and were ignored
 };
 
 /// Subdivide a cage once, which does not change its limit surface.

@@ -15,7 +15,7 @@ namespace {
 /// What OpenSubdiv's factory reads, and where it leaves its warnings (it gets a const reference).
 struct TaggedCage {
   const Cage& cage;
-  std::vector<std::string>& warnings;
+  Notices& notices;
 };
 
 }  // namespace
@@ -63,7 +63,8 @@ bool TopologyRefinerFactory<TaggedCage>::assignComponentTags(TopologyRefiner& re
     return std::min(static_cast<float>(sharpness), Sdc::Crease::SHARPNESS_INFINITE);
   };
   const auto ignore = [&](const std::string& what) {
-    tagged.warnings.push_back(what + "; the tag is ignored");
+    tagged.notices.push_back(
+        surfmesh::warning(surfmesh::NoticeKind::IgnoredInput, what + "; the tag is ignored"));
   };
   const int vertex_count = getNumBaseVertices(refiner);
   for (const Cage::Crease& crease : tagged.cage.creases) {
@@ -108,7 +109,7 @@ bool TopologyRefinerFactory<TaggedCage>::assignFaceVaryingTopology(TopologyRefin
 template <>
 void TopologyRefinerFactory<TaggedCage>::reportInvalidTopology(TopologyError, const char* text,
                                                                const TaggedCage& tagged) {
-  tagged.warnings.emplace_back(text);
+  tagged.notices.push_back(surfmesh::warning(surfmesh::NoticeKind::IgnoredInput, text));
 }
 
 }  // namespace Far
@@ -159,7 +160,7 @@ CageTopology make_topology(const Cage& cage, Scheme scheme) {
   }
   using Factory = OpenSubdiv::Far::TopologyRefinerFactory<TaggedCage>;
   CageTopology topology;
-  topology.refiner.reset(Factory::Create(TaggedCage{cage, topology.warnings},
+  topology.refiner.reset(Factory::Create(TaggedCage{cage, topology.notices},
                                          Factory::Options(sdc_scheme(scheme), sdc_options(cage))));
   if (!topology.refiner) {
     throw Error(ErrorCode::InvalidInput, "OpenSubdiv refuses the topology of the cage");

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "surfmesh/cage/cage.hh"
+#include "surfmesh/core/notice.hh"
 #include "surfmesh/geometry/surface.hh"
 
 namespace surfmesh {
@@ -17,7 +18,7 @@ namespace surfmesh {
 /// A cage's topology as OpenSubdiv holds it, with its tags.
 struct CageTopology {
   std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> refiner;
-  std::vector<std::string> warnings;  ///< tags that make no sense and were ignored
+  Notices notices;  ///< tags that make no sense and were ignored
 };
 
 /// Give a cage with its tags to OpenSubdiv.

@@ -77,7 +77,7 @@ void CageText::check_not_empty() const {
 }
 
 Cage CageText::finish() {
-  cage.warnings = warnings.texts();
+  cage.notices = warnings.notices();
   return std::move(cage);
 }
 
@@ -86,7 +86,7 @@ MeshArraysFile arrays_of(Cage cage) {
   file.mesh.points = std::move(cage.points);
   file.mesh.faces.reserve(cage.faces.size(), 3 * cage.faces.size());
   for (const std::vector<int>& face : cage.faces) file.mesh.faces.add(face);
-  file.warnings = std::move(cage.warnings);
+  file.notices = std::move(cage.notices);
   return file;
 }
 

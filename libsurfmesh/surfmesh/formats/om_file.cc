@@ -382,7 +382,7 @@ void read_checked(std::string bytes, const OmCheck& check, const std::string& na
 /// The faces only. That there are none is told by whoever reads.
 MeshArraysFile parse_om_faces(std::string bytes, const std::string& name) {
   const MeshFile file = parse_om(std::move(bytes), name);
-  return {mesh_arrays(file.mesh, file.names, ArrayParts::Faces), file.warnings, {}};
+  return {mesh_arrays(file.mesh, file.names, ArrayParts::Faces), file.notices, {}};
 }
 
 std::vector<std::string> lost_in_om(const PolyMesh&, const MeshNames&) { return {}; }

@@ -286,17 +286,17 @@ class BinaryValues {
       ++warnings_.back().first;
   }
 
-  std::vector<std::string> finish() {
+  Notices finish() {
     if (scanner_.rest() > 0) {
-      warnings_.emplace_back(
-          1, fmt::format("{} bytes after the last element are ignored", scanner_.rest()));
+      warn(fmt::format("{} bytes after the last element are ignored", scanner_.rest()));
     }
-    std::vector<std::string> texts;
+    Notices notices;
     for (const auto& [count, text] : warnings_) {
-      const std::string more = count > 1 ? fmt::format(" (and {} more)", count - 1) : "";
-      texts.push_back(fmt::format("{}: {}{}", scanner_.name(), text, more));
+      notices.push_back(
+          warning(NoticeKind::IgnoredInput, fmt::format("{}: {}", scanner_.name(), text)));
+      notices.back().count = count;
     }
-    return texts;
+    return notices;
   }
 
   /// Counts may lie: room is made for no more numbers than the file can hold.
@@ -356,11 +356,11 @@ class TextValues {
   [[noreturn]] void fail(std::string_view reason) const { scanner_.fail(reason); }
   void warn(const std::string& text) { warnings_.add(scanner_.line(), text); }
 
-  std::vector<std::string> finish() {
+  Notices finish() {
     if (scanner_.next_line()) {
       warnings_.add(scanner_.line(), "the lines after the last element are ignored");
     }
-    return warnings_.texts();
+    return warnings_.notices();
   }
 
   std::size_t likely(std::size_t count) const { return std::min(count, size_); }
@@ -396,7 +396,7 @@ class BodyReader {
         skip_elements(element);
       }
     }
-    file_.warnings = values_.finish();
+    file_.notices = values_.finish();
     return std::move(file_);
   }
 

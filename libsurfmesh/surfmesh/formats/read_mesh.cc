@@ -25,20 +25,23 @@ void check_faces(const MeshArraysFile& file, const std::string& name) {
 }  // namespace
 
 MeshFile mesh_from(MeshArraysFile file, const std::string& name) {
-  MeshFile result{{}, std::move(file.mesh.names), std::move(file.warnings)};
+  MeshFile result{{}, std::move(file.mesh.names), std::move(file.notices)};
   const MeshArrays& set = file.mesh;
-  const Separation separation = 
+  const Separation separation =
       build_faces(result.mesh, set.points.size(), set.faces, FirstSide::ToFirstCorner);
   if (!file.degenerate_faces.empty()) {
-    result.warnings.push_back(
+    result.notices.push_back(warning(
+        NoticeKind::IgnoredInput,
         fmt::format("{}: {} triangles with two equal corners are left out, the first is number {}",
-                    name, file.degenerate_faces.size(), file.degenerate_faces.front()));
+                    name, file.degenerate_faces.size(), file.degenerate_faces.front())));
   }
   if (separation.cut_edges > 0 || !separation.copied.empty()) {
-    result.warnings.push_back(fmt::format(
-        "{}: the faces do not make a manifold mesh: {} sides of faces are left open and "
-        "{} vertices are there twice",
-        name, separation.cut_edges, separation.copied.size()));
+    result.notices.push_back(warning(
+        NoticeKind::CutEdges,
+        fmt::format(
+            "{}: the faces do not make a manifold mesh: {} sides of faces are left open and "
+            "{} vertices are there twice",
+            name, separation.cut_edges, separation.copied.size())));
   }
   for (std::size_t v = 0; v < result.mesh.n_vertices(); ++v) {
     const std::size_t given =

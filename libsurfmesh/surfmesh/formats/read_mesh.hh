@@ -8,13 +8,14 @@
 
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/core/mesh_arrays.hh"
+#include "surfmesh/core/notice.hh"
 
 namespace surfmesh {
 
 /// A mesh as it stands in a file, before anything is mended.
 struct MeshArraysFile {
-  MeshArrays mesh;                    ///< without values of corners
-  std::vector<std::string> warnings;  ///< with file and place
+  MeshArrays mesh;  ///< without values of corners
+  Notices notices;  ///< with file and line
   /// Faces of an .stl file that are left out of the mesh, since two of their corners are one point;
   /// counted from 0 in the file.
   std::vector<std::size_t> degenerate_faces;
@@ -22,9 +23,9 @@ struct MeshArraysFile {
 
 /// A mesh read from a file.
 struct MeshFile {
-  PolyMesh mesh;                      ///< surf:patch (face) where the file has patches
-  MeshNames names;                    ///< of its patches; empty where the format has none
-  std::vector<std::string> warnings;  ///< with file and place
+  PolyMesh mesh;    ///< surf:patch (face) where the file has patches
+  MeshNames names;  ///< of its patches; empty where the format has none
+  Notices notices;  ///< with file and line
 };
 
 /// Read the faces of a mesh in the format of the ending, in upper or lower case.
@@ -51,7 +52,7 @@ MeshArraysFile read_mesh_arrays(const std::filesystem::path& path);
 /// Read a mesh in the format of the ending.
 ///
 /// Where the faces do not make a proper mesh, vertices are duplicated as build_faces does, and
-/// faces of fewer than three different vertices left out: the warnings tell the counts. An .om file
+/// faces of fewer than three different vertices left out: notices tell the counts. An .om file
 /// has the mesh itself, with all its surf: properties; those of types that are neither numbers nor
 /// of this library are left out.
 ///
@@ -59,7 +60,7 @@ MeshArraysFile read_mesh_arrays(const std::filesystem::path& path);
 /// Throws   as read_mesh_arrays; InvalidInput for an .om file whose connectivity is broken
 MeshFile read_mesh(const std::filesystem::path& path);
 
-/// Make a half-edge mesh of faces, as read_mesh does; `name` stands in warnings. Values of corners
+/// Make a half-edge mesh of faces, as read_mesh does; `name` stands in notices. Values of corners
 /// are not taken over.
 MeshFile mesh_from(MeshArraysFile file, const std::string& name);
 

@@ -125,8 +125,9 @@ MeshArraysFile parse_binary(std::string_view bytes, const std::string& name) {
   }
   MeshArraysFile file = triangles.finish();
   if (scanner.rest() > 0) {
-    file.warnings.push_back(
-        fmt::format("{}: {} bytes after the last triangle are ignored", name, scanner.rest()));
+    file.notices.push_back(warning(
+        NoticeKind::IgnoredInput,
+        fmt::format("{}: {} bytes after the last triangle are ignored", name, scanner.rest())));
   }
   return file;
 }

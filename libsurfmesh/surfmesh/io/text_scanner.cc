@@ -161,16 +161,17 @@ void WarningList::add(int line, std::string text, std::string_view kind) {
   }
 }
 
-std::vector<std::string> WarningList::texts() const {
+Notices WarningList::notices() const {
   std::vector<Entry> sorted = entries_;
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Entry& a, const Entry& b) { return a.line < b.line; });
-  std::vector<std::string> texts;
+  Notices notices;
   for (const Entry& entry : sorted) {
-    const std::string more = entry.more > 0 ? fmt::format(" (and {} more)", entry.more) : "";
-    texts.push_back(fmt::format("{}:{}: {}{}", name_, entry.line, entry.text, more));
+    notices.push_back(
+        warning(NoticeKind::IgnoredInput, fmt::format("{}:{}: {}", name_, entry.line, entry.text)));
+    notices.back().count += static_cast<std::size_t>(entry.more);
   }
-  return texts;
+  return notices;
 }
 
 }  // namespace surfmesh

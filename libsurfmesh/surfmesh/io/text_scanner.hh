@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "surfmesh/core/notice.hh"
 #include "surfmesh/core/values.hh"
 
 namespace surfmesh {
@@ -79,7 +80,7 @@ class WarningList {
   void add(int line, const std::string& text) { add(line, text, text); }
 
   /// "name:line: text", in the order of the lines.
-  std::vector<std::string> texts() const;
+  Notices notices() const;
 
  private:
   struct Entry {

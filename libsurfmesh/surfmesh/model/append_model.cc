@@ -12,16 +12,16 @@
 namespace surfmesh {
 namespace {
 
-void warn_of_open_sides(const Model& model, const Model& added,
-                        std::vector<std::string>& warnings) {
+void warn_of_open_sides(const Model& model, const Model& added, Notices& notices) {
   const double near = kNearShare * model.box.merged(added.box).diagonal().norm();
   const std::vector<ContourPair> pairs = contours_along(
       open_contours(model), open_contours(added, static_cast<int>(model.patches.size())), near);
   if (pairs.empty()) return;
-  warnings.push_back(fmt::format(
-      "{} pairs of contours run along each other but are not joined, as they belong to different "
-      "cages, or to a cage and formulas: {} and {}{}",
-      pairs.size(), pairs[0].a, pairs[0].b, pairs.size() > 1 ? ", ..." : ""));
+  notices.push_back(warning(
+      NoticeKind::UnjoinedSides,
+      fmt::format("{} pairs of contours run along each other but are not joined, as they belong to "
+                  "different cages, or to a cage and formulas: {} and {}{}",
+                  pairs.size(), pairs[0].a, pairs[0].b, pairs.size() > 1 ? ", ..." : "")));
 }
 
 void shift(Model& added, const Model& model, const std::string& prefix) {
@@ -43,8 +43,10 @@ void shift(Model& added, const Model& model, const std::string& prefix) {
   for (Group& group : added.groups) {
     for (int& patch : group.patches) patch += patches;
   }
-  for (std::string& warning : added.warnings) {
-    if (!prefix.empty()) warning = prefix + " " + warning;
+  for (Notice& notice : added.notices) {
+    if (!prefix.empty()) notice.text = prefix + " " + notice.text;
+    if (notice.patch >= 0) notice.patch += patches;
+    if (notice.contour >= 0) notice.contour += contours;
   }
 }
 
@@ -57,14 +59,14 @@ void move_to_end(std::vector<T>& from, std::vector<T>& to) {
 
 void append(Model& model, Model added, const std::string& prefix) {
   shift(added, model, prefix);
-  std::vector<std::string> warnings;
-  warn_of_open_sides(model, added, warnings);
+  Notices notices;
+  warn_of_open_sides(model, added, notices);
   move_to_end(added.vertices, model.vertices);
   move_to_end(added.contours, model.contours);
   move_to_end(added.patches, model.patches);
   move_to_end(added.groups, model.groups);
-  move_to_end(added.warnings, model.warnings);
-  move_to_end(warnings, model.warnings);
+  move_to_end(added.notices, model.notices);
+  move_to_end(notices, model.notices);
   model.box.extend(added.box);
   model.diagonal = model.box.diagonal().norm();
 }

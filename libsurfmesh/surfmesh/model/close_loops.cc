@@ -83,14 +83,17 @@ void LoopCloser::add_loops(int index, std::vector<Chain> loops) {
   if (const auto place = crossing(curves)) {
     throw Error(ErrorCode::Geometry, fmt::format("{}: loops cross: {}", label(input), *place));
   }
-  warn_of_near_parts(input, curves);
+  warn_of_near_parts(index, input, curves);
   const std::vector<std::size_t> order = outer_first(areas);
   check_holes(input, curves, order);
   for (const std::size_t l : order) {
     const bool is_turned = (areas[l] > 0) != (l == order[0]);
     if (is_turned) {
-      model_.warnings.push_back(
+      Notice notice = warning(
+          NoticeKind::TurnedLoop,
           fmt::format("{}: the loop runs the wrong way round; it is turned", loop_label(input, l)));
+      notice.patch = index;
+      model_.notices.push_back(std::move(notice));
       std::reverse(loops[l].begin(), loops[l].end());
     }
     add(index, loops[l], is_turned);
@@ -135,15 +138,20 @@ void LoopCloser::check_extent(const PatchInput& patch, std::size_t loop, const C
 }
 
 /// Elements between parts of the boundary that nearly meet are as flat as the gap is narrow.
-void LoopCloser::warn_of_near_parts(const PatchInput& patch,
+void LoopCloser::warn_of_near_parts(int index, const PatchInput& patch,
                                     const std::vector<LoopCurves>& curves) {
   const auto point_at = [&](Uv uv) { return patch.surface->evaluate(uv, Order::Position).point; };
   for (const NearParts& near : near_parts(curves, kNearShare)) {
-    model_.warnings.push_back(
+    const Vec3 at = point_at(near.at_a);
+    Notice notice = warning(
+        NoticeKind::NarrowGap,
         fmt::format("{}: contours {} and {} nearly meet at (u,v) = ({:.6g}, {:.6g}): the gap "
                     "between them is {:.3g}",
                     label(patch), near.a, near.b, near.at_a.u, near.at_a.v,
-                    (point_at(near.at_a) - point_at(near.at_b)).norm()));
+                    (at - point_at(near.at_b)).norm()));
+    notice.patch = index;
+    notice.point = at;
+    model_.notices.push_back(std::move(notice));
   }
 }
 

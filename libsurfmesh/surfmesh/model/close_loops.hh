@@ -43,7 +43,8 @@ class LoopCloser {
   LoopCurves curves_of(const Chain& chain) const;
   void close(const PatchInput& patch, std::size_t loop, const Chain& chain);
   void check_extent(const PatchInput& patch, std::size_t loop, const Chain& chain) const;
-  void warn_of_near_parts(const PatchInput& patch, const std::vector<LoopCurves>& curves);
+  void warn_of_near_parts(int index, const PatchInput& patch,
+                          const std::vector<LoopCurves>& curves);
   void add(int patch, const Chain& chain, bool is_turned);
 
   Model& model_;

@@ -115,14 +115,14 @@ std::vector<PatchSide> bounding_sides(const std::vector<PatchInput>& patches) {
   return result;
 }
 
-std::vector<std::string> warnings_of(const Parts& parts, const std::vector<Contour>& contours,
-                                     const JoinLengths& lengths) {
+Notices notices_of(const Parts& parts, const std::vector<Contour>& contours,
+                   const JoinLengths& lengths) {
   std::vector<ContourShape> shapes;
   for (std::size_t c = 0; c < parts.curves.size(); ++c) {
     if (contours[c].is_degenerate) continue;
     shapes.push_back({contours[c].name, parts.curves[c].first, contours[c].uses.size() > 1});
   }
-  return near_miss_warnings(shapes, lengths);
+  return near_miss_notices(shapes, lengths);
 }
 
 [[noreturn]] void refuse_side(std::string_view side_name) {
@@ -169,7 +169,7 @@ Model model_from_patches(const std::vector<PatchInput>& patches,
   for (const MatchedCurve& curve : parts.curves) {
     model.contours.push_back(make_contour(parts, curve));
   }
-  model.warnings = warnings_of(parts, model.contours, lengths);
+  model.notices = notices_of(parts, model.contours, lengths);
   const SideChains chains = chains_of(parts);
   for (const PatchInput& patch : patches) {
     Patch& result = model.patches.emplace_back();

@@ -48,7 +48,7 @@ struct ContourInput {
 /// A contour has the direction of its first use, in the order of patches and, in a patch, of the
 /// sides as listed above; it is named after the first whole side among its uses, else after its
 /// first use with the number of the part: `left:u1#0`.
-/// Sides that come within 1e-4 of the diagonal but do not coincide are not joined; Model::warnings
+/// Sides that come within 1e-4 of the diagonal but do not coincide are not joined; Model::notices
 /// tells their gap.
 ///
 /// A patch with loops has the sides that these name, and contours. A contour is shared by all the

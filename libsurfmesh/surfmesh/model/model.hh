@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "surfmesh/core/mesh_names.hh"
+#include "surfmesh/core/notice.hh"
 #include "surfmesh/core/values.hh"
 #include "surfmesh/geometry/curve.hh"
 #include "surfmesh/geometry/surface.hh"
@@ -69,9 +70,9 @@ struct Model {
   std::vector<Contour> contours;
   std::vector<Patch> patches;
   std::vector<Group> groups;
-  Eigen::AlignedBox3d box;            ///< of the cage's points, or of samples of the patches
-  double diagonal = 0;                ///< of the box
-  std::vector<std::string> warnings;  ///< of its construction, in plain English
+  Eigen::AlignedBox3d box;  ///< of the cage's points, or of samples of the patches
+  double diagonal = 0;      ///< of the box
+  Notices notices;          ///< of its construction
 
   const Contour& contour(int index) const { return contours[static_cast<std::size_t>(index)]; }
   const Contour& contour(const LoopEntry& entry) const { return contour(entry.contour); }

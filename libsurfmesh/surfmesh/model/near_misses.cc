@@ -11,14 +11,15 @@
 namespace surfmesh {
 namespace {
 
+/// More of them are only counted.
+constexpr std::size_t kMostNotices = 20;
+
 /// A stretch along another contour is at least this part of the samples: curves that touch or
 /// leave a corner under a small angle are near for less.
 constexpr std::size_t kLeastSamples = kLineSamples / 4;
 
 /// A stretch is longer than this many gaps, or it is short rather than near.
 constexpr double kLengthPerGap = 4;
-
-constexpr std::size_t kMaxWarnings = 20;
 
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
@@ -116,13 +117,11 @@ std::vector<Pair> meeting_pairs(const std::vector<Box3>& boxes, double margin) {
 
 }  // namespace
 
-std::vector<std::string> near_miss_warnings(const std::vector<ContourShape>& contours,
-                                            const JoinLengths& lengths) {
+Notices near_miss_notices(const std::vector<ContourShape>& contours, const JoinLengths& lengths) {
   std::vector<Box3> boxes;
   boxes.reserve(contours.size());
   for (const ContourShape& contour : contours) boxes.push_back(contour.curve.box());
-  std::vector<std::string> result;
-  std::size_t more = 0;
+  Notices result;
   for (const auto& [i, j] : meeting_pairs(boxes, lengths.near)) {
     const ContourShape& a = contours[i];
     const ContourShape& b = contours[j];
@@ -130,15 +129,16 @@ std::vector<std::string> near_miss_warnings(const std::vector<ContourShape>& con
     std::optional<double> found = gap(a.curve, b.curve, lengths);
     if (!found) found = gap(b.curve, a.curve, lengths);
     if (!found) continue;
-    if (result.size() == kMaxWarnings) {
-      ++more;
-    } else {
-      result.push_back(fmt::format(
-          "contours {} and {} are not joined: the gap between them is {:.3g}, more than {:.3g}",
-          a.name, b.name, *found, lengths.join));
+    if (result.size() == kMostNotices) {
+      ++result.back().count;
+      continue;
     }
+    result.push_back(warning(
+        NoticeKind::UnjoinedSides,
+        fmt::format(
+            "contours {} and {} are not joined: the gap between them is {:.3g}, more than {:.3g}",
+            a.name, b.name, *found, lengths.join)));
   }
-  if (more > 0) result.push_back(fmt::format("{} more pairs of contours are as near", more));
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "surfmesh/core/notice.hh"
 #include "surfmesh/model/patch_sides.hh"
 
 namespace surfmesh {
@@ -25,7 +26,6 @@ struct ContourShape {
 /// Returns  a warning a pair, with the names and the greatest gap in model units; the last one
 ///          counts the pairs beyond twenty
 /// Cost     O(n log n) for n contours that are short against the model
-std::vector<std::string> near_miss_warnings(const std::vector<ContourShape>& contours,
-                                            const JoinLengths& lengths);
+Notices near_miss_notices(const std::vector<ContourShape>& contours, const JoinLengths& lengths);
 
 }  // namespace surfmesh

@@ -59,10 +59,11 @@ void warn_of_neighbours(Model& model, const NamedInputs& inputs) {
     pairs.insert(pairs.end(), more.begin(), more.end());
   }
   for (const ContourPair& pair : pairs) {
-    model.warnings.push_back(
+    model.notices.push_back(warning(
+        NoticeKind::UnjoinedSides,
         fmt::format("contours {} and {} run along each other, at most {:.3g} apart, but are not "
                     "joined: give them one name",
-                    pair.a, pair.b, pair.gap));
+                    pair.a, pair.b, pair.gap)));
   }
 }
 
@@ -208,7 +209,9 @@ ChainLink Trimmer::contour_link(const ContourInput& input, int index) {
 void Trimmer::warn_of_unused() {
   for (const ContourInput& input : input_.contours) {
     if (!contours_.has(input)) {
-      model_.warnings.push_back(fmt::format("{}: no loop names it, it is left out", label(input)));
+      model_.notices.push_back(
+          warning(NoticeKind::UnusedContour,
+                  fmt::format("{}: no loop names it, it is left out", label(input))));
       continue;
     }
     for (const ContourInput::On& on : input.on) {
@@ -216,8 +219,11 @@ void Trimmer::warn_of_unused() {
                                       [&](const PatchInput& p) { return p.name == on.patch; });
       const int index = static_cast<int>(owner - input_.patches.begin());
       if (mentions_.contains({&input, index})) continue;
-      model_.warnings.push_back(
-          fmt::format("{}: no loop of patch {} names it", label(input), on.patch));
+      Notice notice =
+          warning(NoticeKind::UnusedContour,
+                  fmt::format("{}: no loop of patch {} names it", label(input), on.patch));
+      notice.patch = index;
+      model_.notices.push_back(std::move(notice));
     }
   }
 }

@@ -92,6 +92,14 @@ Json quality_json(const QualityStatistics& quality) {
   return {{"min", quality.min}, {"mean", quality.mean}, {"below_0.3", quality.below_0_3}};
 }
 
+Json notices_json(const Notices& notices) {
+  Json json = Json::array();
+  for (const Notice& notice : notices) {
+    json.push_back({{"kind", name(notice.kind)}, {"text", notice.text}, {"count", notice.count}});
+  }
+  return json;
+}
+
 Json faults_json(const std::vector<MeshFault>& faults) {
   Json json = Json::array();
   for (const MeshFault& fault : faults) {
@@ -222,7 +230,7 @@ MeshCheck check_mesh(const MeshArraysFile& file) {
   MeshCheck check;
   check.faces = check_face_set(file.mesh);
   check.shape = measure_shape(file.mesh);
-  check.warnings = file.warnings;
+  check.notices = file.notices;
   check.faults = check.faces.faults;
   for (const std::size_t face : file.degenerate_faces) {
     fault_of_kind(check.faults, "degenerate_face").add([&] {
@@ -264,7 +272,7 @@ std::string to_json(const MeshCheck& check) {
       {"model", check.model.empty() ? Json() : Json(check.model)},
       {"clean", check.faults.empty()},
       {"faults", faults_json(check.faults)},
-      {"warnings", check.warnings},
+      {"notices", notices_json(check.notices)},
       {"counts", counts_json(check.faces)},
       {"open_edges", open_edges_json(check.faces.open_edges)},
       {"closed", check.faces.is_closed},

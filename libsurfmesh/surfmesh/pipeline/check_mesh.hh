@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "surfmesh/core/notice.hh"
 #include "surfmesh/formats/read_mesh.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/quality/face_set_check.hh"
@@ -34,7 +35,7 @@ struct MeshCheck {
   FaceSetCheck faces;
   ShapeStatistics shape;
   std::optional<ModelFit> fit;  ///< with a model
-  std::vector<std::string> warnings;
+  Notices notices;
   std::vector<MeshFault> faults;  ///< of all kinds; empty for a clean mesh
 };
 
@@ -58,12 +59,13 @@ ModelFit measure_fit(MeshFile& mesh, const ModelInput& input);
 /// model does not promise.
 void add_fit(MeshCheck& check, ModelFit fit);
 
-/// The check as JSON text. Keys: mesh, model, clean, faults (kind, count, places), warnings, counts
-/// (vertices, edges, triangles, quads, polygons, boundary_edges, boundary_loops, components,
-/// euler), open_edges (count, places), closed, manifold, oriented, angles (min, max, min_face,
-/// max_face, histogram), edge_lengths (min, mean, max), shape (min, mean, below_0.3); with a model
-/// fit, else null: projected, edges (count, mean, stddev, min, max, unit_fraction, histogram),
-/// quality (min, mean, below_0.3), distance (max, mean, max_face, max_at, max_corner).
+/// The check as JSON text. Keys: mesh, model, clean, faults (kind, count, places), notices (kind,
+/// text, count), counts (vertices, edges, triangles, quads, polygons, boundary_edges,
+/// boundary_loops, components, euler), open_edges (count, places), closed, manifold, oriented,
+/// angles (min, max, min_face, max_face, histogram), edge_lengths (min, mean, max), shape (min,
+/// mean, below_0.3); with a model fit, else null: projected, edges (count, mean, stddev, min, max,
+/// unit_fraction, histogram), quality (min, mean, below_0.3), distance (max, mean, max_face,
+/// max_at, max_corner).
 std::string to_json(const MeshCheck& check);
 
 /// The check in some lines for a terminal, with the first faults.

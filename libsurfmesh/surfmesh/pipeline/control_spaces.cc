@@ -42,6 +42,16 @@ std::vector<std::size_t> cells_of_patches(const Model& model) {
   return cells;
 }
 
+void tell_coarse(const Model& model, const std::vector<ControlInput>& inputs, Notices& notices) {
+  std::vector<char> is_coarse;
+  for (const ControlInput& input : inputs) is_coarse.push_back(input.is_coarse);
+  auto notice = detail::shortfall_of_patches(
+      NoticeKind::CoarseControl, model, is_coarse,
+      "the control space does not hold its precision, for sizes change faster than elements can "
+      "follow; a larger hmin or precision helps");
+  if (notice) notices.push_back(std::move(*notice));
+}
+
 }  // namespace
 
 ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
@@ -49,8 +59,9 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
                                   const RunContext& context) {
   check_patches(model, sources);
   ControlSpaces result;
-  if (auto warning = clamp_warning(model, sources, sizing.bounds))
-    result.warnings.push_back(*warning);
+  if (auto notice = clamp_notice(model, sources, sizing.bounds)) {
+    result.notices.push_back(std::move(*notice));
+  }
   const auto patch_sources = model_sources(model, sources, sizing);
   std::vector<ControlInput> inputs(model.patches.size());
   result.spaces.resize(model.patches.size());
@@ -58,16 +69,10 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
     inputs[p] = collect_control_input(*model.patches[p].surface, sizing, patch_sources[p], options);
     result.spaces[p] = make_control(inputs[p]);
   });
-  std::vector<char> is_coarse;
-  for (const ControlInput& input : inputs) is_coarse.push_back(input.is_coarse);
-  if (const std::string names = detail::patch_names(model, is_coarse); !names.empty()) {
-    result.shortfalls.push_back(
-        fmt::format("{}: the control space does not hold its precision, for sizes change faster "
-                    "than elements can follow; a larger hmin or precision helps",
-                    names));
-  }
+  tell_coarse(model, inputs, result.notices);
   if (!grade_across_contours(model, inputs, result.spaces, context).has_converged) {
-    result.shortfalls.push_back("gradation across contours has not come to an end");
+    result.notices.push_back(shortfall(NoticeKind::UnfinishedGradation,
+                                       "gradation across contours has not come to an end"));
   }
   return result;
 }

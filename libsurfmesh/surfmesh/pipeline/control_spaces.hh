@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "surfmesh/control/control_space.hh"
+#include "surfmesh/core/notice.hh"
 #include "surfmesh/core/run_context.hh"
 #include "surfmesh/model/model.hh"
 #include "surfmesh/sampling/make_control.hh"
@@ -16,8 +17,7 @@ namespace surfmesh {
 /// The control spaces of all patches of a model, and what there is to say of them.
 struct ControlSpaces {
   std::vector<std::unique_ptr<ControlSpace>> spaces;  ///< in the order of the patches
-  std::vector<std::string> warnings;
-  std::vector<std::string> shortfalls;  ///< what was asked for and not reached
+  Notices notices;
 };
 
 /// Make the control space of each patch, graded within patches and across their contours.

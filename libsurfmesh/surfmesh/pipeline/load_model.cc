@@ -42,9 +42,9 @@ ModelInput load_cage(const std::filesystem::path& path, const CageOptions& cage_
   const Cage cage = read_cage(path);
   ModelInput input;
   at_file(path.string(), [&] { input.model = model_from_cage(cage, cage_options); });
-  std::vector<std::string>& warnings = input.model.warnings;
-  for (std::string& warning : warnings) warning.insert(0, path.string() + ": ");
-  warnings.insert(warnings.begin(), cage.warnings.begin(), cage.warnings.end());
+  Notices& notices = input.model.notices;
+  for (Notice& notice : notices) notice.text.insert(0, path.string() + ": ");
+  notices.insert(notices.begin(), cage.notices.begin(), cage.notices.end());
   return input;
 }
 
@@ -193,7 +193,7 @@ ModelInput load_model_file(const std::filesystem::path& path, const CageOptions&
   input.options = file_options(file, name);
   if (!file.patches.empty()) {
     at_file(name, [&] { input.model = model_from_patches(file.patches, file.contours); });
-    for (std::string& warning : input.model.warnings) warning.insert(0, name + ": ");
+    for (Notice& notice : input.model.notices) notice.text.insert(0, name + ": ");
   }
   append_cages(file, name, cage_options, input);
   input.sources = file.sources;

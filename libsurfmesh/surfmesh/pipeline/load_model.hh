@@ -12,7 +12,7 @@ namespace surfmesh {
 
 /// What a file asks for: the arguments of mesh_model.
 struct ModelInput {
-  Model model;  ///< its warnings are those of reading, too
+  Model model;  ///< its notices are those of reading, too
   Sources sources;
   PipelineOptions options;  ///< defaults, with the sizing and the options of a model file
 };

@@ -41,7 +41,7 @@ class Run {
         sizing_(sizing),
         corrected_sag_(corrected_sag) {
     report_.options = options;
-    report_.warnings = model.warnings;
+    append(model.notices, report_.notices);
   }
 
   void mesh(MeshResult& result) {
@@ -61,9 +61,7 @@ class Run {
   void make_spaces() {
     const StageClock clock(report_.seconds[Stage::Control]);
     ControlSpaces made = make_control_spaces(model_, sources_, sizing_, options_.control, context_);
-    std::move(made.warnings.begin(), made.warnings.end(), std::back_inserter(report_.warnings));
-    std::move(made.shortfalls.begin(), made.shortfalls.end(),
-              std::back_inserter(report_.shortfalls));
+    append(std::move(made.notices), report_.notices);
     spaces_ = std::move(made.spaces);
     for (std::size_t p = 0; p < spaces_.size(); ++p) {
       const PolyMesh& mesh = spaces_[p]->mesh();
@@ -162,49 +160,51 @@ class Run {
   void tell_given_up(const std::vector<PatchResult>& results) {
     std::vector<char> is_given_up;
     for (const PatchResult& result : results) is_given_up.push_back(result.is_given_up);
-    const std::string names = detail::patch_names(model_, is_given_up);
-    if (names.empty()) return;
-    report_.shortfalls.push_back(
-        fmt::format("{}: given up at three times the triangles that the sizes ask for: they change "
-                    "direction faster than elements can follow; smaller stretch or a lower grade "
-                    "helps",
-                    names));
+    auto notice = detail::shortfall_of_patches(
+        NoticeKind::GivenUp, model_, is_given_up,
+        "given up at three times the triangles that the sizes ask for: they change direction "
+        "faster than elements can follow; smaller stretch or a lower grade helps");
+    if (notice) report_.notices.push_back(std::move(*notice));
   }
 
   void tell_turned() {
     std::size_t count = 0;
     for (const TurnedTriangles& turned : turned_) count += turned.count;
     if (count == 0) return;
-    report_.shortfalls.push_back(
-        fmt::format("{} triangles are turned against the normal of the surface{}; smaller sizes "
-                    "help (curvature, hmin, hmax)",
-                    count, turned_location()));
-  }
-
-  /// ", one in patch wing at (0, 0, 1)"; nothing where all are in fans around poles.
-  std::string turned_location() const {
-    for (std::size_t p = 0; p < turned_.size(); ++p) {
-      if (!turned_[p].point) continue;
-      return fmt::format(", one in patch {} at {}", model_.patches[p].name,
-                         place_text(*turned_[p].point));
+    // None where all are in fans around poles.
+    const auto with_point =
+        std::find_if(turned_.begin(), turned_.end(),
+                     [](const TurnedTriangles& t) { return t.point.has_value(); });
+    std::string location;
+    Notice notice = shortfall(NoticeKind::TurnedTriangles, {});
+    if (with_point != turned_.end()) {
+      notice.patch = static_cast<int>(with_point - turned_.begin());
+      notice.point = with_point->point;
+      location = fmt::format(", one in patch {} at {}", model_.patch(notice.patch).name,
+                             place_text(*notice.point));
     }
-    return {};
+    notice.text = fmt::format(
+        "{} triangles are turned against the normal of the surface{}; smaller sizes help "
+        "(curvature, hmin, hmax)",
+        count, location);
+    report_.notices.push_back(std::move(notice));
   }
 
   void assemble_patches(PolyMesh& mesh) {
     const StageClock clock(report_.seconds[Stage::Assemble]);
     context_.tell("assemble", 0, 1);
     AssembleReport report = assemble(mesh, model_, nodes_, *numbers_, patches_);
-    for (std::string& warning : report.warnings) report_.warnings.push_back(std::move(warning));
+    append(std::move(report.notices), report_.notices);
     context_.tell("assemble", 1, 1);
     compare(mesh);
   }
 
   void compare(const PolyMesh& mesh) {
     for (const MeshFault& fault : compare_with_promise(mesh, model_)) {
-      report_.shortfalls.push_back(
-          fmt::format("the mesh is not as the model promises: {}: {}, the first: {}", fault.kind,
-                      fault.count, fault.places.front()));
+      report_.notices.push_back(
+          shortfall(NoticeKind::BrokenPromise,
+                    fmt::format("the mesh is not as the model promises: {}: {}, the first: {}",
+                                fault.kind, fault.count, fault.places.front())));
     }
   }
 
@@ -222,10 +222,16 @@ class Run {
     if (quality.worst_face < 0 || quality.min >= kFlatQuality) return;
     const FaceHandle fh(quality.worst_face);
     const auto patch = mesh.property(require(mesh, keys::face_patch), fh);
-    report_.warnings.push_back(fmt::format(
-        "triangles are as flat as quality {:.3g}, in patch {} at {}: the boundary leaves less room "
-        "than the sizes ask for; gaps get their sizes by proximity, not below hmin",
-        quality.min, model_.patch(patch).name, place_text(to_eigen(mesh.calc_face_centroid(fh)))));
+    const Vec3 point = to_eigen(mesh.calc_face_centroid(fh));
+    Notice notice = warning(
+        NoticeKind::FlatTriangles,
+        fmt::format("triangles are as flat as quality {:.3g}, in patch {} at {}: the boundary "
+                    "leaves less room than the sizes ask for; gaps get their sizes by proximity, "
+                    "not below hmin",
+                    quality.min, model_.patch(patch).name, place_text(point)));
+    notice.patch = patch;
+    notice.point = point;
+    report_.notices.push_back(std::move(notice));
   }
 
   const Model& model_;

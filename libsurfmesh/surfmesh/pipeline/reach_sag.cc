@@ -182,10 +182,11 @@ MeshResult reach_sag(const Model& model, const Sources& sources, const ResolvedS
   result.report.seconds = loop.seconds();
   const double asked = *result.report.sag.asked, reached = *result.report.sag.reached;
   if (reached > asked) {
-    result.report.shortfalls.push_back(fmt::format(
-        "mesh and surface are up to {:.6g} from each other, more than sag = {:.6g} (in model "
-        "units) allows; a smaller hmin helps where that is in the way",
-        reached, asked));
+    result.report.notices.push_back(shortfall(
+        NoticeKind::SagNotReached,
+        fmt::format("mesh and surface are up to {:.6g} from each other, more than sag = {:.6g} (in "
+                    "model units) allows; a smaller hmin helps where that is in the way",
+                    reached, asked)));
   }
   result.report.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -23,10 +23,24 @@ Json options_json(const PipelineOptions& options) {
   return json;
 }
 
-/// The report has one list of messages; what was not reached comes after the warnings.
-Json warnings_json(const Report& report) {
-  Json json = report.warnings;
-  for (const std::string& shortfall : report.shortfalls) json.push_back(shortfall);
+/// The patch by its name; null for what is not known.
+Json notice_json(const Notice& notice, const Report& report) {
+  const auto patch = static_cast<std::size_t>(notice.patch);
+  const bool has_patch = notice.patch >= 0 && patch < report.patches.size();
+  Json json = {{"kind", name(notice.kind)},
+               {"severity", name(notice.severity)},
+               {"text", notice.text},
+               {"patch", has_patch ? Json(report.patches[patch].name) : Json(nullptr)},
+               {"contour", notice.contour >= 0 ? Json(notice.contour) : Json(nullptr)},
+               {"point", nullptr},
+               {"count", notice.count}};
+  if (notice.point) json["point"] = {notice.point->x(), notice.point->y(), notice.point->z()};
+  return json;
+}
+
+Json notices_json(const Report& report) {
+  Json json = Json::array();
+  for (const Notice& notice : report.notices) json.push_back(notice_json(notice, report));
   return json;
 }
 
@@ -113,7 +127,7 @@ std::string to_json(const Report& report) {
   const Json json = {
       {"input", report.input},
       {"options", options_json(report.options)},
-      {"warnings", warnings_json(report)},
+      {"notices", notices_json(report)},
       {"mesh", mesh_json(report.mesh)},
       {"patches", patches_json(report.patches)},
       {"edges", edges_json(report.edges)},
@@ -157,7 +171,7 @@ std::string to_text(const Report& report) {
   line("time", fmt::format("{:.2f} s of processor, {:.2f} s by the clock", report.seconds.sum(),
                            report.wall_seconds));
   line("", fmt::format("{:.0f} triangles a second", report.triangles_per_second()));
-  line("warnings", fmt::format("{}", report.warnings.size() + report.shortfalls.size()));
+  line("notices", fmt::format("{}", report.notices.size()));
   return text;
 }
 

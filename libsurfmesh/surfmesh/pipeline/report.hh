@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "surfmesh/core/notice.hh"
 #include "surfmesh/core/stage.hh"
 #include "surfmesh/metric/metric_field.hh"
 #include "surfmesh/pipeline/options.hh"
@@ -47,9 +48,7 @@ struct Report {
 
   std::string input;
   PipelineOptions options;  ///< the effective values
-  std::vector<std::string> warnings;
-  /// What was asked for and not reached, in plain English; a tool ends with status 3.
-  std::vector<std::string> shortfalls;
+  Notices notices;          ///< a tool ends with status 3 if one is a shortfall
   Mesh mesh;
   std::vector<PatchMeasure> patches;
   EdgeStatistics edges;       ///< in the metric of the control space

@@ -81,8 +81,8 @@ std::vector<PatchSources> model_sources(const Model& model, const Sources& sourc
   return result;
 }
 
-std::optional<std::string> clamp_warning(const Model& model, const Sources& sources,
-                                         const SizeBounds& bounds) {
+std::optional<Notice> clamp_notice(const Model& model, const Sources& sources,
+                                   const SizeBounds& bounds) {
   std::size_t count = count_clamped(sources, bounds);
   for (const TableSource& table : sources.tables) {
     const Patch& patch = model.patch(table.patch);
@@ -90,9 +90,10 @@ std::optional<std::string> clamp_warning(const Model& model, const Sources& sour
                       [&] { return count_clamped(table, *patch.surface, bounds); });
   }
   if (count == 0) return std::nullopt;
-  return fmt::format("{} of sources {} brought into the bounds hmin = {} and hmax = {}",
-                     count == 1 ? "1 size" : fmt::format("{} sizes", count),
-                     count == 1 ? "is" : "are", bounds.hmin, bounds.hmax);
+  return warning(NoticeKind::ClampedSizes,
+                 fmt::format("{} of sources {} brought into the bounds hmin = {} and hmax = {}",
+                             count == 1 ? "1 size" : fmt::format("{} sizes", count),
+                             count == 1 ? "is" : "are", bounds.hmin, bounds.hmax));
 }
 
 }  // namespace surfmesh

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "surfmesh/core/notice.hh"
 #include "surfmesh/model/model.hh"
 #include "surfmesh/sizes/patch_sources.hh"
 
@@ -20,12 +21,12 @@ namespace surfmesh {
 std::vector<PatchSources> model_sources(const Model& model, const Sources& sources,
                                         const ResolvedSizing& sizing);
 
-/// A warning that tells how many sizes of the user lie beyond hmin and hmax; none if there are
+/// Tell how many sizes of the user lie beyond hmin and hmax; none if there are
 /// none. Sizes of fields are not known.
 ///
 /// Cost     an evaluation of the surface for each row of a table
 /// Throws   InvalidInput for a size or metric that is none
-std::optional<std::string> clamp_warning(const Model& model, const Sources& sources,
-                                         const SizeBounds& bounds);
+std::optional<Notice> clamp_notice(const Model& model, const Sources& sources,
+                                   const SizeBounds& bounds);
 
 }  // namespace surfmesh

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/core/notice.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace surfmesh {
+namespace {
+
+/// Of each kind so many stand in a terminal: enough to see what they have in common.
+constexpr std::size_t kMostLines = 3;
+
+std::string line_of(const Notice& notice) {
+  const char* front = notice.severity == Severity::Warning ? "warning" : "not reached";
+  const std::string more =
+      notice.count > 1 ? fmt::format(" (and {} more)", notice.count - 1) : std::string();
+  return fmt::format("{}: {}{}", front, notice.text, more);
+}
+
+}  // namespace
+
+std::string_view name(NoticeKind kind) {
+  switch (kind) {
+    case NoticeKind::IgnoredInput:
+      return "ignored_input";
+    case NoticeKind::UnjoinedSides:
+      return "unjoined_sides";
+    case NoticeKind::TurnedLoop:
+      return "turned_loop";
+    case NoticeKind::NarrowGap:
+      return "narrow_gap";
+    case NoticeKind::UnusedContour:
+      return "unused_contour";
+    case NoticeKind::SurfaceGap:
+      return "surface_gap";
+    case NoticeKind::ClampedSizes:
+      return "clamped_sizes";
+    case NoticeKind::CutEdges:
+      return "cut_edges";
+    case NoticeKind::SplitVertices:
+      return "split_vertices";
+    case NoticeKind::FlatTriangles:
+      return "flat_triangles";
+    case NoticeKind::CoarseControl:
+      return "coarse_control";
+    case NoticeKind::UnfinishedGradation:
+      return "unfinished_gradation";
+    case NoticeKind::GivenUp:
+      return "given_up";
+    case NoticeKind::TurnedTriangles:
+      return "turned_triangles";
+    case NoticeKind::SagNotReached:
+      return "sag_not_reached";
+    case NoticeKind::BrokenPromise:
+      return "broken_promise";
+  }
+  return "unknown";
+}
+
+std::string_view name(Severity severity) {
+  return severity == Severity::Warning ? "warning" : "shortfall";
+}
+
+void append(Notices more, Notices& notices) {
+  std::map<std::pair<NoticeKind, std::string>, std::size_t> known;
+  for (std::size_t i = 0; i < notices.size(); ++i) {
+    known.emplace(std::pair(notices[i].kind, notices[i].text), i);
+  }
+  for (Notice& notice : more) {
+    const auto [found, is_new] = known.emplace(std::pair(notice.kind, notice.text), notices.size());
+    if (is_new) {
+      notices.push_back(std::move(notice));
+    } else {
+      notices[found->second].count += notice.count;
+    }
+  }
+}
+
+bool has_shortfall(const Notices& notices) {
+  return std::any_of(notices.begin(), notices.end(),
+                     [](const Notice& notice) { return notice.severity == Severity::Shortfall; });
+}
+
+std::vector<std::string> lines_of(const Notices& notices) {
+  std::map<NoticeKind, std::size_t> counts, shown;
+  for (const Notice& notice : notices) ++counts[notice.kind];
+  std::vector<std::string> lines;
+  for (const Notice& notice : notices) {
+    const std::size_t number = ++shown[notice.kind], count = counts[notice.kind];
+    if (number > kMostLines && count > kMostLines + 1) continue;
+    lines.push_back(line_of(notice));
+    if (number < kMostLines || count <= kMostLines + 1) continue;
+    lines.back() += fmt::format("; {} more of the kind {}", count - number, name(notice.kind));
+  }
+  return lines;
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "surfmesh/core/values.hh"
+
+namespace surfmesh {
+
+/// What a notice is about.
+enum class NoticeKind {
+  IgnoredInput,         ///< a part of a file or cage is ignored, left out or mended
+  UnjoinedSides,        ///< contours run along each other but are not joined
+  TurnedLoop,           ///< a loop was given the wrong way round
+  NarrowGap,            ///< loops nearly meet
+  UnusedContour,        ///< no loop names a contour
+  SurfaceGap,           ///< surfaces of neighbouring faces do not quite meet
+  ClampedSizes,         ///< sizes of sources are brought into the bounds
+  CutEdges,             ///< edges are left open, as a half-edge mesh cannot be so
+  SplitVertices,        ///< vertices are taken apart, likewise
+  FlatTriangles,        ///< triangles of very low quality
+  CoarseControl,        ///< a control space does not hold its precision
+  UnfinishedGradation,  ///< gradation across contours has not come to an end
+  GivenUp,              ///< refinement was given up
+  TurnedTriangles,      ///< triangles against the normal of the surface
+  SagNotReached,        ///< mesh and surface are farther apart than asked for
+  BrokenPromise,        ///< the mesh is not as the model promises
+};
+
+inline constexpr std::size_t kNoticeKinds = 16;
+
+/// The name of a kind in reports: "ignored_input", "turned_triangles", ...
+std::string_view name(NoticeKind kind);
+
+enum class Severity {
+  Warning,    ///< done as asked, but the user may not have meant it
+  Shortfall,  ///< something asked for was not reached; a tool ends with status 3
+};
+
+/// The name of a severity in reports: "warning", "shortfall".
+std::string_view name(Severity severity);
+
+/// Something to tell the user, as text and as data.
+struct Notice {
+  NoticeKind kind = NoticeKind::IgnoredInput;
+  Severity severity = Severity::Warning;
+  std::string text;                ///< plain English, with the location and what helps
+  int patch = -1;                  ///< the patch it is about, or the first of several; -1 for none
+  int contour = -1;                ///< likewise
+  std::optional<Vec3> point = {};  ///< in space
+  std::size_t count = 1;           ///< how often it came, with the same text or one like it
+
+  friend bool operator==(const Notice&, const Notice&) = default;
+};
+
+using Notices = std::vector<Notice>;
+
+inline Notice warning(NoticeKind kind, std::string text) {
+  return {.kind = kind, .severity = Severity::Warning, .text = std::move(text)};
+}
+inline Notice shortfall(NoticeKind kind, std::string text) {
+  return {.kind = kind, .severity = Severity::Shortfall, .text = std::move(text)};
+}
+
+/// Add notices at the end. One with the kind and text of an earlier one only adds to its count.
+void append(Notices more, Notices& notices);
+
+/// True if something asked for was not reached.
+bool has_shortfall(const Notices& notices);
+
+/// Lines for a terminal, "warning: text" or "not reached: text": the first few of each kind, and
+/// how many more there are.
+std::vector<std::string> lines_of(const Notices& notices);
+
+}  // namespace surfmesh

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/core/notice.hh"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+namespace surfmesh {
+namespace {
+
+TEST(NoticeKind, HasANameOfItsOwn) {
+  std::set<std::string_view> names;
+  for (std::size_t i = 0; i < kNoticeKinds; ++i) names.insert(name(static_cast<NoticeKind>(i)));
+  EXPECT_EQ(names.size(), kNoticeKinds);
+  EXPECT_EQ(names.count("unknown"), 0U);
+  EXPECT_EQ(name(static_cast<NoticeKind>(kNoticeKinds)), "unknown");
+}
+
+Notices many(std::size_t count) {
+  Notices notices;
+  for (std::size_t i = 0; i < count; ++i) {
+    notices.push_back(warning(NoticeKind::UnjoinedSides, "sides " + std::to_string(i)));
+  }
+  return notices;
+}
+
+TEST(Notices, CountWhatComesAgain) {
+  Notices notices = {warning(NoticeKind::TurnedLoop, "a")};
+  append({warning(NoticeKind::TurnedLoop, "a"), warning(NoticeKind::NarrowGap, "a"),
+          warning(NoticeKind::TurnedLoop, "b"), warning(NoticeKind::TurnedLoop, "b")},
+         notices);
+  ASSERT_EQ(notices.size(), 3U);
+  EXPECT_EQ(notices[0].count, 2U);
+  EXPECT_EQ(notices[1].count, 1U);
+  EXPECT_EQ(notices[2].count, 2U);
+}
+
+TEST(Notices, HaveAShortfallIfOneIs) {
+  Notices notices = many(2);
+  EXPECT_FALSE(has_shortfall(notices));
+  notices.push_back(shortfall(NoticeKind::GivenUp, "given up"));
+  EXPECT_TRUE(has_shortfall(notices));
+}
+
+TEST(NoticeLines, TellTheSeverityAndHowOften) {
+  Notices notices = {warning(NoticeKind::IgnoredInput, "odd"),
+                     shortfall(NoticeKind::GivenUp, "given up")};
+  notices[0].count = 4;
+  EXPECT_EQ(lines_of(notices),
+            (std::vector<std::string>{"warning: odd (and 3 more)", "not reached: given up"}));
+}
+
+TEST(NoticeLines, ListAFewOfAKind) {
+  EXPECT_EQ(lines_of(many(4)).size(), 4U);  // rather than three and "1 more"
+  const auto lines = lines_of(many(12));
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(lines[0], "warning: sides 0");
+  EXPECT_EQ(lines[2], "warning: sides 2; 9 more of the kind unjoined_sides");
+}
+
+}  // namespace
+}  // namespace surfmesh
