@@ -96,7 +96,7 @@ TEST(MeshModel, ReportsItsMesh) {
   EXPECT_TRUE(result.report.mesh.is_closed);
   EXPECT_EQ(result.report.mesh.euler, 0);
   EXPECT_EQ(result.report.edges.count, result.mesh.n_edges());
-  EXPECT_GT(result.report.control.queries.refine.total(), 0u);
+  EXPECT_GT(result.report.control.queries[Stage::Refine].total(), 0u);
   EXPECT_TRUE(texts_of(result.report.notices, Severity::Shortfall).empty());
 }
 

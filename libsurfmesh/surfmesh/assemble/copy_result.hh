@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>  // targets are of either kind
 #include <OpenMesh/Core/Utils/vector_traits.hh>
 #include <cmath>
 #include <string>
