@@ -102,7 +102,7 @@ class PropertyTable : public testing::Test {
   void collapse_with(const Key& key) {
     const auto handle = require(mesh_, key);
     ElementPool pool(mesh_);
-    pool.take_out(collapse(mesh_, halfedge(6, 1)), [&]<class Handle>(Handle from, Handle to) {
+    pool.remove(collapse(mesh_, halfedge(6, 1)), [&]<class Handle>(Handle from, Handle to) {
       if constexpr (std::is_same_v<Handle, VertexHandle>) {
         mesh_.property(handle, to) = mesh_.property(handle, from);
       } else if constexpr (std::is_same_v<Handle, EdgeHandle>) {

@@ -268,7 +268,7 @@ class Collapse : public testing::Test {
     const auto id = attach(mesh_, keys::edge_contour, -1);
     for (const EdgeHandle eh : mesh_.edges()) mesh_.property(id, eh) = eh.idx();
     const HalfedgeHandle heh = mesh_.find_halfedge(VertexHandle(from), VertexHandle(to));
-    pool.take_out(collapse(mesh_, heh), [&]<class Handle>(Handle old, Handle place) {
+    pool.remove(collapse(mesh_, heh), [&]<class Handle>(Handle old, Handle place) {
       if constexpr (std::is_same_v<Handle, EdgeHandle>) {
         mesh_.property(id, place) = mesh_.property(id, old);
       }
@@ -307,8 +307,8 @@ TEST_F(Collapse, OfAVertexOfThreeTrianglesLeavesOne) {
   PolyMesh mesh;
   build_triangles(mesh, 4, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
   ElementPool pool(mesh);
-  pool.take_out(collapse(mesh, mesh.find_halfedge(VertexHandle(3), VertexHandle(1))),
-                [](auto, auto) {});
+  pool.remove(collapse(mesh, mesh.find_halfedge(VertexHandle(3), VertexHandle(1))),
+              [](auto, auto) {});
   pool.shrink();
   EXPECT_EQ(triangles_of(mesh), (std::set<std::array<int, 3>>{{0, 1, 2}}));
   EXPECT_EQ(mesh.n_edges(), 3u);

@@ -46,7 +46,7 @@ TEST(ProjectToSurface, KeepsTheFreeParameterAtAPole) {
 }
 
 TEST(NearPlaces, FindBothSidesOfASeam) {
-  const auto places = near_places(kTorus, kTorus.evaluate({0, 1}, Order::Position).point);
+  const auto places = find_near_points(kTorus, kTorus.evaluate({0, 1}, Order::Position).point);
   ASSERT_GE(places.size(), 2u);
   EXPECT_LE(places[1].distance, 1e-14);
   EXPECT_NEAR(std::abs(places[0].uv.u - places[1].uv.u), 2 * pi, 1e-12);

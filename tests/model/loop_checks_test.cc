@@ -116,8 +116,8 @@ TEST(LoopNearParts, DoNotDependOnTheScaleOfTheParameters) {
 }
 
 TEST(LoopOutside, IsToldWithItsPlace) {
-  EXPECT_FALSE(place_outside(circle(0, 0, 1), {-1, 1, -1, 1}));
-  const auto place = place_outside(circle(0.5, 0, 1), {-1, 1, -1, 1});
+  EXPECT_FALSE(find_point_outside(circle(0, 0, 1), {-1, 1, -1, 1}));
+  const auto place = find_point_outside(circle(0.5, 0, 1), {-1, 1, -1, 1});
   ASSERT_TRUE(place);
   EXPECT_EQ(*place, "contour circle at t = 0, (u,v) = (1.5, 0)");
 }

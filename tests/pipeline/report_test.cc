@@ -21,7 +21,7 @@ Report example() {
                     shortfall(NoticeKind::TurnedTriangles, "a shortfall")};
   report.notices[1].patch = 0;
   report.notices[1].point = Vec3(1, 2, 3);
-  report.patches = {{.name = "wing"}};
+  report.patches = {{"wing", {}, 1, 0.5}};
   report.mesh = {3, 1, 0, 1, false, 1};
   report.edges.histogram = {{0, 0.25, 7}};
   report.quality.below_0_3 = 0.5;

@@ -243,7 +243,7 @@ FunctionField turning_field(double turns) {
   });
 }
 
-TEST(RefineAstray, IsGivenUpAtThreeTimesThePredictedCount) {
+TEST(RefineGivenUp, IsGivenUpAtThreeTimesThePredictedCount) {
   const FunctionField field = turning_field(30);
   const auto delaunay = testing::empty_square(field);
   const auto boundary = static_cast<double>(delaunay->n_faces());
@@ -255,7 +255,7 @@ TEST(RefineAstray, IsGivenUpAtThreeTimesThePredictedCount) {
   EXPECT_NEAR(testing::valid_area(*delaunay), 1, 1e-12);
 }
 
-TEST(RefineAstray, IsNotFoundWhereElementsCanFollow) {
+TEST(RefineGivenUp, IsNotFoundWhereElementsCanFollow) {
   for (const FunctionField& field :
        {testing::four_point_field(), testing::shock_field(1000), testing::ring_field(1e-4)}) {
     const auto delaunay = testing::empty_square(field);

@@ -19,7 +19,7 @@ using testing::expect_near;
 constexpr double kNoGrowth = std::numeric_limits<double>::infinity();
 
 /// A point of the plane z = 0 with the axes of x and y.
-TangentPlace flat(double x, double y, double z = 0) {
+TangentFrame flat(double x, double y, double z = 0) {
   return {{x, y, z}, Vec3::UnitX(), Vec3::UnitY()};
 }
 
@@ -94,9 +94,9 @@ TEST(PlacedSize, FollowsItsSegmentInAnyFrame) {
   placed.follows_segment = true;
   placed.radius = 1;
   const double angle = 0.7, c = std::cos(angle), s = std::sin(angle);
-  const TangentPlace turned{{1, 0, 0}, {c, s, 0}, {-s, c, 0}};
+  const TangentFrame turned{{1, 0, 0}, {c, s, 0}, {-s, c, 0}};
   expect_near(*size_around(placed, turned, kNoGrowth), size_tensor(0.4, 0.1, -angle), 1e-15);
-  const TangentPlace upright{{1, 0, 0}, Vec3::UnitY(), Vec3::UnitZ()};
+  const TangentFrame upright{{1, 0, 0}, Vec3::UnitY(), Vec3::UnitZ()};
   expect_near(*size_around(placed, upright, kNoGrowth), isotropic(0.1), 1e-15);
 }
 
@@ -111,7 +111,7 @@ TEST(PlacedSize, IsNeverBelowItsBound) {
   PlacedSize placed = along_x(2, {0.4, 0.1}, {0.2, 0.3});
   placed.radius = 0.1;
   for (int i = 0; i < 200; ++i) {
-    const TangentPlace place = flat(0.1 * (i % 37) - 1, 0.13 * (i % 23) - 1.2);
+    const TangentFrame place = flat(0.1 * (i % 37) - 1, 0.13 * (i % 23) - 1.2);
     const double x = std::clamp(place.point.x(), 0.0, 2.0);
     const double rest = std::max(0.0, (place.point - Vec3(x, 0, 0)).norm() - reach(placed));
     const double bound = least_length(placed) + 0.4 * least_ratio(placed) * rest;
@@ -119,25 +119,25 @@ TEST(PlacedSize, IsNeverBelowItsBound) {
   }
 }
 
-TEST(TangentPlace, HasTheFrameOfTheFirstForm) {
+TEST(TangentFrame, HasTheFrameOfTheFirstForm) {
   const test::PlanePatch skew(Vec3::Zero(), {2, 0, 0}, {1, 3, 0});
   const Jet jet = skew.evaluate({0.5, 0.5}, Order::First);
-  const TangentPlace place = tangent_place(jet);
+  const TangentFrame place = tangent_frame(jet);
   const FirstFormFactor form = first_form_factor(jet.du, jet.dv);
   EXPECT_NEAR(place.first.dot(jet.dv), form.l21, 1e-15);
   EXPECT_NEAR(place.second.dot(jet.dv), form.l22, 1e-15);
 }
 
-TEST(TangentPlace, IsOrthonormalAtAPole) {
+TEST(TangentFrame, IsOrthonormalAtAPole) {
   Jet jet;
   jet.point = jet.du = Vec3::Zero();
   jet.dv = {0, 0, 2};
-  const TangentPlace place = tangent_place(jet);
+  const TangentFrame place = tangent_frame(jet);
   EXPECT_NEAR(place.first.z(), 1, 1e-15);
   EXPECT_NEAR(place.first.dot(place.second), 0, 1e-15);
   EXPECT_NEAR(place.second.norm(), 1, 1e-15);
   jet.dv = Vec3::Zero();
-  EXPECT_EQ(tangent_place(jet).first.cross(tangent_place(jet).second), Vec3::UnitZ());
+  EXPECT_EQ(tangent_frame(jet).first.cross(tangent_frame(jet).second), Vec3::UnitZ());
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ std::vector<PlacedSize> random_sizes(int count, bool is_isotropic) {
   return sizes;
 }
 
-TangentPlace random_place(Random& random) { return {random.point(), Vec3::UnitX(), Vec3::UnitY()}; }
+TangentFrame random_place(Random& random) { return {random.point(), Vec3::UnitX(), Vec3::UnitY()}; }
 
 TEST(SourceTree, GivesTheLeastOfAllIsotropicSizes) {
   const auto sizes = random_sizes(300, true);
@@ -48,7 +48,7 @@ TEST(SourceTree, GivesTheLeastOfAllIsotropicSizes) {
     const SourceTree tree(sizes, grade);
     Random random;
     for (int i = 0; i < 200; ++i) {
-      const TangentPlace place = random_place(random);
+      const TangentFrame place = random_place(random);
       double least = 0.5;
       for (const PlacedSize& placed : sizes) {
         const auto size = size_around(placed, place, growth_of_grade(grade));
@@ -64,7 +64,7 @@ TEST(SourceTree, IsNoLargerThanAnySize) {
   const SourceTree tree(sizes, 1.5);
   Random random;
   for (int i = 0; i < 100; ++i) {
-    const TangentPlace place = random_place(random);
+    const TangentFrame place = random_place(random);
     const SizeTensor found = tree.minimum_at(place, isotropic(0.5));
     for (const PlacedSize& placed : sizes) {
       const SizeTensor size = *size_around(placed, place, growth_of_grade(1.5));
@@ -89,7 +89,7 @@ TEST(SourceTree, TakesManySizesAtOnePlace) {
   std::vector<PlacedSize> sizes(1000, random_sizes(1, true)[0]);
   sizes[700].at_from = sizes[700].at_to = {0.001, 0.001};
   const SourceTree tree(sizes, 1.5);
-  const TangentPlace place{sizes[0].from, Vec3::UnitX(), Vec3::UnitY()};
+  const TangentFrame place{sizes[0].from, Vec3::UnitX(), Vec3::UnitY()};
   testing::expect_near(tree.minimum_at(place, isotropic(1)), isotropic(0.001), 1e-12);
 }
 

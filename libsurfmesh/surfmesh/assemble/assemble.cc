@@ -303,7 +303,7 @@ Notices notices_of(const Model& model, const Separation& separation) {
         NoticeKind::SplitVertices,
         fmt::format("vertices that are taken apart, as patches meet there in a point only: {}, the "
                     "first at {}",
-                    touched.size(), place_text(first))));
+                    touched.size(), point_text(first))));
     notices.back().point = first;
   }
   return notices;

@@ -230,17 +230,17 @@ class Comparison {
         is_at_opening_[index(vh)] = 1;
       }
     } else if (is_open) {
-      open_.add([&] { return place_of(eh); });
+      open_.add([&] { return location_of(eh); });
     } else if (may_be && contour_of_.is_valid()) {
-      closed_.add([&] { return place_of(eh); });
+      closed_.add([&] { return location_of(eh); });
     }
   }
 
-  std::string place_of(EdgeHandle eh) const {
+  std::string location_of(EdgeHandle eh) const {
     const HalfedgeHandle heh = inner_halfedge(eh);
     const Vec3 middle = 0.5 * (to_eigen(mesh_.point(mesh_.from_vertex_handle(heh))) +
                                to_eigen(mesh_.point(mesh_.to_vertex_handle(heh))));
-    return place_text_on(patch_at(heh), middle);
+    return location_text_on(patch_at(heh), middle);
   }
 
   void look_at_vertices() {
@@ -248,7 +248,7 @@ class Comparison {
     for (const VertexHandle vh : mesh_.vertices()) {
       const VertexHandle earlier = table.add(vh);
       if (!earlier.is_valid() || (is_at_opening(vh) && is_at_opening(earlier))) continue;
-      if (!is_split(to_eigen(mesh_.point(vh)))) duplicate_.add([&] { return place_of(vh); });
+      if (!is_split(to_eigen(mesh_.point(vh)))) duplicate_.add([&] { return location_of(vh); });
     }
   }
 
@@ -262,13 +262,13 @@ class Comparison {
     return false;
   }
 
-  std::string place_of(VertexHandle vh) const {
+  std::string location_of(VertexHandle vh) const {
     const EdgeHandle eh = mesh_.edge_handle(mesh_.halfedge_handle(vh));
-    return place_text_on(patch_at(inner_halfedge(eh)), to_eigen(mesh_.point(vh)));
+    return location_text_on(patch_at(inner_halfedge(eh)), to_eigen(mesh_.point(vh)));
   }
 
-  std::string place_text_on(int patch, const Vec3& point) const {
-    return fmt::format("patch {} at {}", model_.patch(patch).name, place_text(point));
+  std::string location_text_on(int patch, const Vec3& point) const {
+    return fmt::format("patch {} at {}", model_.patch(patch).name, point_text(point));
   }
 
   static void compare(MeshFault& fault, long found, long promised) {

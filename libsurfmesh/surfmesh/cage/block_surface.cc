@@ -73,14 +73,14 @@ BlockSurface::BlockSurface(int columns, std::vector<BlockCell> cells)
   }
 }
 
-BlockSurface::Place BlockSurface::place_of(Uv uv) const {
+BlockSurface::CellPoint BlockSurface::find_cell(Uv uv) const {
   const int i = cell_index(uv.u, columns_), j = cell_index(uv.v, rows_);
   return {cells_[static_cast<std::size_t>(j * columns_ + i)],
           {static_cast<double>(i), static_cast<double>(j)}};
 }
 
 Jet BlockSurface::evaluate(Uv uv, Order order) const {
-  const auto [cell, corner] = place_of(uv);
+  const auto [cell, corner] = find_cell(uv);
   try {
     Jet jet = cell.surface->evaluate(into_surface(uv - corner, cell.rotation), order);
     turn_derivatives(jet, cell.rotation);
@@ -114,7 +114,7 @@ std::vector<SingularPoint> BlockSurface::singular_points() const {
 }
 
 Uv BlockSurface::beside_roundings(Uv uv) const {
-  const auto [cell, corner] = place_of(uv);
+  const auto [cell, corner] = find_cell(uv);
   const Uv inside = into_surface(uv - corner, cell.rotation);
   const Uv beside = cell.surface->beside_roundings(inside);
   return beside == inside ? uv : corner + out_of_surface(beside, cell.rotation);

@@ -36,12 +36,12 @@ class BlockSurface : public Surface {
   Uv beside_roundings(Uv uv) const override;
 
  private:
-  struct Place {
+  struct CellPoint {
     const BlockCell& cell;
     Uv corner;  ///< its lower left
   };
 
-  Place place_of(Uv uv) const;
+  CellPoint find_cell(Uv uv) const;
 
   int columns_;
   int rows_;

@@ -44,7 +44,7 @@ inline const char* element_name(OpenMesh::FaceHandle) { return "face"; }
 
 /// "edge 7 of the mesh", for messages.
 template <class Handle>
-std::string place_in_mesh(Handle handle) {
+std::string element_in_mesh(Handle handle) {
   return std::string(element_name(handle)) + " " + std::to_string(handle.idx()) + " of the mesh";
 }
 
@@ -107,7 +107,7 @@ class CageCollector {
     cage_.points.emplace_back(static_cast<double>(p[0]), static_cast<double>(p[1]),
                               static_cast<double>(p[2]));
     if (!cage_.points.back().allFinite()) {
-      throw Error(ErrorCode::InvalidInput, place_in_mesh(vh) + ": its position is not finite");
+      throw Error(ErrorCode::InvalidInput, element_in_mesh(vh) + ": its position is not finite");
     }
     const double sharpness = sharpness_of(vh, corner);
     if (sharpness > 0) cage_.corners.push_back({numbers_.back(), sharpness});
@@ -134,7 +134,7 @@ class CageCollector {
   double sharpness_of(Handle handle, const std::function<double(Handle)>& tag) const {
     const double sharpness = tag ? tag(handle) : 0;
     if (!(sharpness >= 0)) {
-      throw Error(ErrorCode::InvalidInput, place_in_mesh(handle) + ": its sharpness is " +
+      throw Error(ErrorCode::InvalidInput, element_in_mesh(handle) + ": its sharpness is " +
                                                std::to_string(sharpness) + ", not 0 or more");
     }
     return sharpness;

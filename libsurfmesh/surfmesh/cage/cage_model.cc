@@ -42,7 +42,7 @@ struct BorderEdge {
 using Border = std::vector<BorderEdge>;
 
 /// The place of the i-th face along a side of a block, counter-clockwise.
-std::array<int, 2> place_on_side(const Block& block, int side, int i) {
+std::array<int, 2> cell_on_side(const Block& block, int side, int i) {
   switch (side) {
     case 0:
       return {i, 0};
@@ -64,7 +64,7 @@ Border border_of(const Level& level, const Block& block) {
   for (int side = 0; side < corners; ++side) {
     const int count = side % 2 == 0 ? block.columns : block.rows;
     for (int i = 0; i < count; ++i) {
-      const auto [column, row] = place_on_side(block, side, i);
+      const auto [column, row] = cell_on_side(block, side, i);
       const BlockFace& f = block.faces[static_cast<std::size_t>(row * block.columns + column)];
       const int from = (f.rotation + side) % corners, to = (from + 1) % corners;
       const Far::ConstIndexArray vertices = level.GetFaceVertices(f.face);

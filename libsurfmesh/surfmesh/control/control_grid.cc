@@ -56,7 +56,7 @@ ControlGrid::ControlGrid(const Domain& domain, std::vector<ControlNode> regular,
   if (options.grade > 0) {
     grade_sizes(regular, neighbours_in_grid(static_cast<int>(side_)), options.grade);
   }
-  take_node_metrics(regular);
+  store_node_metrics(regular);
   make_mesh(regular);
   values_.reserve(regular.size());
   for (const ControlNode& node : regular) {
@@ -71,12 +71,12 @@ void ControlGrid::lower_cell(std::vector<ControlNode>& nodes, const ControlNode&
         ErrorCode::InvalidInput,
         fmt::format("a control node at (u,v) = ({}, {}) lies outside the domain", uv.u, uv.v));
   }
-  for (const std::size_t i : corners_of(place_of(uv))) {
+  for (const std::size_t i : corners_of(find_cell(uv))) {
     nodes[i].size = minimum(nodes[i].size, other.size);
   }
 }
 
-ControlGrid::Place ControlGrid::place_of(Uv uv) const {
+ControlGrid::CellPoint ControlGrid::find_cell(Uv uv) const {
   const auto cells = static_cast<double>(side_ - 1);
   const double x = std::clamp((uv.u - domain_.u0) * cells_per_u_, 0.0, cells);
   const double y = std::clamp((uv.v - domain_.v0) * cells_per_v_, 0.0, cells);
@@ -87,13 +87,13 @@ ControlGrid::Place ControlGrid::place_of(Uv uv) const {
           y - row};
 }
 
-std::array<std::size_t, 4> ControlGrid::corners_of(const Place& place) const {
+std::array<std::size_t, 4> ControlGrid::corners_of(const CellPoint& place) const {
   return {place.node, place.node + 1, place.node + side_, place.node + side_ + 1};
 }
 
 SizeTensor ControlGrid::interpolate(const SurfacePoint& at, QueryHint& hint) const {
   ++hint.answers.grid;
-  const Place place = place_of(at.uv);
+  const CellPoint place = find_cell(at.uv);
   const auto [a, b, c, d] = corners_of(place);
   const SizeTensor value =
       lerp(lerp(values_[a], values_[b], place.s), lerp(values_[c], values_[d], place.s), place.t);

@@ -33,14 +33,14 @@ class ControlGrid : public ControlSpace {
  private:
   /// The cell that contains a point, as the node at its lower corner, and the point's coordinates
   /// in it, each in [0,1].
-  struct Place {
+  struct CellPoint {
     std::size_t node;
     double s;
     double t;
   };
 
-  Place place_of(Uv uv) const;
-  std::array<std::size_t, 4> corners_of(const Place& place) const;
+  CellPoint find_cell(Uv uv) const;
+  std::array<std::size_t, 4> corners_of(const CellPoint& place) const;
   void lower_cell(std::vector<ControlNode>& nodes, const ControlNode& other) const;
   void make_mesh(const std::vector<ControlNode>& nodes);
 

@@ -52,7 +52,7 @@ ControlMesh::ControlMesh(const Domain& domain, const std::vector<ControlNode>& n
   const NodeTriangulation triangulation(domain, nodes);
   std::vector<ControlNode> graded = triangulation.nodes();
   if (options.grade > 0) grade_sizes(graded, neighbours_in(triangulation.mesh()), options.grade);
-  take_node_metrics(graded);
+  store_node_metrics(graded);
   make_mesh(triangulation, graded);
   collect_nodes(graded);
   collect_triangles();

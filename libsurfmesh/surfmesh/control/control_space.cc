@@ -51,7 +51,7 @@ SizeTensor ControlSpace::size_anew(const SurfacePoint& at, QueryHint& hint) cons
   return extended ? minimum(*extended, interpolated) : interpolated;
 }
 
-void ControlSpace::take_node_metrics(const std::vector<ControlNode>& nodes) {
+void ControlSpace::store_node_metrics(const std::vector<ControlNode>& nodes) {
   node_metrics_.reserve(nodes.size());
   for (const ControlNode& node : nodes) {
     if (!is_regular(node.form)) continue;  // a pole has no metric

@@ -84,7 +84,7 @@ class ControlSpace {
   const ControlSpaceOptions& options() const { return options_; }
 
   /// Store the nodes after gradation.
-  void take_node_metrics(const std::vector<ControlNode>& nodes);
+  void store_node_metrics(const std::vector<ControlNode>& nodes);
 
   /// Find the triangle that contains a point, for the queries below, and store it in the hint. The
   /// cells of a grid need no search.

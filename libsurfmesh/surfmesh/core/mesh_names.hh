@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "surfmesh/core/language_standard.hh"
+
 namespace surfmesh {
 
 /// A named set of patches: OBJ's `g`, `o` and `usemtl`, a cage of a model file.

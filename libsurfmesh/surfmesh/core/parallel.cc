@@ -44,7 +44,7 @@ class SharedIndices {
 
   void run(int threads) {
     if (threads == 1) {
-      take_all();
+      run_remaining();
     } else {
       // A thread that waits for the last calls must not begin other work: its clock is running.
       tbb::this_task_arena::isolate([&] {
@@ -60,14 +60,14 @@ class SharedIndices {
   void work() {
     const double start = seconds_of_this_thread();
     is_in_shared_call = true;
-    take_all();
+    run_remaining();
     is_in_shared_call = false;
     if (std::this_thread::get_id() == caller_) return;
     const std::lock_guard lock(mutex_);
     seconds_ += seconds_of_this_thread() - start;
   }
 
-  void take_all() {
+  void run_remaining() {
     for (std::size_t i = next_++; i < indices_.size(); i = next_++) take(indices_[i]);
   }
 

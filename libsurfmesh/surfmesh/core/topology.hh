@@ -58,14 +58,14 @@ class ElementPool {
     }
   }
 
-  VertexHandle take_vertex() { return VertexHandle(static_cast<int>(vertices_++)); }
-  EdgeHandle take_edge() { return EdgeHandle(static_cast<int>(edges_++)); }
-  FaceHandle take_face() { return FaceHandle(static_cast<int>(faces_++)); }
+  VertexHandle next_vertex() { return VertexHandle(static_cast<int>(vertices_++)); }
+  EdgeHandle next_edge() { return EdgeHandle(static_cast<int>(edges_++)); }
+  FaceHandle next_face() { return FaceHandle(static_cast<int>(faces_++)); }
 
   /// Give the numbers of freed elements to the last elements. Calls `moved(from, to)` with the
   /// handles of each one that moves, for its properties.
   template <class Moved>
-  void take_out(FreedElements freed, Moved moved);
+  void remove(FreedElements freed, Moved moved);
 
   std::size_t n_vertices() const { return vertices_; }
   std::size_t n_edges() const { return edges_; }
@@ -164,7 +164,7 @@ void renumber_element(PolyMesh& mesh, FaceHandle from, FaceHandle to);
 }  // namespace detail
 
 template <class Moved>
-void ElementPool::take_out(FreedElements freed, Moved moved) {
+void ElementPool::remove(FreedElements freed, Moved moved) {
   const auto take = [&](auto hole, std::size_t& count) {
     const decltype(hole) last(static_cast<int>(--count));
     if (last == hole) return;
@@ -184,7 +184,7 @@ void ElementPool::take_out(FreedElements freed, Moved moved) {
 ///
 /// Pre      the new triangles are valid: no vertex around the origin but the two apexes is joined
 ///          to the tip
-/// Returns  the elements to remove (see ElementPool::take_out)
+/// Returns  the elements to remove (see ElementPool::remove)
 FreedElements collapse(PolyMesh& mesh, HalfedgeHandle heh);
 
 /// Triangles that are to be replaced by the fan from one new vertex.
@@ -216,7 +216,7 @@ class CavityElements {
   /// An edge between `from` and `to`; its first halfedge points to `to`.
   HalfedgeHandle connect(VertexHandle from, VertexHandle to) {
     const EdgeHandle eh =
-        edge_ < cavity_.inner_edges.size() ? cavity_.inner_edges[edge_++] : pool_.take_edge();
+        edge_ < cavity_.inner_edges.size() ? cavity_.inner_edges[edge_++] : pool_.next_edge();
     const HalfedgeHandle heh = mesh_.halfedge_handle(eh, 0);
     mesh_.set_vertex_handle(heh, to);
     mesh_.set_vertex_handle(mesh_.halfedge_handle(eh, 1), from);
@@ -224,7 +224,7 @@ class CavityElements {
   }
 
   FaceHandle next_face() {
-    return face_ < cavity_.faces.size() ? cavity_.faces[face_++] : pool_.take_face();
+    return face_ < cavity_.faces.size() ? cavity_.faces[face_++] : pool_.next_face();
   }
 
  private:
@@ -242,7 +242,7 @@ inline HalfedgeHandle split_boundary_edge(PolyMesh& mesh, ElementPool& pool, Hal
   const HalfedgeHandle outer = mesh.opposite_halfedge_handle(inner);
   const VertexHandle origin = mesh.to_vertex_handle(outer);
   const HalfedgeHandle after = mesh.next_halfedge_handle(outer);
-  const EdgeHandle part = pool.take_edge();
+  const EdgeHandle part = pool.next_edge();
   const HalfedgeHandle part_inner = mesh.halfedge_handle(part, 0);
   const HalfedgeHandle part_outer = mesh.halfedge_handle(part, 1);
   mesh.set_vertex_handle(part_inner, vh);
@@ -267,7 +267,7 @@ inline HalfedgeHandle split_boundary_edge(PolyMesh& mesh, ElementPool& pool, Hal
 inline VertexHandle fill_cavity(PolyMesh& mesh, ElementPool& pool, const Cavity& cavity,
                                 decltype(keys::edge_constrained)::Handle constrained) {
   pool.prepare_insertion();
-  const VertexHandle vh = pool.take_vertex();
+  const VertexHandle vh = pool.next_vertex();
   detail::CavityElements elements(mesh, pool, cavity);
 
   // `spoke` leads from vh to the origin of the next rim halfedge.

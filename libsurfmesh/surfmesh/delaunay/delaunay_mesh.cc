@@ -107,7 +107,7 @@ bool DelaunayMesh::can_flip(EdgeHandle eh) const {
 }
 
 void DelaunayMesh::collapse(HalfedgeHandle heh) {
-  pool_.take_out(surfmesh::collapse(mesh_, heh), [this]<class Handle>(Handle from, Handle to) {
+  pool_.remove(surfmesh::collapse(mesh_, heh), [this]<class Handle>(Handle from, Handle to) {
     if constexpr (std::is_same_v<Handle, VertexHandle>) {
       uv(to) = uv(from);
       metric(to) = metric(from);

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "surfmesh/core/language_standard.hh"
+
 namespace surfmesh {
 
 /// The endings of the formats of meshes, as they stand in messages and in help: ".obj, .off or

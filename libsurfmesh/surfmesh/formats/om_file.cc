@@ -112,8 +112,8 @@ class OmCheck {
   static constexpr unsigned kVertex = 0, kMesh = 1, kFace = 2, kHalfedge = 6;
   static constexpr unsigned kPosition = 0, kCustom = 6, kTopology = 7;
 
-  std::uint64_t take_unsigned(std::size_t size);
-  std::int64_t take_signed(std::size_t size);
+  std::uint64_t read_unsigned(std::size_t size);
+  std::int64_t read_signed(std::size_t size);
   bool skip(std::uint64_t size);
   bool skip_custom(unsigned entity);
   bool check_topology(unsigned entity, unsigned dimensions, std::size_t size);
@@ -122,7 +122,7 @@ class OmCheck {
 };
 
 /// Take a little-endian number; 0 beyond the end.
-std::uint64_t OmCheck::take_unsigned(std::size_t size) {
+std::uint64_t OmCheck::read_unsigned(std::size_t size) {
   std::uint64_t value = 0;
   size = std::min(size, rest_.size());
   for (std::size_t i = 0; i < size; ++i) {
@@ -132,8 +132,8 @@ std::uint64_t OmCheck::take_unsigned(std::size_t size) {
   return value;
 }
 
-std::int64_t OmCheck::take_signed(std::size_t size) {
-  const std::uint64_t value = take_unsigned(size);
+std::int64_t OmCheck::read_signed(std::size_t size) {
+  const std::uint64_t value = read_unsigned(size);
   const std::uint64_t sign = std::uint64_t{1} << (8 * size - 1);
   return static_cast<std::int64_t>(value ^ sign) - static_cast<std::int64_t>(sign);
 }
@@ -147,18 +147,18 @@ bool OmCheck::skip(std::uint64_t size) {
 bool OmCheck::has_header() {
   if (rest_.size() < 16 || !rest_.starts_with("OM")) return false;
   rest_.remove_prefix(3);
-  if (take_unsigned(1) != OpenMesh::IO::_OMWriter_::get_version()) return false;
-  vertices = take_unsigned(4);
-  faces = take_unsigned(4);
-  edges = take_unsigned(4);
+  if (read_unsigned(1) != OpenMesh::IO::_OMWriter_::get_version()) return false;
+  vertices = read_unsigned(4);
+  faces = read_unsigned(4);
+  edges = read_unsigned(4);
   return true;
 }
 
 /// A custom chunk has a name, the name of its type and a size before its values.
 bool OmCheck::skip_custom(unsigned entity) {
   const std::string_view name = rest_.substr(std::min<std::size_t>(1, rest_.size()));
-  if (!skip(take_unsigned(1)) || !skip(take_unsigned(1)) || rest_.size() < 4) return false;
-  const std::uint64_t size = take_unsigned(4);
+  if (!skip(read_unsigned(1)) || !skip(read_unsigned(1)) || rest_.size() < 4) return false;
+  const std::uint64_t size = read_unsigned(4);
   if (entity == kMesh && name.starts_with(keys::mesh_names)) names = rest_.substr(0, size);
   return skip(size);
 }
@@ -172,11 +172,11 @@ bool OmCheck::check_topology(unsigned entity, unsigned dimensions, std::size_t s
   if (dimensions != (is_halfedge ? 3u : 1u) || count * dimensions * size > rest_.size())
     return false;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::int64_t halfedge = take_signed(size);
+    const std::int64_t halfedge = read_signed(size);
     if (!is_index(halfedge, 2 * edges) && (halfedge != -1 || entity != kVertex)) return false;
     if (!is_halfedge) continue;
-    if (!is_index(take_signed(size), vertices)) return false;
-    const std::int64_t face = take_signed(size);
+    if (!is_index(read_signed(size), vertices)) return false;
+    const std::int64_t face = read_signed(size);
     if (!is_index(face, faces) && face != -1) return false;
   }
   return true;
@@ -184,7 +184,7 @@ bool OmCheck::check_topology(unsigned entity, unsigned dimensions, std::size_t s
 
 bool OmCheck::are_chunks_sound() {
   while (rest_.size() >= 2) {
-    const auto head = static_cast<unsigned>(take_unsigned(2));
+    const auto head = static_cast<unsigned>(read_unsigned(2));
     if (head == kEndMark) return rest_.empty();
     const bool has_name = (head >> 1 & 1) != 0;
     const unsigned entity = head >> 2 & 7;

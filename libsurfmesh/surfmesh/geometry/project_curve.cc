@@ -133,7 +133,7 @@ void check_distance(const Surface& surface, const SpaceCurve& curve, double reac
   double greatest = 0, place = 0;
   for (int i = 0; i <= kFirstSteps; ++i) {
     const double t = double(i) / kFirstSteps;
-    const double gap = near_places(surface, curve.evaluate(t)).front().distance;
+    const double gap = find_near_points(surface, curve.evaluate(t)).front().distance;
     if (gap > greatest) std::tie(greatest, place) = std::pair(gap, t);
   }
   if (greatest < reach) return;
@@ -150,7 +150,7 @@ std::shared_ptr<const Curve> project_curve(std::shared_ptr<const Surface> surfac
                                            const CurveRange& range) {
   Follower follower(*surface, *curve, reach);
   Station farthest;
-  for (const SurfaceFoot& start : near_places(*surface, curve->evaluate(0))) {
+  for (const SurfaceFoot& start : find_near_points(*surface, curve->evaluate(0))) {
     if (!(start.distance < reach)) break;
     std::vector<Station> stations = follower.run(start.uv);
     if (stations.back().t == 1) {

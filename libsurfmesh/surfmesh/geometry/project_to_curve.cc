@@ -20,10 +20,10 @@ constexpr double kOnCurve = 1e-7;
 
 /// Places this near, in units of the curve's extent or speed, are one place in space: some thousand
 /// roundings. Among the places of a curve that are one, the guess decides.
-constexpr double kSamePlace = 1e-12;
+constexpr double kSamePoint = 1e-12;
 
 /// Evaluations round to a few units in the last place of the coordinates; far from the origin that
-/// is more than kSamePlace.
+/// is more than kSamePoint.
 constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
 
 /// A step in t below this does not move the curve's point by more than its own rounding.
@@ -80,8 +80,8 @@ class Projection {
   Foot at(double t) const;
   double squared_distance(double t) const;
   /// Distance within which places are one, for a curve of this extent or speed.
-  double same_place(double extent) const {
-    return std::max(kSamePlace * extent, kRounding * point_.lpNorm<Eigen::Infinity>());
+  double same_point(double extent) const {
+    return std::max(kSamePoint * extent, kRounding * point_.lpNorm<Eigen::Infinity>());
   }
   std::array<double, kScanIntervals + 1> scan() const;
   double refine(int sample) const;
@@ -117,7 +117,7 @@ std::optional<double> Projection::follow(double t) const {
   }
   const bool is_end = foot.t == 0 || foot.t == 1;
   const double speed = foot.tangent.norm();
-  const double reach = is_end ? same_place(speed) : std::max(kOnCurve * speed, same_place(speed));
+  const double reach = is_end ? same_point(speed) : std::max(kOnCurve * speed, same_point(speed));
   if (foot.squared_distance() > reach * reach) return std::nullopt;
   return foot.t;
 }
@@ -189,7 +189,7 @@ double Projection::refine(int sample) const {
 double Projection::search(double t_guess) const {
   const auto squares = scan();
   const auto [least, greatest] = std::minmax_element(squares.begin(), squares.end());
-  const double same = std::pow(same_place(std::sqrt(*greatest)), 2);
+  const double same = std::pow(same_point(std::sqrt(*greatest)), 2);
   if (*greatest <= *least + same) return t_guess;
   double best = t_guess;
   double best_square = std::numeric_limits<double>::infinity();

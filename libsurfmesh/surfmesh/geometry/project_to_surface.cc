@@ -23,7 +23,7 @@ constexpr int kMaxSteps = 60;
 constexpr int kGridIntervals = 32;
 
 /// The point of the surface at relative parameters s, t in [0,1].
-struct Place {
+struct Candidate {
   double s = 0;
   double t = 0;
   Vec3 offset;  ///< from the point that is projected
@@ -39,11 +39,11 @@ class Descent {
       : surface_(surface), domain_(surface.domain()), point_(point) {}
 
   SurfaceFoot run(Uv guess) const {
-    Place here = at((guess.u - domain_.u0) / (domain_.u1 - domain_.u0),
-                    (guess.v - domain_.v0) / (domain_.v1 - domain_.v0));
+    Candidate here = at((guess.u - domain_.u0) / (domain_.u1 - domain_.u0),
+                        (guess.v - domain_.v0) / (domain_.v1 - domain_.v0));
     double damping = 0;
     for (int i = 0; i < kMaxSteps; ++i) {
-      const Place next = step(here, damping);
+      const Candidate next = step(here, damping);
       const double length = std::max(std::abs(next.s - here.s), std::abs(next.t - here.t));
       if (next.square() < here.square()) {
         here = next;
@@ -57,7 +57,7 @@ class Descent {
   }
 
  private:
-  Place at(double s, double t) const {
+  Candidate at(double s, double t) const {
     s = std::clamp(s, 0.0, 1.0);
     t = std::clamp(t, 0.0, 1.0);
     const Jet jet = surface_.evaluate(domain_.at(s, t), Order::First);
@@ -71,7 +71,7 @@ class Descent {
   }
 
   /// One step of Levenberg and Marquardt within the domain.
-  Place step(const Place& p, double damping) const {
+  Candidate step(const Candidate& p, double damping) const {
     const double slope_s = p.ds.dot(p.offset), slope_t = p.dt.dot(p.offset);
     double ss = p.ds.squaredNorm(), tt = p.dt.squaredNorm();
     const double more = std::max(damping, kLeastDamping) * (ss + tt);
@@ -129,7 +129,7 @@ SurfaceFoot project_to_surface(const Surface& surface, const Vec3& point, Uv gue
   return Descent(surface, point).run(guess);
 }
 
-std::vector<SurfaceFoot> near_places(const Surface& surface, const Vec3& point) {
+std::vector<SurfaceFoot> find_near_points(const Surface& surface, const Vec3& point) {
   const Grid grid(surface, point);
   const Descent descent(surface, point);
   const Domain domain = surface.domain();

@@ -33,6 +33,6 @@ SurfaceFoot project_to_surface(const Surface& surface, const Vec3& point, Uv gue
 ///
 /// Cost     1,089 evaluations, and some tens for each point found
 /// Pre      the domain is a rectangle
-std::vector<SurfaceFoot> near_places(const Surface& surface, const Vec3& point);
+std::vector<SurfaceFoot> find_near_points(const Surface& surface, const Vec3& point);
 
 }  // namespace surfmesh

@@ -73,7 +73,7 @@ void LoopCloser::add_loops(int index, std::vector<Chain> loops) {
   std::vector<double> areas;
   for (std::size_t l = 0; l < loops.size(); ++l) {
     curves.push_back(curves_of(loops[l]));
-    if (const auto place = place_outside(curves[l], input.surface->domain())) {
+    if (const auto place = find_point_outside(curves[l], input.surface->domain())) {
       fail_loop(ErrorCode::Geometry, input, l, "the loop leaves the domain: " + *place);
     }
     close(input, l, loops[l]);

@@ -246,7 +246,7 @@ double signed_area(const LoopCurves& loop) {
   return area;
 }
 
-std::optional<std::string> place_outside(const LoopCurves& loop, const Domain& domain) {
+std::optional<std::string> find_point_outside(const LoopCurves& loop, const Domain& domain) {
   const double du = kOutside * (domain.u1 - domain.u0), dv = kOutside * (domain.v1 - domain.v0);
   for (const Segment& segment : segments_of(loop)) {
     const Uv p = segment.a;

@@ -30,7 +30,7 @@ double signed_area(const LoopCurves& loop);
 
 /// A place of a loop that is outside of the domain by more than rounding, in words; nothing if it
 /// is inside everywhere.
-std::optional<std::string> place_outside(const LoopCurves& loop, const Domain& domain);
+std::optional<std::string> find_point_outside(const LoopCurves& loop, const Domain& domain);
 
 /// The place where two of these loops, or one and itself, cross, in words.
 ///

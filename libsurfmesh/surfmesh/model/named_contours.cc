@@ -68,7 +68,7 @@ int NamedContours::add_use(int contour, int patch, std::shared_ptr<const Curve> 
                            const std::string& place) {
   if (!curve) curve = project(contour, patch, place);
   ContourUse added{patch, std::move(curve), true, true};
-  check_same_place(contour, added, place);
+  check_same_point(contour, added, place);
   added.is_same_speed = is_same_speed(contour, added);
   std::vector<ContourUse>& uses = model_.contour(contour).uses;
   uses.push_back(std::move(added));
@@ -96,7 +96,7 @@ bool NamedContours::is_same_speed(int contour, const ContourUse& use) const {
 }
 
 /// Fail if a use is elsewhere than the contour in space and than its first use.
-void NamedContours::check_same_place(int contour, const ContourUse& use,
+void NamedContours::check_same_point(int contour, const ContourUse& use,
                                      const std::string& place) const {
   const std::vector<ContourUse>& uses = model_.contour(contour).uses;
   double greatest = 0, where = 0;

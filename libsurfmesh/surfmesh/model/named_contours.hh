@@ -56,7 +56,7 @@ class NamedContours {
   int vertex_at(const Vec3& point);
   std::shared_ptr<const Curve> project(int contour, int patch, const std::string& place) const;
   bool is_same_speed(int contour, const ContourUse& use) const;
-  void check_same_place(int contour, const ContourUse& use, const std::string& place) const;
+  void check_same_point(int contour, const ContourUse& use, const std::string& place) const;
 
   Model& model_;
   const std::vector<PatchInput>& patches_;

@@ -11,7 +11,7 @@ namespace surfmesh {
 namespace {
 
 /// Places at which a contour is compared with another.
-constexpr std::array<double, 5> kPlaces = {0, 0.21, 0.5, 0.83, 1};
+constexpr std::array<double, 5> kSamples = {0, 0.21, 0.5, 0.83, 1};
 
 /// A contour along another is longer than this many gaps, or it is short rather than near.
 constexpr double kLengthPerGap = 4;
@@ -47,7 +47,7 @@ std::vector<OpenContour> open_contours(const Model& model, int first_patch) {
     OpenContour& open = result.emplace_back();
     open.contour = &contour;
     open.surface = model.patch(use.patch - first_patch).surface.get();
-    for (const double t : kPlaces) {
+    for (const double t : kSamples) {
       open.points.push_back(open.surface->evaluate(use.curve->evaluate(t), Order::Position).point);
       open.box.extend(open.points.back());
     }

@@ -32,7 +32,7 @@ struct GroupSource {
 struct AlongContour {
   int patch = -1;
   std::string contour;
-  PlaceSize wish;
+  LocalSize wish;
   std::string origin;  ///< JSON pointer
 };
 

@@ -32,8 +32,8 @@ void refuse(const JsonNode& node, std::string_view subject,
 }
 
 /// `size`, `angle`, `radius` and `outer` of a source with a place.
-PlaceSize read_wish(const JsonNode& node) {
-  PlaceSize wish{read_size(node)};
+LocalSize read_wish(const JsonNode& node) {
+  LocalSize wish{read_size(node)};
   if (const auto radius = node.find("radius")) wish.radius = read_radius(*radius);
   const auto outer = node.find("outer");
   if (!outer || outer->json().is_null() || outer->json().empty()) return wish;
@@ -50,7 +50,7 @@ std::optional<double> read_precision(const JsonNode& node) {
   return value;
 }
 
-Uv read_place(const JsonNode& node, const PatchScope& patch) {
+Uv read_uv(const JsonNode& node, const PatchScope& patch) {
   const std::vector<JsonNode> values = node.elements(2);
   const Uv uv = {number_or_expression(values[0], patch.constants),
                  number_or_expression(values[1], patch.constants)};
@@ -61,9 +61,9 @@ Uv read_place(const JsonNode& node, const PatchScope& patch) {
   return uv;
 }
 
-std::vector<Uv> read_places(const JsonNode& node, const PatchScope& patch, std::size_t least) {
+std::vector<Uv> read_uvs(const JsonNode& node, const PatchScope& patch, std::size_t least) {
   std::vector<Uv> places;
-  for (const JsonNode& place : node.elements()) places.push_back(read_place(place, patch));
+  for (const JsonNode& place : node.elements()) places.push_back(read_uv(place, patch));
   if (places.size() < least) node.fail(fmt::format("needs at least {} points", least));
   return places;
 }
@@ -74,7 +74,7 @@ void read_along(const JsonNode& node, const PatchScope& patch, ModelFile& model)
     model.along_contours.push_back({patch.index, along.text(), read_wish(node), along.pointer()});
     return;
   }
-  const std::vector<Uv> places = read_places(along, patch, 2);
+  const std::vector<Uv> places = read_uvs(along, patch, 2);
   AlongSource source{patch.index, {}, read_wish(node)};
   for (std::size_t i = 1; i < places.size(); ++i) {
     source.curves.push_back(std::make_shared<SegmentCurve>(places[i - 1], places[i]));
@@ -182,13 +182,13 @@ void read_patch_source(const JsonNode& node, const PatchScope& patch, ModelFile&
     if (!node.at(kind).boolean()) node.at(kind).fail("must be true");
     sources.everywhere.push_back({patch.index, read_size(node)});
   } else if (kind == "at") {
-    const Uv place = read_place(node.at(kind), patch);
-    const PlaceSize wish = read_wish(node);
+    const Uv place = read_uv(node.at(kind), patch);
+    const LocalSize wish = read_wish(node);
     sources.at.push_back({patch.index, place, wish.size, wish.radius, wish.outer});
   } else if (kind == "along") {
     read_along(node, patch, model);
   } else {
-    const auto polygon = read_places(node.at(kind), patch, 3);
+    const auto polygon = read_uvs(node.at(kind), patch, 3);
     sources.inside.push_back({patch.index, polygon, read_wish(node)});
   }
 }

@@ -120,7 +120,7 @@ class TableReader {
                    [this](std::string_view cell) { return read_number(cell); });
     TableNode node;
     node.uv = {values[0], values[1]};
-    check_place(node.uv);
+    check_inside_domain(node.uv);
     if (columns_ == Columns::Metric) {
       node.metric = {values[2], values[3], values[4]};
       check_metric(node.metric);
@@ -152,7 +152,7 @@ class TableReader {
     }
   }
 
-  void check_place(Uv uv) const {
+  void check_inside_domain(Uv uv) const {
     const bool is_inside = uv.u >= domain_.u0 && uv.u <= domain_.u1 && uv.v >= domain_.v0 &&
                            uv.v <= domain_.v1 && domain_.fold(uv) == uv;
     if (!is_inside) fail(fmt::format("the point ({}, {}) is outside of the domain", uv.u, uv.v));

@@ -199,7 +199,7 @@ class Lines {
     if (fit.quality.count > 0) add("quality", quality_text(fit.quality));
     add("distance",
         fmt::format("greatest {:.3g} in face {} at {}, mean {:.3g}", fit.distance.max,
-                    fit.distance.max_face, place_text(fit.distance.max_at), fit.distance.mean));
+                    fit.distance.max_face, point_text(fit.distance.max_at), fit.distance.mean));
   }
 
   void add_faults(const std::vector<MeshFault>& faults) {

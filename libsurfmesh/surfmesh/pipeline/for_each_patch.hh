@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "surfmesh/core/at_place.hh"
+#include "surfmesh/core/at_location.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/run_context.hh"
 #include "surfmesh/model/model.hh"
@@ -22,7 +22,7 @@ void for_each_patch(const Model& model, std::string_view stage, const RunContext
   context.tell(stage, 0, model.patches.size());
   share_indices(heaviest_first(weights), [&](std::size_t p) {
     context.throw_if_cancelled();
-    at_place("patch " + model.patches[p].name, [&] { body(p); });
+    at_location("patch " + model.patches[p].name, [&] { body(p); });
     const std::lock_guard lock(mutex);
     context.tell(stage, ++done, model.patches.size());
   });

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "surfmesh/core/at_place.hh"
+#include "surfmesh/core/at_location.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/formats/mesh_endings.hh"
 #include "surfmesh/formats/read_cage.hh"
@@ -31,7 +31,7 @@ namespace {
 template <class Body>
 void at_file(const std::string& place, Body body) {
   try {
-    at_place(place, body);
+    at_location(place, body);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::InvalidOption) throw;
     throw Error(ErrorCode::InvalidInput, error.what());

@@ -181,7 +181,7 @@ class Run {
       notice.patch = static_cast<int>(with_point - turned_.begin());
       notice.point = with_point->point;
       location = fmt::format(", one in patch {} at {}", model_.patch(notice.patch).name,
-                             place_text(*notice.point));
+                             point_text(*notice.point));
     }
     notice.text = fmt::format(
         "{} triangles are turned against the normal of the surface{}; smaller sizes help "
@@ -228,7 +228,7 @@ class Run {
         fmt::format("triangles are as flat as quality {:.3g}, in patch {} at {}: the boundary "
                     "leaves less room than the sizes ask for; gaps get their sizes by proximity, "
                     "not below hmin",
-                    quality.min, model_.patch(patch).name, place_text(point)));
+                    quality.min, model_.patch(patch).name, point_text(point)));
     notice.patch = patch;
     notice.point = point;
     report_.notices.push_back(std::move(notice));

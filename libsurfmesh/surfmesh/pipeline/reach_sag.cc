@@ -56,7 +56,7 @@ class SagLoop {
     }
     for (int i = 0; i < kMostCorrectedMeshes; ++i) {
       mesh(kCorrectedShare * asked_);
-      if (sag_.max <= asked_ || !shrink_in_places()) break;
+      if (sag_.max <= asked_ || !shrink_locally()) break;
     }
     return std::move(best_);
   }
@@ -114,7 +114,7 @@ class SagLoop {
   }
 
   /// Ask for smaller sizes at the faces that are too far. Returns false if hmin is reached at all.
-  bool shrink_in_places() {
+  bool shrink_locally() {
     bool is_any = false;
     for (const FaceHandle fh : now_.mesh.faces()) {
       if (sag_of(fh) > asked_ && shrink_at(fh)) is_any = true;

@@ -94,15 +94,15 @@ class Checker {
 
   std::string edge_text(const Side& side) const {
     return fmt::format("edge {}-{}{} at {}", side.low, side.high, patch_text(side.face),
-                       place_text(0.5 * (point(side.low) + point(side.high))));
+                       point_text(0.5 * (point(side.low) + point(side.high))));
   }
 
   std::string face_text(std::size_t f) const {
-    return fmt::format("face {}{} at {}", f, patch_text(f), place_text(point(set_.faces[f][0])));
+    return fmt::format("face {}{} at {}", f, patch_text(f), point_text(point(set_.faces[f][0])));
   }
 
   std::string vertex_text(std::size_t v) const {
-    return fmt::format("vertex {}{} at {}", v, patch_text(face_of_[v]), place_text(set_.points[v]));
+    return fmt::format("vertex {}{} at {}", v, patch_text(face_of_[v]), point_text(set_.points[v]));
   }
 
   bool is_used(std::size_t v) const { return face_of_[v] != kNoFace; }
@@ -191,7 +191,7 @@ class Checker {
       if (key(order[i - 1]) != key(order[i])) continue;
       same_points_.add([&] {
         return fmt::format("vertices {} and {}{} at {}", order[i - 1], order[i],
-                           patch_text(face_of_[order[i]]), place_text(set_.points[order[i]]));
+                           patch_text(face_of_[order[i]]), point_text(set_.points[order[i]]));
       });
     }
   }
@@ -220,7 +220,7 @@ class Checker {
       if (keys[order[i - 1]] != keys[order[i]]) continue;
       same_faces_.add([&] {
         return fmt::format("faces {} and {}{} at {}", order[i - 1], order[i], patch_text(order[i]),
-                           place_text(point(set_.faces[order[i]][0])));
+                           point_text(point(set_.faces[order[i]][0])));
       });
     }
   }
@@ -339,7 +339,7 @@ class ShapeMeter {
 
 }  // namespace
 
-std::string place_text(const Vec3& point) {
+std::string point_text(const Vec3& point) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", point.x(), point.y(), point.z());
 }
 

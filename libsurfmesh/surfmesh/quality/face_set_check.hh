@@ -80,6 +80,6 @@ struct ShapeStatistics {
 ShapeStatistics measure_shape(const MeshArrays& set);
 
 /// A point as written in messages: "(1, 2.5, 0)".
-std::string place_text(const Vec3& point);
+std::string point_text(const Vec3& point);
 
 }  // namespace surfmesh

@@ -72,14 +72,14 @@ class SagMeter {
         triangle.points[i] = detail::point_of(mesh_, own[i]);
         triangle.uvs[i] = mesh_.property(uv_of_, own[i]);
       }
-      const Greatest own_greatest = greatest_place(triangle);
+      const Greatest own_greatest = greatest_sample(triangle);
       greatest.take(own_greatest.sag, own_greatest.at);
     }
     return greatest;
   }
 
-  Greatest greatest_place(const Triangle& triangle) const {
-    detail::SagPlace greatest;
+  Greatest greatest_sample(const Triangle& triangle) const {
+    detail::SagSample greatest;
     const auto distance = [&](const detail::Weights& w) {
       return distance_at(triangle, w, greatest.distance);
     };
@@ -87,7 +87,7 @@ class SagMeter {
       const double there = distance(w);
       if (there > greatest.distance) greatest = {w, there};
     }
-    const detail::SagPlace found = detail::search_sag(greatest, distance);
+    const detail::SagSample found = detail::search_sag(greatest, distance);
     Greatest place;
     place.take(found.distance, point_at(triangle, found.weights));
     return place;

@@ -136,7 +136,7 @@ class DistanceMeter {
     }
     if (!is_projected_ && distance > kOffSurface * model_.diagonal) {
       off_.add([&] {
-        return fmt::format("{} at {}, by {:.3g}", face_text(fh), place_text(corner.point),
+        return fmt::format("{} at {}, by {:.3g}", face_text(fh), point_text(corner.point),
                            distance);
       });
     }
@@ -170,7 +170,7 @@ class DistanceMeter {
       if (facing * (side < 0 ? -1 : 1) > 0) continue;
       turned_.add([&] {
         return fmt::format("{} at {}", face_text(fh),
-                           place_text(middle_of(mesh_, corners_of(mesh_, fh))));
+                           point_text(middle_of(mesh_, corners_of(mesh_, fh))));
       });
     }
   }

@@ -40,7 +40,7 @@ double plane_sag(const Surface& surface, const SurfaceTriangle& triangle, double
     const Uv uv = w[0] * triangle.uvs[0] + w[1] * triangle.uvs[1] + w[2] * triangle.uvs[2];
     return std::abs(normal.dot(surface.evaluate(uv, Order::Position).point - a));
   };
-  SagPlace greatest;
+  SagSample greatest;
   for (const Weights& w : sag_samples()) {
     const double there = distance(w);
     if (there > greatest.distance) greatest = {w, there};

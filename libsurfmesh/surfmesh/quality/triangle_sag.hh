@@ -28,7 +28,7 @@ inline constexpr double kFirstSearchStep = 0.5 / kSampleSteps;
 inline constexpr double kLastSearchStep = 0.125 / kSampleSteps;
 
 /// A place of a triangle and the distance there.
-struct SagPlace {
+struct SagSample {
   Weights weights{};
   double distance = 0;
 };
@@ -38,7 +38,7 @@ struct SagPlace {
 ///
 /// `distance(weights)` is asked about 20 times.
 template <class Distance>
-SagPlace search_sag(SagPlace place, Distance distance);
+SagSample search_sag(SagSample place, Distance distance);
 
 /// The greatest distance of the surface from the plane of the triangle, over the samples, and
 /// around the greatest one if that is above `searched_from`.
@@ -48,9 +48,9 @@ SagPlace search_sag(SagPlace place, Distance distance);
 double plane_sag(const Surface& surface, const SurfaceTriangle& triangle, double searched_from = 0);
 
 template <class Distance>
-SagPlace search_sag(SagPlace place, Distance distance) {
+SagSample search_sag(SagSample place, Distance distance) {
   for (double step = kFirstSearchStep; step >= kLastSearchStep;) {
-    const SagPlace before = place;
+    const SagSample before = place;
     for (std::size_t from = 0; from < 3; ++from) {
       for (std::size_t to = 0; to < 3; ++to) {
         if (from == to || before.weights[from] < step) continue;

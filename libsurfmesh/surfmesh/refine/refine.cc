@@ -47,7 +47,7 @@ class Refinement {
 
   RefineReport run() {
     empty_front();
-    if (!report_.is_stopped && insert_missed_places()) empty_front();
+    if (!report_.is_stopped && insert_required_points()) empty_front();
     report_.queries = hint_.answers;
     return report_;
   }
@@ -57,7 +57,7 @@ class Refinement {
     FrontQueue::Entry entry;
     std::size_t steps = 0;
     while (front_.pop(entry)) {
-      if (is_astray()) {
+      if (exceeds_prediction()) {
         report_.is_stopped = true;
         return;
       }
@@ -75,18 +75,18 @@ class Refinement {
 
   /// True if there are far more triangles than the metric area of the mesh asks for: no triangles
   /// of unit edges follow a metric that turns too fast.
-  bool is_astray() const {
+  bool exceeds_prediction() const {
     return static_cast<double>(delaunay_.n_faces() - slack_) >
            kMostTriangles * states_.predicted_count();
   }
 
   /// Insert places of the field that lie in triangles much too large for them: what lies between
   /// the vertices of a triangle alone is never asked for.
-  bool insert_missed_places() {
+  bool insert_required_points() {
     bool is_any = false;
     FaceHandle near(0);
     for (const MetricCorner& place : field_.required_points()) {
-      if (is_astray()) {
+      if (exceeds_prediction()) {
         report_.is_stopped = true;
         return false;
       }
@@ -94,7 +94,7 @@ class Refinement {
       near = location.face;
       if (!is_insertable(location) || !is_missed(place, location.face)) continue;
       delaunay_.find_cavity(place.uv, location, rule_, cavity_);
-      if (!is_good_place(place)) continue;
+      if (!keeps_its_distance(place)) continue;
       insert(place.uv, place.metric, location);
       near = delaunay_.mesh().face_handle(delaunay_.mesh().halfedge_handle(
           VertexHandle(static_cast<int>(delaunay_.n_vertices()) - 1)));
@@ -134,7 +134,7 @@ class Refinement {
     const Metric metric = field_.at(p, hint_);
     if (must_conform && !conforms(triangle, p, metric)) return false;
     delaunay_.find_cavity(p, location, rule_, cavity_);
-    if (!is_good_place({p, metric})) return false;
+    if (!keeps_its_distance({p, metric})) return false;
     insert(p, metric, location);
     return true;
   }
@@ -151,7 +151,7 @@ class Refinement {
   }
 
   /// Far enough from all nodes around, and not facing a boundary edge under more than 90°.
-  bool is_good_place(const MetricCorner& p) const {
+  bool keeps_its_distance(const MetricCorner& p) const {
     const PolyMesh& mesh = delaunay_.mesh();
     for (const HalfedgeHandle heh : cavity_.rim) {
       const MetricCorner a = corner(delaunay_, mesh.from_vertex_handle(heh));

@@ -43,7 +43,7 @@ double root_of_determinant(const FirstFormFactor& form, const SizeTensor& size) 
 /// Point i, from 1, of a sequence that covers the rectangle of a domain evenly: the additive one of
 /// the plastic number, which has no period.
 /// Source   Roberts, The unreasonable effectiveness of quasirandom sequences (2018)
-Uv even_place(const Domain& domain, int i) {
+Uv quasirandom_point(const Domain& domain, int i) {
   constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
   double whole = 0;
   return domain.at(std::modf(i * first, &whole), std::modf(i * second, &whole));
@@ -67,7 +67,7 @@ class EvenSample {
   std::span<const Point> first(int count) {
     const Domain domain = field_.surface().domain();
     while (std::ssize(sizes_) < count) {
-      const Uv uv = even_place(domain, static_cast<int>(sizes_.size()) + 1);
+      const Uv uv = quasirandom_point(domain, static_cast<int>(sizes_.size()) + 1);
       if (is_in(domain, uv)) points_.push_back({uv, field_.at(uv)});
       sizes_.push_back(points_.size());
     }
@@ -103,7 +103,7 @@ bool holds(const ControlGrid& grid, const SizeField& field, int side, double pre
   const Uv v_step{0, (domain.v1 - domain.v0) / (side - 1)};
   QueryHint hint;
   for (int i = 1; i <= 2 * side * side; ++i) {
-    const Uv uv = even_place(domain, i);
+    const Uv uv = quasirandom_point(domain, i);
     if (!is_in(domain, uv)) continue;
     const SizeField::Sample exact = field.at(uv);
     const Metric metric = metric_from_size(exact.form, exact.size);

@@ -96,7 +96,7 @@ class ComparedContour {
       const Jet jet = surface.evaluate(uv, Order::First);
       const FirstFormFactor form = first_form_factor(jet.du, jet.dv);
       if (!is_regular(form)) return {};
-      const TangentPlace place = tangent_place(jet);
+      const TangentFrame place = tangent_frame(jet);
       const double x = tangent.dot(place.first), y = tangent.dot(place.second);
       const double length = std::hypot(x, y);
       if (!(length > 0)) return {};
@@ -133,7 +133,7 @@ class ContourGradation {
       share_indices(model_.contours.size(), [this](std::size_t c) {
         if (is_compared(model_.contours[c])) compare(c);
       });
-      take_added();
+      apply_added();
       if (!remake_spaces()) return report_;
     }
     report_.has_converged = false;
@@ -234,12 +234,12 @@ class ContourGradation {
   }
 
   /// Give the nodes of all contours to their patches, in the order of the contours.
-  void take_added() {
+  void apply_added() {
     std::fill(is_changed_.begin(), is_changed_.end(), false);
     for (std::vector<AddedNode>& nodes : added_) {
       for (const AddedNode& added : nodes) {
         ControlInput& input = inputs_[added.patch];
-        (input.kind == ControlKind::Grid ? input.places : input.nodes).push_back(added.node);
+        (input.kind == ControlKind::Grid ? input.extra_nodes : input.nodes).push_back(added.node);
         is_changed_[added.patch] = true;
       }
       report_.nodes += nodes.size();

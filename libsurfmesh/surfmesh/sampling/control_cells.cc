@@ -56,8 +56,8 @@ bool is_long(double squared_length) { return squared_length > kLeastCellLength *
 
 ControlCells::ControlCells(const SizeField& field, bool by_distance)
     : field_(field), domain_(field.surface().domain()), by_distance_(by_distance) {
-  for (const Uv uv : field.required_points()) places_.push_back(field.at(uv));
-  std::vector<std::size_t> all(places_.size());
+  for (const Uv uv : field.required_points()) points_.push_back(field.at(uv));
+  std::vector<std::size_t> all(points_.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   constexpr std::uint32_t step = kGridSize / kFirstCells;
   for (std::uint32_t j = 0; j < kGridSize; j += step) {
@@ -65,7 +65,7 @@ ControlCells::ControlCells(const SizeField& field, bool by_distance)
       Cell& cell = cells_.emplace_back(Cell{i, j, i + step, j + step});
       cell.corners = {node(cell.i0, cell.j0), node(cell.i1, cell.j0), node(cell.i1, cell.j1),
                       node(cell.i0, cell.j1)};
-      take_places(cell, all);
+      add_points(cell, all);
       examine(cell);
     }
   }
@@ -127,7 +127,7 @@ void ControlCells::examine(Cell& cell) {
   const CellSamples samples = sample(cell);
   measure(cell, samples);
   const Halving by_samples = halving_by_samples(cell, samples);
-  const Halving by_places = halving_by_places(cell);
+  const Halving by_places = halving_by_points(cell);
   cell.halving = by_samples.error >= by_places.error ? by_samples : by_places;
 }
 
@@ -190,13 +190,13 @@ ControlCells::Halving ControlCells::halving_by_samples(const Cell& cell,
 }
 
 /// Across the longer side of the cell in the sizes at the place of a source that it hides most.
-ControlCells::Halving ControlCells::halving_by_places(const Cell& cell) const {
+ControlCells::Halving ControlCells::halving_by_points(const Cell& cell) const {
   const Uv size = extent(cell);
   Halving halving;
   // A cell of few grid lines is left as it is, whatever is asked for in it.
   if (std::min(cell.i1 - cell.i0, cell.j1 - cell.j0) < 2) return halving;
-  for (const std::size_t place : cell.places) {
-    const SizeField::Sample& exact = places_[place];
+  for (const std::size_t place : cell.points) {
+    const SizeField::Sample& exact = points_[place];
     const Metric metric = metric_from_size(exact.form, exact.size);
     const double along_u = squared_length(metric, {size.u, 0});
     const double along_v = squared_length(metric, {0, size.v});
@@ -267,18 +267,18 @@ void ControlCells::halve(const Cell& cell, std::deque<Cell>& cells) {
     second.corners = {left, right, upper_right, upper_left};
   }
   for (Cell* half : {&first, &second}) {
-    take_places(*half, cell.places);
+    add_points(*half, cell.points);
     examine(*half);
     cells.push_back(std::move(*half));
   }
 }
 
-void ControlCells::take_places(Cell& cell, const std::vector<std::size_t>& places) const {
+void ControlCells::add_points(Cell& cell, const std::vector<std::size_t>& points) const {
   const Uv lower = at(cell.i0, cell.j0), upper = at(cell.i1, cell.j1);
-  for (const std::size_t place : places) {
+  for (const std::size_t place : points) {
     const Uv uv = field_.required_points()[place];
     if (uv.u >= lower.u && uv.u <= upper.u && uv.v >= lower.v && uv.v <= upper.v) {
-      cell.places.push_back(place);
+      cell.points.push_back(place);
     }
   }
 }

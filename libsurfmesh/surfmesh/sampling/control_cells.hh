@@ -17,7 +17,7 @@ namespace surfmesh::detail {
 /// A cell whose corners do not give the sizes within it is halved, across the direction in which
 /// there is most to mend, unless it is small in that direction against the elements wanted there.
 /// It is sampled at irrational shares, so that a periodic field cannot hide between nodes, and at
-/// the places of sources. What it has been found to miss is kept: a finer precision takes up the
+/// the points of sources. What it has been found to miss is kept: a finer precision takes up the
 /// cells where they are, and samples new ones only.
 ///
 /// From 20,000 nodes and 16 a unit of metric area on (more by distance with a small precision),
@@ -48,7 +48,7 @@ class ControlCells {
   struct Cell {
     std::uint32_t i0 = 0, j0 = 0, i1 = 0, j1 = 0;
     std::array<std::size_t, 4> corners = {};
-    std::vector<std::size_t> places = {};  ///< those of sources inside
+    std::vector<std::size_t> points = {};  ///< those of sources inside
     double metric_area = 0;
     Halving halving = {};
   };
@@ -69,17 +69,17 @@ class ControlCells {
   CellSamples sample(const Cell& cell) const;
   void measure(Cell& cell, const CellSamples& samples);
   Halving halving_by_samples(const Cell& cell, const CellSamples& samples) const;
-  Halving halving_by_places(const Cell& cell) const;
+  Halving halving_by_points(const Cell& cell) const;
   double error_at(const Cell& cell, Uv uv, const SizeField::Sample& exact) const;
   double change(const Table<double>& errors, const CellSamples& samples, bool along_u) const;
   void halve(const Cell& cell, std::deque<Cell>& cells);
-  void take_places(Cell& cell, const std::vector<std::size_t>& places) const;
+  void add_points(Cell& cell, const std::vector<std::size_t>& points) const;
   bool is_full(double precision) const;
 
   const SizeField& field_;
   Domain domain_;
   bool by_distance_;
-  std::vector<SizeField::Sample> places_;  ///< the field at its places
+  std::vector<SizeField::Sample> points_;  ///< the field at its points
   std::vector<Cell> cells_;
   std::vector<ControlNode> nodes_;
   std::unordered_map<std::uint64_t, std::size_t> index_;

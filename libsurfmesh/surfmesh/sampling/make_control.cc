@@ -109,7 +109,7 @@ ControlInput collect_control_input(const Surface& surface, const ResolvedSizing&
   input.options.discs_meet_area_sources = is_chosen;
   if (options.kind == ControlKind::Grid) {
     take(choose_grid_nodes(field, own), input);
-    input.places = std::move(places);
+    input.extra_nodes = std::move(places);
     return input;
   }
   if (!sources.sag.empty()) {
@@ -126,7 +126,8 @@ ControlInput collect_control_input(const Surface& surface, const ResolvedSizing&
 
 std::unique_ptr<ControlSpace> make_control(const ControlInput& input) {
   if (input.kind == ControlKind::Grid) {
-    return std::make_unique<ControlGrid>(input.domain, input.nodes, input.places, input.options);
+    return std::make_unique<ControlGrid>(input.domain, input.nodes, input.extra_nodes,
+                                         input.options);
   }
   return std::make_unique<ControlMesh>(input.domain, input.nodes, input.options);
 }

@@ -34,8 +34,8 @@ void check(const ControlOptions& options);
 /// What the control space of one patch is made of.
 struct ControlInput {
   Domain domain;
-  std::vector<ControlNode> nodes;   ///< those of a triangulation, or of a square grid
-  std::vector<ControlNode> places;  ///< beside a grid, nodes at places of their own
+  std::vector<ControlNode> nodes;        ///< those of a triangulation, or of a square grid
+  std::vector<ControlNode> extra_nodes;  ///< beside a grid, nodes at points of their own
   ControlKind kind = ControlKind::Mesh;
   ControlSpaceOptions options = {};
   bool is_coarse = false;  ///< the nodes do not hold the precision, see ChosenNodes

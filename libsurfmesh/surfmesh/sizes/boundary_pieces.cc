@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "surfmesh/core/at_place.hh"
+#include "surfmesh/core/at_location.hh"
 
 namespace surfmesh::detail {
 namespace {
@@ -23,7 +23,7 @@ constexpr double kLeastWay = 6;
 
 /// Points of a contour nearer to each other than this share of its length are one: it may bound the
 /// patch on both sides.
-constexpr double kSamePlace = 1e-9;
+constexpr double kSamePoint = 1e-9;
 
 /// Rounds of halving: contours that touch have pieces that are never straight enough.
 constexpr int kMaxRounds = 12;
@@ -70,7 +70,7 @@ BoundaryPieces::BoundaryPieces(const Model& model, const std::vector<int>& patch
                                double tolerance, double least_gap, double reach)
     : model_(model), least_gap_(least_gap), reach_(reach) {
   for (const int p : patches) {
-    at_place(fmt::format("patch {}", model.patch(p).name), [&] { collect(p, tolerance); });
+    at_location(fmt::format("patch {}", model.patch(p).name), [&] { collect(p, tolerance); });
   }
   plant_tree();
   straighten();
@@ -159,9 +159,9 @@ std::optional<BoundaryPoint> BoundaryPieces::nearest(const Vec3& p, const Accept
 }
 
 bool BoundaryPieces::are_joined(const BoundaryPiece& piece, const BoundaryPoint& point) const {
-  const double same_place = kSamePlace * piece.whole;
-  return point.distance <= same_place ||
-         way_between(piece, point) <= kLeastWay * point.distance + same_place;
+  const double same_point = kSamePoint * piece.whole;
+  return point.distance <= same_point ||
+         way_between(piece, point) <= kLeastWay * point.distance + same_point;
 }
 
 /// Infinite if the contours have no vertex in common.

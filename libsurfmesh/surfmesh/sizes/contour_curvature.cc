@@ -31,10 +31,10 @@ class Sampler {
       : curve_(curve), grade_(sizing.grade), length_(sizing), bounds_(sizing.bounds) {}
 
   std::vector<PlacedSize> run() {
-    Place last = at(0);
+    CurveSample last = at(0);
     const int count = kFirstIntervals * curve_.part_count();
     for (int i = 1; i <= count; ++i) {
-      const Place next = at(double(i) / count);
+      const CurveSample next = at(double(i) / count);
       divide(last, next, 0);
       last = next;
     }
@@ -42,19 +42,19 @@ class Sampler {
   }
 
  private:
-  struct Place {
+  struct CurveSample {
     double t;
     Vec3 point;
     double size;
   };
 
-  Place at(double t) const {
+  CurveSample at(double t) const {
     const double size = length_.of_curve(curve_curvature(curve_, t));
     return {t, curve_.evaluate(t), bounds_.clamp(size)};
   }
 
-  void divide(const Place& a, const Place& b, int depth) {
-    const Place middle = at(0.5 * (a.t + b.t));
+  void divide(const CurveSample& a, const CurveSample& b, int depth) {
+    const CurveSample middle = at(0.5 * (a.t + b.t));
     const double least = std::min({a.size, b.size, middle.size});
     const double sagitta = (middle.point - 0.5 * (a.point + b.point)).norm();
     const bool is_linear = std::abs(middle.size - 0.5 * (a.size + b.size)) <= kTolerance * least;
@@ -67,7 +67,7 @@ class Sampler {
     }
   }
 
-  void add(const Place& a, const Place& b) {
+  void add(const CurveSample& a, const CurveSample& b) {
     PlacedSize placed;
     placed.from = a.point;
     placed.to = b.point;

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "surfmesh/core/language_standard.hh"
+
 namespace surfmesh {
 
 /// A length in model units, or a share of the diagonal of the model's bounding box.

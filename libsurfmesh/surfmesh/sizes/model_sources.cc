@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <set>
 
-#include "surfmesh/core/at_place.hh"
+#include "surfmesh/core/at_location.hh"
 #include "surfmesh/core/option_range.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/sizes/contour_curvature.hh"
@@ -43,8 +43,8 @@ std::vector<std::vector<PlacedSize>> contour_sizes(const Model& model,
     if (contour.is_smooth || contour.is_degenerate || contour.uses.empty()) return;
     const int first = contour.uses.front().patch;
     sizes[c] =
-        at_place(fmt::format("contour {} on patch {}", contour.name, model.patch(first).name),
-                 [&] { return sizes_of_contour(model, contour, sizing); });
+        at_location(fmt::format("contour {} on patch {}", contour.name, model.patch(first).name),
+                    [&] { return sizes_of_contour(model, contour, sizing); });
   });
   return sizes;
 }
@@ -86,8 +86,8 @@ std::optional<Notice> clamp_notice(const Model& model, const Sources& sources,
   std::size_t count = count_clamped(sources, bounds);
   for (const TableSource& table : sources.tables) {
     const Patch& patch = model.patch(table.patch);
-    count += at_place(fmt::format("patch {}", patch.name),
-                      [&] { return count_clamped(table, *patch.surface, bounds); });
+    count += at_location(fmt::format("patch {}", patch.name),
+                         [&] { return count_clamped(table, *patch.surface, bounds); });
   }
   if (count == 0) return std::nullopt;
   return warning(NoticeKind::ClampedSizes,

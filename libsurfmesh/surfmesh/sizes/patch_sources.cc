@@ -30,7 +30,7 @@ class ClampCounter {
   void add(const std::optional<Outer>& outer) {
     if (outer) add(outer->size);
   }
-  void add(const PlaceSize& wish) {
+  void add(const LocalSize& wish) {
     add(wish.size);
     add(wish.outer);
   }

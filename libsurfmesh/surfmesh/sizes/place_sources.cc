@@ -21,7 +21,7 @@ constexpr double kOutsideByRounding = 1e-12;
 constexpr double kChordShare = 0.1;
 
 /// A placed size without its place.
-PlacedSize wish_of(const PlaceSize& wish, const SizeBounds& bounds) {
+PlacedSize wish_of(const LocalSize& wish, const SizeBounds& bounds) {
   PlacedSize placed;
   placed.at_from = placed.at_to = bounds.clamped(wish.size);
   placed.angle = wish.size.angle;

@@ -22,7 +22,7 @@ SizeTensor directed(const SizeLengths& lengths, double c, double s) {
   return {lengths.across + more * c * c, more * c * s, lengths.across + more * s * s};
 }
 
-SizeTensor size_on_segment(const PlacedSize& placed, double share, const TangentPlace& place) {
+SizeTensor size_on_segment(const PlacedSize& placed, double share, const TangentFrame& place) {
   const SizeLengths& a = placed.at_from;
   const SizeLengths& b = placed.at_to;
   const SizeLengths lengths{(1 - share) * a.along + share * b.along,
@@ -34,7 +34,7 @@ SizeTensor size_on_segment(const PlacedSize& placed, double share, const Tangent
 }
 
 /// Metric length of a step in space per its length.
-double length_per_unit(const SizeTensor& size, const Vec3& unit, const TangentPlace& place) {
+double length_per_unit(const SizeTensor& size, const Vec3& unit, const TangentFrame& place) {
   const double x = unit.dot(place.first), y = unit.dot(place.second);
   const double scale = 1 / determinant(size);
   const double a = scale * (size.h22 * x - size.h12 * y);
@@ -45,7 +45,7 @@ double length_per_unit(const SizeTensor& size, const Vec3& unit, const TangentPl
 
 }  // namespace
 
-TangentPlace tangent_place(const Jet& jet) {
+TangentFrame tangent_frame(const Jet& jet) {
   const Vec3& main = jet.du.squaredNorm() > 0 ? jet.du : jet.dv;
   if (main.squaredNorm() == 0) return {jet.point, Vec3::UnitX(), Vec3::UnitY()};
   const Vec3 first = main.normalized();
@@ -56,7 +56,7 @@ TangentPlace tangent_place(const Jet& jet) {
   return {jet.point, first, across.normalized()};
 }
 
-std::optional<SizeTensor> size_around(const PlacedSize& placed, const TangentPlace& place,
+std::optional<SizeTensor> size_around(const PlacedSize& placed, const TangentFrame& place,
                                       double growth) {
   const double share = nearest_share(placed.from, placed.to, place.point);
   const Vec3 step = place.point - ((1 - share) * placed.from + share * placed.to);

@@ -10,7 +10,7 @@
 namespace surfmesh {
 
 /// A point of a surface with the axes of its tangent frame, orthonormal vectors in space.
-struct TangentPlace {
+struct TangentFrame {
   Vec3 point;
   Vec3 first;   ///< along p_u; along p_v where p_u vanishes
   Vec3 second;  ///< towards p_v
@@ -18,7 +18,7 @@ struct TangentPlace {
 
 /// The place of a jet of order First or more; where p_u and p_v are parallel, the second axis is
 /// any that is perpendicular, and where both vanish the axes are those of x and y.
-TangentPlace tangent_place(const Jet& jet);
+TangentFrame tangent_frame(const Jet& jet);
 
 /// Sizes wanted around a point or a segment in space, in closed form.
 ///
@@ -52,7 +52,7 @@ struct PlacedSize {
 /// The sizes that a placed size asks for at a point of a surface; none out of its reach.
 ///
 /// Units    growth is ln g; infinite without gradation, and then nothing is wanted beyond the radii
-std::optional<SizeTensor> size_around(const PlacedSize& placed, const TangentPlace& place,
+std::optional<SizeTensor> size_around(const PlacedSize& placed, const TangentFrame& place,
                                       double growth);
 
 /// Least length that a placed size asks for anywhere.

@@ -24,7 +24,7 @@ namespace surfmesh {
 namespace {
 
 /// Intervals of a curve or of a side of a polygon between whose ends its size is looked for.
-constexpr int kPlacesOnCurve = 64;
+constexpr int kSamplesOnCurve = 64;
 
 /// Rays on which the ring around an extraordinary vertex is sampled, in each quarter of it.
 constexpr int kRingSamples = 5;
@@ -52,14 +52,14 @@ SizeField::SizeField(const Surface& surface, const ResolvedSizing& sizing,
       bounds_(sizing.bounds),
       length_(length_on(sizing, sources)),
       stretch_(sizing.stretch) {
-  take_sources(sources, sizing.grade, precision);
+  add_all_sources(sources, sizing.grade, precision);
   if (length_.is_off()) return;
-  take_discs();
+  add_discs();
 }
 
 /// A disc reaches over the cells around its vertex: farther cells that are near in space, as those
 /// of the other side of a sheet, do not see it.
-void SizeField::take_discs() {
+void SizeField::add_discs() {
   const CellCount cells = surface_.cells();
   const auto count = [](int n) { return static_cast<std::size_t>(n); };
   discs_.resize(count(cells.u) * count(cells.v));
@@ -92,7 +92,7 @@ const std::vector<SizeField::Disc>& SizeField::discs_at(Uv uv) const {
                 static_cast<std::size_t>(column)];
 }
 
-void SizeField::take_sources(const PatchSources& sources, double grade, double precision) {
+void SizeField::add_all_sources(const PatchSources& sources, double grade, double precision) {
   for (const EverywhereSource& source : sources.everywhere) {
     const SizeTensor size = bounds_.clamp(bounds_.tensor(source.size));
     everywhere_ = everywhere_ ? bounds_.clamp(minimum(*everywhere_, size)) : size;
@@ -120,43 +120,46 @@ void SizeField::take_sources(const PatchSources& sources, double grade, double p
         std::make_shared<NodeInterpolation>(surface_, point_nodes(sources.at, surface_, bounds_)));
   }
   for (const AtSource& source : sources.at) add_at(source, surface_, bounds_, placed);
-  take_places(sources);
-  take_cells();
-  take_tree(std::make_shared<SourceTree>(std::move(placed), grade));
-  for (const auto& tree : sources.trees) take_tree(tree);
+  add_required_points(sources);
+  add_cells();
+  add_tree(std::make_shared<SourceTree>(std::move(placed), grade));
+  for (const auto& tree : sources.trees) add_tree(tree);
   has_wishes_ =
       everywhere_ || !areas_.empty() || !fields_.empty() || !tables_.empty() || !trees_.empty();
 }
 
-void SizeField::take_places(const PatchSources& sources) {
-  const auto take_curve = [this](const Curve& curve) {
-    for (int i = 0; i <= kPlacesOnCurve; ++i) {
-      places_.push_back(domain_.fold(domain_.clamp(curve.evaluate(double(i) / kPlacesOnCurve))));
+void SizeField::add_required_points(const PatchSources& sources) {
+  const auto add_curve_points = [this](const Curve& curve) {
+    for (int i = 0; i <= kSamplesOnCurve; ++i) {
+      required_points_.push_back(
+          domain_.fold(domain_.clamp(curve.evaluate(double(i) / kSamplesOnCurve))));
     }
   };
-  for (const AtSource& source : sources.at) places_.push_back(domain_.clamp(source.at));
+  for (const AtSource& source : sources.at) required_points_.push_back(domain_.clamp(source.at));
   for (const AlongSource& source : sources.along) {
-    for (const auto& curve : source.curves) take_curve(*curve);
+    for (const auto& curve : source.curves) add_curve_points(*curve);
   }
   for (const InsideSource& source : sources.inside) {
     for (std::size_t i = 0; i < source.polygon.size(); ++i) {
-      take_curve(SegmentCurve(source.polygon[i], source.polygon[(i + 1) % source.polygon.size()]));
+      add_curve_points(
+          SegmentCurve(source.polygon[i], source.polygon[(i + 1) % source.polygon.size()]));
     }
   }
 }
 
 /// What is in a cell may be too small to be seen from far apart, too.
-void SizeField::take_cells() {
+void SizeField::add_cells() {
   const CellCount cells = surface_.cells();
   if (cells.u * cells.v == 1) return;
   for (int j = 0; j < cells.v; ++j) {
     for (int i = 0; i < cells.u; ++i) {
-      places_.push_back(domain_.at((i + kCellShare) / cells.u, (j + kCellShare) / cells.v));
+      required_points_.push_back(
+          domain_.at((i + kCellShare) / cells.u, (j + kCellShare) / cells.v));
     }
   }
 }
 
-void SizeField::take_tree(std::shared_ptr<const SourceTree> tree) {
+void SizeField::add_tree(std::shared_ptr<const SourceTree> tree) {
   if (!tree->empty()) trees_.push_back(std::move(tree));
 }
 
@@ -275,7 +278,7 @@ void SizeField::add_sources(Uv uv, const Jet& jet, Sample& sample) const {
     size = minimum(size, table->at({uv, sample.point, sample.form}).size);
   }
   if (!trees_.empty()) {
-    const TangentPlace place = tangent_place(jet);
+    const TangentFrame place = tangent_frame(jet);
     for (const auto& tree : trees_) size = tree->minimum_at(place, size);
   }
   // Where stretched sizes cross, their minimum is shorter than both.

@@ -57,7 +57,7 @@ class SizeField {
 
   /// Points of the domain at the places of `at`, `along` and `inside`, and one in each cell of a
   /// surface of several: what is asked for there may be too small to be seen from far apart.
-  const std::vector<Uv>& required_points() const { return places_; }
+  const std::vector<Uv>& required_points() const { return required_points_; }
 
   /// True if some source has a size at every point.
   bool has_area_source() const;
@@ -79,11 +79,11 @@ class SizeField {
     SizeTensor size;
   };
 
-  void take_sources(const PatchSources& sources, double grade, double precision);
-  void take_tree(std::shared_ptr<const SourceTree> tree);
-  void take_places(const PatchSources& sources);
-  void take_cells();
-  void take_discs();
+  void add_all_sources(const PatchSources& sources, double grade, double precision);
+  void add_tree(std::shared_ptr<const SourceTree> tree);
+  void add_required_points(const PatchSources& sources);
+  void add_cells();
+  void add_discs();
   Uv in_cells(Uv uv) const;
   const std::vector<Disc>& discs_at(Uv uv) const;
   Jet second_order(Uv uv) const;
@@ -109,7 +109,7 @@ class SizeField {
   std::vector<std::shared_ptr<const NodeInterpolation>> tables_;
   std::vector<std::shared_ptr<const SourceTree>> trees_;
   std::vector<Ring> rings_;
-  std::vector<Uv> places_;
+  std::vector<Uv> required_points_;
   bool has_wishes_ = false;               ///< for more than the curvature
   std::vector<std::vector<Disc>> discs_;  ///< by cell of the surface, rows along u
 };

@@ -67,7 +67,7 @@ struct Outer {
 /// A size around a place. It holds within `radius` of it and, with `outer`, goes over to the outer
 /// one; from there it grows by the grade. Without gradation it has no effect any farther.
 /// Distances are taken in space.
-struct PlaceSize {
+struct LocalSize {
   Size size;
   Length radius = {};
   std::optional<Outer> outer = {};
@@ -92,20 +92,20 @@ struct AtSource {
 struct AlongSource {
   int patch = -1;
   std::vector<std::shared_ptr<const Curve>> curves;
-  PlaceSize wish;
+  LocalSize wish;
 };
 
 /// An area source: a size inside a polygon in the parameters of a patch, its border included.
 struct InsideSource {
   int patch = -1;
   std::vector<Uv> polygon;  ///< at least three corners, either way round, without crossings
-  PlaceSize wish;
+  LocalSize wish;
 };
 
 /// A size near a point or a polyline in space, on every patch.
 struct NearSource {
   std::vector<Vec3> line;  ///< one point, or several
-  PlaceSize wish;
+  LocalSize wish;
 };
 
 /// An area source: sizes as a function of the place, (u,v) and the position in space. One of the

@@ -85,7 +85,7 @@ double SourceTree::bound(const Node& node, const Vec3& point) const {
   return rest <= 0 ? node.least : node.least + node.rate * rest;
 }
 
-SizeTensor SourceTree::minimum_at(const TangentPlace& place, const SizeTensor& size) const {
+SizeTensor SourceTree::minimum_at(const TangentFrame& place, const SizeTensor& size) const {
   if (nodes_.empty()) return size;
   SizeTensor result = size;
   double largest = larger_length(size);

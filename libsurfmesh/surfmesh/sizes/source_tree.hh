@@ -24,7 +24,7 @@ class SourceTree {
   /// tree and the place only.
   ///
   /// Cost     O(log n + k) for k sizes that are below the others somewhere around
-  SizeTensor minimum_at(const TangentPlace& place, const SizeTensor& size) const;
+  SizeTensor minimum_at(const TangentFrame& place, const SizeTensor& size) const;
 
   bool empty() const { return sizes_.empty(); }
   const std::vector<PlacedSize>& sizes() const { return sizes_; }

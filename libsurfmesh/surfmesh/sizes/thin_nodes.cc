@@ -17,7 +17,7 @@ namespace {
 constexpr int kRoundsOfWorst = 20;
 
 /// The nodes with those of exactly one place made one, with the minimum of their sizes.
-std::vector<ControlNode> merge_places(const std::vector<ControlNode>& nodes) {
+std::vector<ControlNode> merge_coincident(const std::vector<ControlNode>& nodes) {
   std::map<std::pair<double, double>, std::size_t> index;
   std::vector<ControlNode> merged;
   for (const ControlNode& node : nodes) {
@@ -115,7 +115,7 @@ class Thinning {
 std::vector<ControlNode> thin_nodes(const Surface& surface, const std::vector<ControlNode>& nodes,
                                     double precision) {
   if (nodes.empty()) return {};
-  const std::vector<ControlNode> merged = merge_places(nodes);
+  const std::vector<ControlNode> merged = merge_coincident(nodes);
   return Thinning(surface, merged, precision).run();
 }
 

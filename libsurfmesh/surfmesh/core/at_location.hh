@@ -11,11 +11,11 @@ namespace surfmesh {
 ///
 /// Returns  what `body` returns
 template <class Body>
-auto at_place(const std::string& place, Body body) {
+auto at_location(const std::string& location, Body body) {
   try {
     return body();
   } catch (const Error& error) {
-    throw Error(error.code(), place + ": " + error.what());
+    throw Error(error.code(), location + ": " + error.what());
   }
 }
 
