@@ -204,7 +204,7 @@ void add_set(CLI::App& command, Settings& settings, const std::string& text) {
           text)
       ->type_name("key=value")
       ->expected(1)
-      ->run_remaining()
+      ->take_all()
       ->check([](const std::string& word) {
         const auto [name, value] = split_setting(word);
         return fault_of(name, value);

@@ -119,7 +119,7 @@ class Run {
       report_.seconds += result.seconds;
       report_.control.queries += result.queries;
       patches_.push_back(std::move(result.mesh));
-      turned_.push_back(std::move(result.turned));
+      turned_.push_back(result.turned);
     }
     tell_given_up(results);
     const StageClock clock(report_.seconds[Stage::Assemble]);
@@ -210,8 +210,10 @@ class Run {
 
   void measure(const PolyMesh& mesh) {
     const MeshTopology topology = measure_topology(mesh);
-    report_.mesh = {topology.vertices,     topology.faces,     0,
-                    model_.patches.size(), topology.is_closed, topology.euler};
+    const std::size_t corners = 2 * topology.edges - topology.boundary_edges;
+    const std::size_t quads = corners - 3 * topology.faces;  // there are triangles and quads only
+    report_.mesh = {topology.vertices,     topology.faces - quads, quads,
+                    model_.patches.size(), topology.is_closed,     topology.euler};
     report_.edges = measure_edges(mesh);
     report_.quality = measure_quality(mesh);
     warn_of_flat_triangles(mesh);
