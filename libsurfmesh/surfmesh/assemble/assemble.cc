@@ -42,10 +42,12 @@ struct PatchFace {
   std::size_t count = 0;
   CornerValue pole;  ///< of the corner that is a pole
 
-  /// True if two corners are one vertex.
+  /// True if two neighbouring corners are one vertex.
   bool is_collapsed() const {
+    int before = corners[count - 1].vertex;
     for (std::size_t k = 0; k < count; ++k) {
-      if (corners[k].vertex == corners[(k + 1) % count].vertex) return true;
+      if (corners[k].vertex == before) return true;
+      before = corners[k].vertex;
     }
     return false;
   }
@@ -89,14 +91,21 @@ class PatchFaces {
   /// left out.
   template <class Visit>
   void for_each(Visit visit) const {
-    const auto visit_turned = [&](PatchFace face) {
+    PatchFace face;  // one for all: there are millions
+    const auto visit_turned = [&] {
       if (face.is_collapsed()) return;
       if (is_turned_) face.turn();
-      visit(face);
+      visit(static_cast<const PatchFace&>(face));
     };
-    for (const FaceHandle fh : mesh_.faces()) visit_turned(face_at(mesh_.halfedge_handle(fh)));
+    for (const FaceHandle fh : mesh_.faces()) {
+      fill(mesh_.halfedge_handle(fh), face);
+      visit_turned();
+    }
     for (const PoleFan& fan : patch_.boundary.fans) {
-      for (std::size_t i = 0; i + 1 < fan.ring.size(); ++i) visit_turned(face_of(fan, i));
+      for (std::size_t i = 0; i + 1 < fan.ring.size(); ++i) {
+        fill_from_fan(fan, i, face);
+        visit_turned();
+      }
     }
   }
 
@@ -111,8 +120,8 @@ class PatchFaces {
     return {mesh_.property(uv_, vh), mesh_.property(metric_, vh)};
   }
 
-  PatchFace face_at(HalfedgeHandle start) const {
-    PatchFace face;
+  void fill(HalfedgeHandle start, PatchFace& face) const {
+    face.count = 0;
     HalfedgeHandle heh = start;
     do {
       const VertexHandle vh = mesh_.from_vertex_handle(heh);
@@ -120,15 +129,13 @@ class PatchFaces {
                                     mesh_.property(contour_, mesh_.edge_handle(heh)), heh};
       heh = mesh_.next_halfedge_handle(heh);
     } while (heh != start && face.count < kMostCorners);
-    return face;
   }
 
-  PatchFace face_of(const PoleFan& fan, std::size_t i) const {
+  void fill_from_fan(const PoleFan& fan, std::size_t i, PatchFace& face) const {
     const std::size_t count = fan.ring.size() - 1;
     const int near = fan.ring[i], far = fan.ring[i + 1];
     // The metric is singular at the pole; its corner takes that of the ring.
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-    PatchFace face;
     face.pole = {point_on_pole(fan, share), mean(value(near).metric, value(far).metric)};
     const HalfedgeHandle none;
     face.corners[0] = {fan.pole, -1, i + 1 == count ? fan.contour_from : -1, none};
@@ -136,7 +143,6 @@ class PatchFaces {
     face.corners[2] = {vertices_[static_cast<std::size_t>(near)], near,
                        i == 0 ? fan.contour_to : -1, none};
     face.count = 3;
-    return face;
   }
 
   const PatchMesh& patch_;
