@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "surfmesh/core/language_standard.hh"  // first: it tells where C++ is too old
+#include "surfmesh/core/language_standard.hh"  // first: it says if C++ is too old
 
 /// What an application includes: read or build a model, mesh it, walk, copy and write the result.
 ///

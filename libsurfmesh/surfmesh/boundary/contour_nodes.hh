@@ -17,7 +17,7 @@ struct ContourNodes {
   int segment_count() const { return static_cast<int>(points.size()) - 1; }
 };
 
-/// What is asked of the nodes of all contours beside the sizes.
+/// Requirements on the nodes of all contours, apart from sizes.
 struct ContourDemands {
   /// The number of segments of every contour is a multiple of this; quads need 2. 1 or above.
   int multiple = 1;
@@ -37,24 +37,24 @@ struct BoundaryNodes {
 
 /// Place the nodes of all contours.
 ///
-/// The nodes of a contour come from the patch in whose metric it is longest: their number is the
-/// nearest integer to that length, at least 1, and they lie at equal metric arcs, which is marching
-/// by eq. (3) with the remainder spread evenly. Then every segment is measured in the metric of
-/// every other patch and halved while it is longer than √2; where that gives more segments than the
-/// finest patch at each place wants, the nodes are spread evenly over its lengths. Loops whose
-/// segments cross though their curves do not get further nodes there.
+/// The nodes of a contour come from the patch in whose metric it is longest. The number of segments
+/// is the nearest integer to that length, at least 1, and nodes lie at equal metric arcs: this is
+/// the marching of eq. (3) with the remainder spread evenly. Then every segment is measured in the
+/// metric of every other patch and halved while it is longer than √2. If that gives more segments
+/// than the finest patch at each point wants, the nodes are spread evenly over its lengths. If
+/// segments of loops cross although their curves do not, they get further nodes there.
 ///
-/// With a sag, that number becomes the least one from √½ of the length up with which all segments
-/// hold it, at most four times the length.
+/// With a sag, the number of segments is the least with which all segments keep the sag, between √½
+/// of the length and four times the length.
 ///
 /// Contours get more nodes where the result would not be a proper mesh otherwise: at least three
-/// segments if closed, two if another contour joins the same vertices, one to spare beside each
-/// pole. A degenerate contour has one segment of no length; where another part of a loop comes near
-/// to it, the segments beside it are halved until the ring around the pole has room.
+/// segments if closed, two if another contour joins the same vertices, and one more next to each
+/// pole. A degenerate contour has one segment of length zero. If another part of a loop comes near
+/// it, the segments next to it are halved until the ring around the pole has room.
 ///
 /// `fields` holds the metric of each patch.
-/// Cost     four to eight metric queries a segment and use
-/// Throws   InvalidInput for demands out of range
+/// Cost     four to eight metric queries per segment and use
+/// Throws   InvalidInput for demands that are out of range
 /// Source   paper, section 2.1, item 1
 BoundaryNodes place_contour_nodes(const Model& model, const std::vector<const MetricField*>& fields,
                                   const ContourDemands& demands = {});

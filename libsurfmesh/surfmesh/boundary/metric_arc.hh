@@ -10,20 +10,20 @@ namespace surfmesh {
 
 /// Metric arc length along a curve in the parameters of a patch, as a table.
 ///
-/// The curve is cut in two until a piece is at most half a unit long and the length of the piece
-/// agrees with the sum over its parts. Each piece counts with the metrics of both its ends, as in
-/// eq. (3) of the paper.
+/// The curve is bisected until each piece is at most half a unit long and its length agrees with
+/// the sum over its parts. The length of a piece follows from the metrics at both of its ends, as
+/// in eq. (3) of the paper.
 ///
-/// Error    about 1e-3 of the length, 1e-2 for a curve that waves within a unit (test MetricArc.*)
-/// Cost     four to eight metric queries a unit of length, at least 17
+/// Error    about 1e-3 of the length, 1e-2 for a curve with waves within a unit (test MetricArc.*)
+/// Cost     four to eight metric queries per unit of length, at least 17
 class MetricArc {
  public:
   MetricArc(const Curve& curve, const MetricField& field);
 
-  /// Metric length of the whole curve: the number of segments wanted.
+  /// Metric length of the whole curve, which is the number of segments wanted.
   double length() const { return arcs_.back(); }
 
-  /// Queries of the metric field for this table.
+  /// Queries of the metric field that this table took.
   const QueryCounts& queries() const { return queries_; }
 
   /// Metric length from t = 0 to t.

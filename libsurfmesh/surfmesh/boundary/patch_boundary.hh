@@ -8,16 +8,16 @@
 
 namespace surfmesh {
 
-/// Numbers of the result vertices that contours own: first the model's vertices, then the inner
+/// Numbers of the result's vertices on contours: first the vertices of the model, then the inner
 /// nodes of each contour.
 class NodeNumbers {
  public:
   NodeNumbers(const Model& model, const std::vector<ContourNodes>& nodes);
 
-  /// Result vertex of a node of a contour.
+  /// Vertex of the result for a node of a contour.
   int operator()(int contour, int node) const;
 
-  /// Number of vertices and nodes in all.
+  /// Total number of vertices and nodes.
   int count() const { return count_; }
 
  private:
@@ -34,36 +34,36 @@ class NodeNumbers {
 /// A node of the boundary of a patch's domain.
 struct BoundaryNode {
   Uv uv;
-  int vertex = -1;   ///< result vertex; -1 for a node of a ring around a pole, the patch's own
-  int contour = -1;  ///< contour of the segment from here to the next node; -1 on such a ring
+  int vertex = -1;   ///< of the result; -1 for a node of a ring around a pole, the patch's own
+  int contour = -1;  ///< of the segment from here to the next node; -1 on such a ring
 };
 
-/// Nodes counter-clockwise around the outside, clockwise around holes.
+/// Nodes in order: counter-clockwise along the outer loop, clockwise around holes.
 using BoundaryLoop = std::vector<BoundaryNode>;
 
 /// The triangles between a pole and the ring of nodes around it, which the domain mesh leaves out.
 struct PoleFan {
-  int pole = -1;          ///< result vertex
-  std::vector<Uv> sides;  ///< ends of the sides that are the pole, in the direction of the loop
+  int pole = -1;          ///< vertex of the result
+  std::vector<Uv> sides;  ///< ends of the sides at the pole, in the direction of the loop
   int contour_to = -1;    ///< contour of the segment from the first node of the ring to the pole
   int contour_from = -1;  ///< contour of the segment from the pole to the last node of the ring
-  std::vector<int> ring;  ///< positions in the patch's list of boundary nodes
+  std::vector<int> ring;  ///< indices into the patch's list of boundary nodes
 };
 
-/// All that the mesh of one patch must keep.
+/// The boundary that the mesh of one patch must have.
 struct PatchBoundary {
   std::vector<BoundaryLoop> loops;
   std::vector<PoleFan> fans;
 };
 
-/// The point of the sides of a pole at a share in [0,1] of them.
+/// The point on the sides of a pole at a share of them, from 0 to 1.
 Uv point_on_pole(const PoleFan& fan, double share);
 
 /// Collect the boundary of one patch from the nodes of its contours.
 ///
-/// A side that is one point (a pole), or several such sides in a row, are cut off: the nodes next
-/// to it on both adjoining sides are joined by a ring at constant metric distances, so that the
-/// metric, which is singular at a pole, is never asked for there.
+/// A side that is one point (a pole), or several such sides in a row, is cut off: a ring of nodes
+/// at equal metric distances joins the nodes next to it on both adjacent sides. The metric, which
+/// is singular at a pole, is therefore never queried there.
 PatchBoundary collect_boundary(const Model& model, int patch,
                                const std::vector<ContourNodes>& nodes, const NodeNumbers& numbers,
                                const MetricField& field);

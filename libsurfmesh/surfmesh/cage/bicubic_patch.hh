@@ -12,11 +12,11 @@ namespace surfmesh {
 /// The bicubic polynomial over the unit square that has the given point, du, dv and duv at the
 /// corners (0,0), (1,0), (1,1), (0,1).
 ///
-/// These sixteen vectors determine it, whatever basis they were evaluated in.
+/// These sixteen vectors determine it, whatever basis was used to evaluate them.
 /// Error    rounding (test BicubicPatchTest.*)
 class BicubicPolynomial {
  public:
-  /// True if the vectors that count at a corner are finite.
+  /// True if the vectors that matter at a corner are finite.
   static bool can_have(const Jet& corner);
 
   /// Throws   Geometry if a vector is not finite
@@ -26,12 +26,12 @@ class BicubicPolynomial {
   Jet evaluate(Uv uv, Order order) const;
 
  private:
-  /// Bézier points, rows_[j][i] at (i/3, j/3); with an unused fourth coordinate, so that two
-  /// coordinates go through one instruction.
+  /// Bézier points, rows_[j][i] at (i/3, j/3), with an unused fourth coordinate, so that one
+  /// instruction works on two coordinates.
   std::array<std::array<Eigen::Vector4d, 4>, 4> rows_;
 };
 
-/// Make a surface of such a polynomial.
+/// Make a surface from such a polynomial.
 ///
 /// Throws   Geometry if a vector is not finite
 std::shared_ptr<const Surface> make_bicubic_patch(const std::array<Jet, 4>& corners);

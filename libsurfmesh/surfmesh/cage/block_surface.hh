@@ -8,26 +8,26 @@
 
 namespace surfmesh {
 
-/// A surface over the unit square in a block of them, and how it lies there.
+/// A surface over the unit square as a cell of a block, and how it is turned there.
 struct BlockCell {
   std::shared_ptr<const Surface> surface;
-  int rotation = 0;  ///< 0 to 3: the corner of its domain that is at the lower left of its place
+  int rotation = 0;  ///< 0 to 3: the corner of its domain at the lower left of the cell
 };
 
-/// Surfaces side by side in a rectangle, as one over [0,columns] × [0,rows].
+/// Surfaces side by side in a rectangle, as one surface over [0,columns] × [0,rows].
 ///
 /// Each cell is a unit square. Derivatives are those of the cell, in the directions of the block;
-/// on an edge between two cells those of the right or upper one. Singular points are those of the
+/// on an edge between two cells, those of the right or upper one. Singular points are those of the
 /// cells.
 class BlockSurface : public Surface {
  public:
-  /// Cells row by row from below, each from the left.
+  /// Cells row by row from the bottom, each row from the left.
   ///
-  /// Throws   InvalidInput if the cells make no rectangle, or one is missing or not over the unit
-  ///          square
+  /// Throws   InvalidInput if the cells do not form a rectangle, or if one is missing or not over
+  ///          the unit square
   BlockSurface(int columns, std::vector<BlockCell> cells);
 
-  /// Cost     that of the cell and 5 ns, at any number of cells
+  /// Cost     that of the cell plus 5 ns, for any number of cells
   Jet evaluate(Uv uv, Order order) const override;
 
   Domain domain() const override;

@@ -10,8 +10,8 @@
 
 namespace surfmesh {
 
-/// Subdivision scheme of a control cage. Auto: Loop where every face is a triangle (but
-/// Catmull-Clark where the cage asks for smooth triangles), else Catmull-Clark.
+/// Subdivision scheme of a control cage. Auto: Loop if every face is a triangle (but Catmull-Clark
+/// if the cage asks for smooth triangles), otherwise Catmull-Clark.
 enum class Scheme { Auto, CatmullClark, Loop, Bilinear };
 
 /// What a limit surface does at the boundary of its cage, as OpenSubdiv defines it.
@@ -19,7 +19,7 @@ enum class BoundaryRule { None, EdgeAndCorner, EdgeOnly };
 
 /// A control cage as read: an indexed face set with the tags of its subdivision.
 ///
-/// May be non-manifold; that is for the model to deal with. Sharpness of 10 and more is infinite.
+/// It may be non-manifold; the model deals with that. A sharpness of 10 or more is infinite.
 struct Cage {
   struct Crease {
     std::array<int, 2> edge = {-1, -1};  ///< vertices
@@ -35,7 +35,7 @@ struct Cage {
   };
 
   std::vector<Vec3> points;
-  std::vector<std::vector<int>> faces;  ///< vertices from 0, at least three different ones each
+  std::vector<std::vector<int>> faces;  ///< vertices from 0, at least three different ones per face
   std::vector<Crease> creases;
   std::vector<Corner> corners;
   std::vector<int> holes;         ///< faces that are left out
@@ -43,31 +43,31 @@ struct Cage {
   BoundaryRule boundary = BoundaryRule::EdgeOnly;
   bool is_chaikin = false;  ///< crease method
   bool is_smooth_triangles = false;
-  Notices notices;  ///< of reading, with file and line
+  Notices notices;  ///< from reading, with file and line
 };
 
 /// Diagonal of the bounding box of the cage's points, in model units.
 double diagonal(const Cage& cage);
 
-/// Tell which scheme Auto stands for; any other scheme is returned as it is.
+/// The scheme that Auto stands for; any other scheme is returned unchanged.
 Scheme resolve_scheme(const Cage& cage, Scheme scheme);
 
-/// The vertices of a face without those that are the same as the next one.
+/// The vertices of a face without those that equal the next one.
 std::vector<int> without_repeats(const std::vector<int>& face);
 
-/// True if a face has at least three different vertices and does not come back to any of them;
-/// a vertex may be there several times in a row (a side that is a point).
+/// True if a face has at least three different vertices and does not return to any of them. A
+/// vertex may occur several times in a row (a side that is a point).
 bool is_simple(const std::vector<int>& face);
 
-/// Check that points are finite and that the vertices of faces, three at least, are points.
+/// Check that points are finite, and that faces have at least three vertices, all of which exist.
 ///
 /// Throws   InvalidInput, naming the point or face
 /// Cost     O(face corners)
 void check_ranges(const Cage& cage);
 
-/// Check that the cage can be subdivided: its ranges, and that all faces are simple.
+/// Check that the cage can be subdivided: that its ranges are valid and all faces are simple.
 ///
-/// Tags are not looked at: a tag that makes no sense is a warning of the model.
+/// Tags are not checked: for a tag that makes no sense, the model gives a warning.
 /// Throws   InvalidInput, naming the point, face or vertex
 /// Cost     O(face corners)
 void check(const Cage& cage);

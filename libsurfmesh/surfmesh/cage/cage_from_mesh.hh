@@ -19,17 +19,18 @@
 
 namespace surfmesh {
 
-/// What a mesh tells of its elements: nothing, by a property of that name, or by a function.
+/// Where a tag of the elements of a mesh comes from: nowhere, the property of that name, or a
+/// function.
 template <class Handle, class Value>
 using ElementTag = std::variant<std::monostate, std::string, std::function<Value(Handle)>>;
 
-/// Where cage_from_mesh finds the tags of the subdivision.
+/// Where cage_from_mesh finds the subdivision tags.
 struct CageFromMeshOptions {
-  /// Sharpness of edges, 0 (smooth) or more, 10 and more are infinite; properties of double, float.
+  /// Sharpness of edges: 0 (smooth) or more, infinite from 10; properties of double or float.
   ElementTag<OpenMesh::EdgeHandle, double> creases = {};
   /// Sharpness of vertices, likewise.
   ElementTag<OpenMesh::VertexHandle, double> corners = {};
-  /// Faces that are left out of the surface, but shape it; properties of bool, char, int: not 0.
+  /// Faces that are left out of the surface but shape it; properties of bool, char or int: not 0.
   ElementTag<OpenMesh::FaceHandle, bool> holes = {};
   BoundaryRule boundary = BoundaryRule::EdgeOnly;  ///< at the boundary of the mesh
   bool is_chaikin = false;           ///< crease method for sharpness that changes along a crease
@@ -48,7 +49,7 @@ std::string element_in_mesh(Handle handle) {
   return std::string(element_name(handle)) + " " + std::to_string(handle.idx()) + " of the mesh";
 }
 
-/// A function that reads the property of the first of the types T that the mesh has under the name.
+/// A function that reads the property of that name, of the first type T that the mesh has it with.
 /// Throws   MissingProperty, naming it, if there is none
 template <class Value, class T, class... More, class Mesh, class Handle>
 std::function<Value(Handle)> property_reader(const Mesh& mesh, const std::string& name, Handle) {
@@ -78,7 +79,7 @@ std::function<Value(Handle)> reader_of(const Mesh& mesh, const ElementTag<Handle
   return function ? *function : nullptr;
 }
 
-/// Collects a cage from a mesh, element by element; those that are deleted have no number.
+/// Collects a cage from a mesh, element by element. Deleted elements get no number.
 template <class Mesh>
 class CageCollector {
  public:
@@ -149,16 +150,16 @@ class CageCollector {
 
 }  // namespace detail
 
-/// Make a cage of an OpenMesh mesh: TriMesh_ArrayKernelT or PolyMesh_ArrayKernelT, with points of
-/// three numbers of any type and any traits.
+/// Make a cage from an OpenMesh mesh: a TriMesh_ArrayKernelT or PolyMesh_ArrayKernelT with any
+/// traits, whose points have three coordinates of any type.
 ///
-/// Vertices and faces keep their order, and each face its first vertex. Those that are deleted are
-/// left out, which moves up the numbers of all that follow; else numbers are those of the mesh,
-/// also in Patch::cage_faces.
+/// Vertices and faces keep their order, and each face keeps its first vertex. Deleted elements are
+/// left out, so those after them get smaller numbers. Otherwise numbers are those of the mesh, also
+/// in Patch::cage_faces.
 ///
 /// Reads    the properties that the options name
-/// Units    positions are model units, taken as they are
-/// Cost     O(elements), one call of a function each
+/// Units    positions are in model units and are not changed
+/// Cost     O(elements), one function call each
 /// Throws   InvalidInput for no faces, a position that is not finite, a sharpness that is negative
 ///          or NaN, naming the element; MissingProperty, naming the property
 template <class Mesh>

@@ -6,7 +6,7 @@
 
 namespace surfmesh {
 
-/// What is a patch of a cage: a face, or a block of faces. Auto: blocks.
+/// What becomes a patch of a cage: a face, or a block of faces. Auto: blocks.
 enum class PatchKind { Auto, Faces, Blocks };
 
 /// How a cage becomes a model.
@@ -16,36 +16,35 @@ struct CageOptions {
   PatchKind patches = PatchKind::Auto;
 };
 
-/// Make a model of the limit surface of a cage: each block of faces a patch, model vertices at
-/// their limit positions.
+/// Make a model of the limit surface of a cage. Each block of faces becomes a patch, and model
+/// vertices are at their limit positions.
 ///
-/// A block is a rectangle of m × n quads, with parameters in [0,m] × [0,n] that run on over its
-/// faces; it is as large as can be. It ends at creases, sharp or semi-sharp, at boundaries and at
-/// the borders of groups, and vertices that are not regular are on its border. Blocks are there
-/// under Catmull-Clark only; otherwise, and with PatchKind::Faces, each face is a patch. If a face
-/// of a Catmull-Clark or bilinear cage is not a quad, the cage is refined once first. See
-/// make_regular for faces that cannot be used; those without limit surface (see
-/// make_limit_surfaces) are left out, too.
+/// A block is a rectangle of m × n quads, as large as possible, with parameters in [0,m] × [0,n]
+/// that run smoothly across its faces. It ends at creases, sharp or semi-sharp, at boundaries and
+/// at the borders of groups; irregular vertices lie on its border. Only Catmull-Clark cages have
+/// blocks; otherwise, and with PatchKind::Faces, each face is a patch. If a face of a Catmull-Clark
+/// or bilinear cage is not a quad, the cage is refined once first. See make_regular for faces that
+/// cannot be used; faces without a limit surface (see make_limit_surfaces) are left out, too.
 ///
-/// A contour runs along edges of the cage from one model vertex to the next; these are the corners
-/// of blocks, all vertices where other than two borders meet, and the ends of creases. The side of
-/// a block is a chain of contours. A contour of three and more patches has as many uses; a ring of
-/// faces uses one twice. The side of a face that has the same vertex twice in a row is a degenerate
-/// contour.
+/// A contour runs along edges of the cage from one model vertex to the next. Model vertices are the
+/// corners of blocks, all vertices where the number of borders is not two, and the ends of creases.
+/// The side of a block is a chain of contours. A contour of three or more patches has as many uses;
+/// a ring of faces uses one twice. The side of a face that has the same vertex twice in a row is a
+/// degenerate contour.
 ///
-/// Patches are named f<face> after the first of their faces or, where the cage is refined,
-/// f<face>.<k>, k the corner of the face that its part is at; they are in the order of these faces.
-/// Contours are named e<vertex>-<vertex> after the vertices of the cage, or the refined one, those
-/// of several edges e<vertex>-<vertex>..<vertex> after their first edge and their last vertex. Each
-/// group of the cage becomes one of the model. The warnings are of tags that make no sense and are
-/// ignored; those of the cage itself are not repeated.
+/// A patch is named f<face> after the first of its faces or, if the cage is refined, f<face>.<k>,
+/// where k is the corner of the face at which its part lies. Patches are in the order of these
+/// faces. A contour is named e<vertex>-<vertex> after the vertices of the cage or of the refined
+/// cage; one of several edges is named e<vertex>-<vertex>..<vertex> after its first edge and its
+/// last vertex. Each group of the cage becomes a group of the model. Notices are about tags that
+/// make no sense and are ignored; those of the cage itself are not repeated.
 ///
-/// Cost     beside the limit surfaces a few milliseconds for 1,000 faces
+/// Cost     a few milliseconds for 1,000 faces, in addition to the limit surfaces
 /// Error    see make_limit_surfaces; uses of a contour agree to 1e-9 of the cage's diagonal (test
-///          CageModel.UsesOfAContourAgree), but for Chaikin creases of changing sharpness, where
-///          they may differ by 1e-3: a warning tells
-/// Throws   InvalidInput for a cage that cannot be subdivided, or of which no face has a limit
-///          surface; InvalidOption
+///          CageModel.UsesOfAContourAgree), except for Chaikin creases of changing sharpness, where
+///          they may differ by 1e-3, with a warning
+/// Throws   InvalidInput for a cage that cannot be subdivided or has no face with a limit surface;
+///          InvalidOption
 Model model_from_cage(const Cage& cage, const CageOptions& options = {});
 
 }  // namespace surfmesh

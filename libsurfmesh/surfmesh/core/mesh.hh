@@ -25,7 +25,7 @@ struct MeshTraits : public OpenMesh::DefaultTraitsDouble {
 /// All meshes: those of patches and of control spaces, which consist of triangles, and the result.
 using PolyMesh = OpenMesh::PolyMesh_ArrayKernelT<MeshTraits>;
 
-/// The place of an element in lists with one entry an element; its handle must be valid.
+/// The index of an element in lists with one entry per element; its handle must be valid.
 inline std::size_t index(OpenMesh::BaseHandle handle) {
   return static_cast<std::size_t>(handle.idx());
 }

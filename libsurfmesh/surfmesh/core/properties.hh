@@ -30,7 +30,7 @@ namespace keys {
 
 /// Parameters of a vertex of a domain or control mesh.
 inline constexpr PropertyKey<VertexHandle, Uv> vertex_uv{"surf:uv", "control, refine"};
-/// Metric of a vertex of a domain mesh, kept from its one query of the control space.
+/// Metric of a vertex of a domain mesh, kept from its one query of the metric field.
 inline constexpr PropertyKey<VertexHandle, Metric> vertex_metric{"surf:metric", "refine"};
 /// Size tensor of a control node.
 inline constexpr PropertyKey<VertexHandle, SizeTensor> vertex_size{"surf:size", "control"};
@@ -50,7 +50,7 @@ inline constexpr PropertyKey<FaceHandle, int> face_class{"surf:class", "control"
 inline constexpr PropertyKey<EdgeHandle, char> edge_constrained{"surf:constrained", "delaunay"};
 /// Patch of a face of the result.
 inline constexpr PropertyKey<FaceHandle, int> face_patch{"surf:patch", "assemble"};
-/// Contour of an edge of the result, -1 inside patches.
+/// Contour of an edge of the result, or of the finished mesh of a patch; -1 inside patches.
 inline constexpr PropertyKey<EdgeHandle, int> edge_contour{"surf:contour", "assemble"};
 /// Parameters of a corner of the result, at the tip of the halfedge, in the patch of its face.
 inline constexpr PropertyKey<HalfedgeHandle, Uv> corner_uv{"surf:uv", "assemble"};

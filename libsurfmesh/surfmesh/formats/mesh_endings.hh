@@ -8,14 +8,13 @@
 
 namespace surfmesh {
 
-/// The endings of the formats of meshes, as they stand in messages and in help: ".obj, .off or
-/// .om".
+/// The endings of all mesh formats, as messages and the help show them: ".obj, .off or .om".
 std::string mesh_endings();
 
-/// Those of control cages.
+/// The endings of control cages.
 std::string cage_endings();
 
-/// True if the ending is one of control cages, in upper or lower case.
+/// True if the ending is that of a control cage, in upper or lower case.
 bool has_cage_ending(const std::filesystem::path& path);
 
 /// Throws   InvalidInput unless the ending is one that write_mesh and read_mesh know

@@ -10,26 +10,26 @@
 
 namespace surfmesh {
 
-/// Values at the points or the cells of a grid, `components` of them each.
+/// Values at the points or the cells of a grid, with `components` numbers each.
 struct VtuValues {
   std::string name;
   int components = 1;
   std::variant<std::vector<double>, std::vector<int>> values;
 };
 
-/// What a .vtu file holds: points and cells, which are faces of any number of corners, with values.
+/// The contents of a .vtu file: points, and cells (faces of any number of corners), with values.
 struct VtuGrid {
   std::vector<Vec3> points;
   FaceList cells;
   std::vector<VtuValues> at_points;
   std::vector<VtuValues> at_cells;
-  std::string tensors;  ///< those of the values at points that viewers take as tensors; or none
+  std::string tensors;  ///< name of the values at points that viewers use as tensors; may be empty
 };
 
-/// Write an unstructured grid for ParaView and VTK, as XML with numbers in text.
+/// Write an unstructured grid for ParaView and VTK, as XML with numbers as text.
 ///
 /// Throws   Io; Geometry for a position that is not finite
-/// Cost     about 0.1 µs a number
+/// Cost     about 0.1 µs per number
 void write_vtu(const VtuGrid& grid, OutputFile& file);
 
 }  // namespace surfmesh

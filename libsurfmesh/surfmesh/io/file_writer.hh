@@ -13,7 +13,7 @@
 
 namespace surfmesh {
 
-/// Gathers text and numbers, and hands them on to a file in large pieces.
+/// Collects text and numbers and writes them to a file in large blocks.
 class FileWriter {
  public:
   explicit FileWriter(OutputFile& file) : file_(file) {}
@@ -35,7 +35,7 @@ class FileWriter {
         static_cast<std::size_t>(std::to_chars(begin, begin + kLongestNumber, value).ptr - begin);
   }
 
-  /// The bytes of a number, the lowest first.
+  /// The bytes of a number, the least significant first.
   template <class Number>
   void bytes(Number value) {
     auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(value);
@@ -60,8 +60,7 @@ class FileWriter {
 /// Throws   Geometry, naming the vertex, if its position is not finite
 void check_finite(const OpenMesh::Vec3d& point, VertexHandle vh);
 
-/// Write the positions of all vertices, a line each after a line end, with a word before each line
-/// ("v") or none.
+/// Write the positions of all vertices. Each starts a new line, with a word in front ("v") or none.
 /// Throws   Geometry for a position that is not finite
 void write_points(const PolyMesh& mesh, std::string_view first_word, FileWriter& writer);
 

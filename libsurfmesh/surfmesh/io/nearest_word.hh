@@ -9,11 +9,11 @@
 
 namespace surfmesh {
 
-/// The known word that a misspelt one probably means: the nearest by letters put in, left out,
-/// changed or exchanged with their neighbour, if at most a third of its letters differ.
+/// The known word that a misspelt word probably means: the nearest by inserted, missing, changed or
+/// swapped letters, if at most a third of its letters differ.
 ///
-/// Returns  nothing also for words of more than 40 letters, which are near to anything
-/// Cost     O(length²) a known word
+/// Returns  nothing for words of more than 40 letters as well, because they are near to anything
+/// Cost     O(length²) per known word
 std::optional<std::string_view> nearest_word(std::string_view word,
                                              std::span<const std::string_view> known);
 

@@ -10,14 +10,14 @@
 
 namespace surfmesh {
 
-/// A file that is written whole or not at all.
+/// A file that is written completely or not at all.
 ///
-/// What is written goes to a temporary file in the same folder, which takes the place and the
-/// permissions of the old file on commit. Without a commit the temporary is removed and the old
-/// file stays as it was. Links are followed; devices and pipes are written directly.
+/// Everything is written to a temporary file in the same folder. commit() replaces the old file by
+/// it and keeps the permissions. Without a commit, the temporary file is removed and the old one
+/// stays as it was. Links are followed; devices and pipes are written directly.
 class OutputFile {
  public:
-  /// Throws   Io if no file can be made there: the folder is missing, the path is a folder, the
+  /// Throws   Io if no file can be created there: the folder is missing, the path is a folder, the
   ///          file is write-protected
   explicit OutputFile(std::filesystem::path path);
   ~OutputFile();
@@ -28,11 +28,11 @@ class OutputFile {
   /// Throws   Io, naming the file and the reason
   void write(std::string_view text);
 
-  /// For writers that want a stream; its faults are found by commit().
+  /// For writers that need a stream; commit() detects its errors.
   std::ostream& stream() { return file_; }
 
-  /// Finish the file. Nothing may be written after it.
-  /// Throws   Io if anything could not be written; the old file stays then
+  /// Finish the file. Nothing may be written afterwards.
+  /// Throws   Io if anything could not be written; the old file then stays
   void commit();
 
  private:
@@ -46,7 +46,7 @@ class OutputFile {
   std::ofstream file_;
 };
 
-/// Write a file whole or not at all.
+/// Write a file completely or not at all.
 /// Throws   Io, naming the file and the reason
 void write_file(const std::filesystem::path& path, std::string_view text);
 

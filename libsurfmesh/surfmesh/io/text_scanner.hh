@@ -10,20 +10,20 @@
 
 namespace surfmesh {
 
-/// Cuts a text into lines and words and counts the lines, for the readers of line-based formats.
+/// Splits a text into lines and words and counts the lines, for readers of line-based formats.
 ///
-/// Words are separated by blanks; a word that begins with # and all after it on its line is a
-/// comment; lines end with LF, CR LF or CR. Numbers are read whatever the locale.
+/// Words are separated by blanks. A word that begins with # starts a comment, up to the end of the
+/// line. Lines end with LF, CR LF or CR. Reading numbers does not depend on the locale.
 class TextScanner {
  public:
   /// Whether a backslash at the end of a line joins it with the next.
   enum class Joining { Off, Backslash };
 
-  /// The text must outlive the scanner; `name` stands in messages.
-  /// Throws   InvalidInput if there is a NUL byte, naming its line
+  /// The text must outlive the scanner. `name` is for messages.
+  /// Throws   InvalidInput if the text contains a NUL byte, naming its line
   TextScanner(std::string_view text, std::string name, Joining joining);
 
-  /// Go to the next line that has a word; false at the end of the text.
+  /// Go to the next line with a word; false at the end of the text.
   bool next_line();
 
   /// The next word of this line; empty at the end of the line.
@@ -40,7 +40,7 @@ class TextScanner {
   /// Throws   InvalidInput
   int to_integer(std::string_view word, std::string_view what) const;
 
-  /// Take three words as a position.
+  /// Read the next three words as a position.
   /// Throws   InvalidInput
   Vec3 next_point();
 
@@ -48,7 +48,7 @@ class TextScanner {
   [[noreturn]] void fail(std::string_view reason) const { fail_at(line_, reason); }
   [[noreturn]] void fail_at(int line, std::string_view reason) const;
 
-  /// Throw InvalidInput with "name: reason", for faults of the file as a whole.
+  /// Throw InvalidInput with "name: reason", for errors of the file as a whole.
   [[noreturn]] void fail_whole(std::string_view reason) const;
 
   const std::string& name() const { return name_; }
@@ -66,20 +66,20 @@ class TextScanner {
   bool is_inside_line_ = false;
 };
 
-/// A word as it stands in messages: in quotes, at most 40 bytes, unprintable ones as '?'.
+/// A word as messages show it: in quotes, at most 40 bytes, unprintable ones as '?'.
 std::string quoted(std::string_view word);
 
-/// Warnings of reading one file. Of each kind the first is kept and the others are counted, so
-/// that a bad file of a million lines does not make a million warnings.
+/// Warnings from reading one file. The first of each kind is kept and the others are counted, so
+/// that a bad file of a million lines does not give a million warnings.
 class WarningList {
  public:
   explicit WarningList(std::string name) : name_(std::move(name)) {}
 
-  /// Warn at a line; two warnings are of one kind if their `kind` is the same.
+  /// Warn about a line. Two warnings are of the same kind if their `kind` is equal.
   void add(int line, std::string text, std::string_view kind);
   void add(int line, const std::string& text) { add(line, text, text); }
 
-  /// "name:line: text", in the order of the lines.
+  /// The warnings as "name:line: text", in the order of the lines.
   Notices notices() const;
 
  private:

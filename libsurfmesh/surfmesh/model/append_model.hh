@@ -9,11 +9,11 @@ namespace surfmesh {
 
 /// Add all patches, contours, vertices and groups of another model after those of a model.
 ///
-/// `prefix` is put before the names of the patches and contours that are added, and of warnings.
-/// The two parts are not joined: where open contours of both run along each other within 1e-4 of
-/// the diagonal, a warning tells.
+/// `prefix` is put before the names of the added patches and contours, and before their warnings.
+/// The two parts are not joined. A warning is given where open contours of both run along each
+/// other within 1e-4 of the diagonal.
 ///
-/// Cost     O(n m) comparisons of boxes for n and m open contours
+/// Cost     O(n m) box comparisons for n and m open contours
 void append(Model& model, Model added, const std::string& prefix = "");
 
 }  // namespace surfmesh

@@ -21,12 +21,12 @@ struct ContourUse {
   std::shared_ptr<const Curve> curve;
   /// True if the patch lies on the left of the contour's direction in its own parameters.
   bool is_forward = true;
-  /// True if equal t on this use and on the contour's first use are equal points in space; false
+  /// True if equal t on this use and on the contour's first use give the same point in space; false
   /// if t has to be found by projection.
   bool is_same_speed = true;
 };
 
-/// A curve of the boundary, shared by all the patches that meet there; it has one list of nodes.
+/// A curve of the boundary, shared by all patches that meet there; it has one list of nodes.
 struct Contour {
   std::string name;
   int start = -1;  ///< vertex
@@ -35,7 +35,7 @@ struct Contour {
   /// True for a side that is one point in space (a pole): start and end are the same vertex.
   bool is_degenerate = false;
   bool is_smooth = true;  ///< false on true boundaries and sharp creases, where normals may jump
-  int part_count = 1;     ///< edges of the cage that it runs along, equal parts of t
+  int part_count = 1;     ///< number of cage edges it runs along, in equal parts of t
 };
 
 /// One contour use of a loop, as indices into Model::contours and Contour::uses.
@@ -44,7 +44,7 @@ struct LoopEntry {
   int use = -1;
 };
 
-/// Contour uses end to end with the patch on their left: a use that is not forward is run through
+/// Contour uses end to end with the patch on their left. A use that is not forward is traversed
 /// from its end to its start.
 using PatchLoop = std::vector<LoopEntry>;
 
@@ -53,7 +53,7 @@ struct Patch {
   std::string name;
   std::shared_ptr<const Surface> surface;
   std::vector<PatchLoop> loops;  ///< the outer loop first, then the holes
-  /// Faces of the cage that the patch covers, wholly or a part of them; ascending.
+  /// Faces of the cage that the patch covers, completely or in part; ascending.
   std::vector<int> cage_faces = {};
 };
 
@@ -64,7 +64,7 @@ struct ModelVertex {
 
 /// Patches and the contours and vertices they share.
 ///
-/// The accessors take indices that lie in the model, as check() makes sure.
+/// The accessors expect indices within the model; check() verifies those of the model itself.
 struct Model {
   std::vector<ModelVertex> vertices;
   std::vector<Contour> contours;
@@ -72,7 +72,7 @@ struct Model {
   std::vector<Group> groups;
   Eigen::AlignedBox3d box;  ///< of the cage's points, or of samples of the patches
   double diagonal = 0;      ///< of the box
-  Notices notices;          ///< of its construction
+  Notices notices;          ///< from its construction
 
   const Contour& contour(int index) const { return contours[static_cast<std::size_t>(index)]; }
   const Contour& contour(const LoopEntry& entry) const { return contour(entry.contour); }
@@ -89,7 +89,7 @@ struct Model {
     return vertices[static_cast<std::size_t>(vertex)].position;
   }
 
-  /// The point of a contour in space, as the patch of a use has it.
+  /// The point of a contour in space, on the patch of a use.
   Vec3 point(const ContourUse& use, double t) const {
     return surface(use).evaluate(use.curve->evaluate(t), Order::Position).point;
   }
@@ -101,12 +101,12 @@ struct Model {
   Patch& patch(int index) { return patches[static_cast<std::size_t>(index)]; }
 };
 
-/// The names of the patches, and the groups that have any, those of one name as one, in the order
-/// of their first patch.
+/// The names of the patches, and the groups that have patches. Groups of the same name become one.
+/// They are in the order of their first patch.
 MeshNames mesh_names(const Model& model);
 
-/// Check the indices, that the diagonal is between 1e-70 and 1e70, and that all loops close in
-/// space, to 1e-6 of the diagonal.
+/// Check that indices are valid, that the diagonal is between 1e-70 and 1e70, and that all loops
+/// close in space, to 1e-6 of the diagonal.
 ///
 /// Throws   InvalidInput or Geometry, naming the patch and the contour
 /// Cost     O(contour uses), two surface evaluations each

@@ -36,7 +36,7 @@ struct AlongContour {
   std::string origin;  ///< JSON pointer
 };
 
-/// An entry of `sizing` or `options`; only the pipeline knows what options there are.
+/// An entry of `sizing` or `options`; only the pipeline knows which options exist.
 struct FileOption {
   std::string name;
   std::string value;  ///< JSON text
@@ -44,31 +44,31 @@ struct FileOption {
   std::string origin;  ///< JSON pointer
 };
 
-/// What a model file holds.
+/// The contents of a model file.
 struct ModelFile {
   std::vector<PatchInput> patches;  ///< formula surfaces on rectangles, with their loops
   std::vector<ContourInput> contours;
   std::vector<CageInput> cages;
   Sources sources;                  ///< `patch` is an index into patches
-  std::vector<GroupSource> groups;  ///< sources of groups
+  std::vector<GroupSource> groups;  ///< sources for groups
   std::vector<AlongContour> along_contours;
   std::vector<FileOption> options;  ///< those of `sizing` first, not checked
 };
 
 /// Read a model file (JSON).
 ///
-/// Angles are degrees in the file and radians in the result. Domains, constants and the places of
-/// `at` may be numbers or constant expressions of the constants before them. Options are taken as
-/// they are: load_model reads them.
+/// Angles are in degrees in the file and in radians in the result. Domains, constants and the
+/// points of `at` may be numbers, or expressions of the constants defined before. Options are kept
+/// as text; load_model reads them.
 /// Throws   Io if the file cannot be read; InvalidInput as parse_model
 ModelFile read_model(const std::filesystem::path& path);
 
-/// Read a model from JSON text; `name` stands before the place in messages, and cages are relative
-/// to its folder. The files of cages are not looked at, those of tables are read.
+/// Read a model from JSON text. Messages begin with `name`, and paths of cages are relative to its
+/// folder. The files of cages are not read, those of tables are.
 ///
-/// Throws   InvalidInput: with name:line:column where the text is not JSON; with the JSON pointer
-///          for an unknown, missing or doubled key, a value of the wrong type or outside of its
-///          range, a formula that cannot be read, a name that is not known or there twice
+/// Throws   InvalidInput with name:line:column if the text is not JSON; with the JSON pointer for
+///          an unknown, missing or repeated key, a value of the wrong type or out of its range, a
+///          formula that cannot be read, a name that is unknown or used twice
 ModelFile parse_model(std::string_view text, const std::string& name);
 
 }  // namespace surfmesh

@@ -10,21 +10,22 @@
 
 namespace surfmesh {
 
-/// All that the mesh of one patch follows from. The surface and the field must outlive the call.
+/// Everything that determines the mesh of one patch. The surface and the field must outlive the
+/// call.
 struct PatchTask {
   const Surface& surface;
   const MetricField& field;
   PatchBoundary boundary;
   RefineOptions refine = {};
   ImproveOptions improve = {};
-  /// Triangles farther from the surface are corrected one by one, model units; 0 is off.
+  /// Triangles farther than this from the surface are corrected one by one, model units; 0 is off.
   double corrected_sag = 0;
 };
 
-/// The mesh of one patch, and what it took.
+/// The mesh of one patch, and the time and queries it took.
 struct PatchResult {
   PatchMesh mesh;
-  TurnedTriangles turned;    ///< against the normal of the surface
+  TurnedTriangles turned;    ///< that face against the normal of the surface
   bool is_given_up = false;  ///< see RefineReport::is_stopped
   PerStage<double> seconds;
   PerStage<QueryCounts> queries;
@@ -33,7 +34,7 @@ struct PatchResult {
 /// Mesh one patch between the nodes of its boundary: boundary triangulation, inner nodes,
 /// improvement, corrections.
 ///
-/// Depends on nothing but its arguments, so that patches can be meshed anywhere, in any order.
+/// Depends only on its arguments, so patches can be meshed anywhere and in any order.
 ///
 /// Cost     about 1.5 µs per triangle
 /// Throws   Geometry, InvalidOption; Limit and Cancelled by the context

@@ -14,21 +14,22 @@
 
 namespace surfmesh {
 
-/// How a mesh fits the model that it is a mesh of.
+/// How well a mesh fits its model.
 struct ModelFit {
-  bool is_projected = false;  ///< the mesh has no (u,v): nearest points were taken
-  /// True where the model asks for more than the sizes below: a mesh may be finer by right.
+  bool is_projected = false;  ///< the mesh has no (u,v): nearest points were used
+  /// True if the model has more sources than the sizes below include: the mesh may rightly be
+  /// finer.
   bool has_other_sizes = false;
-  /// In the exact sizes of the area sources. Sizes `at` points and gradation, which only the
-  /// control space knows, are not among them: a mesh with these is finer here and there.
+  /// In the exact sizes of the area sources. Sizes `at` points and gradation are known only to the
+  /// control space and are not included: a mesh that has them is finer in some areas.
   EdgeStatistics edges;
   QualityStatistics quality;  ///< likewise
   SurfaceDistance distance;
-  /// Where the mesh is not as the model promises, see compare_with_promise.
+  /// Where the mesh differs from what the model promises, see compare_with_promise.
   std::vector<MeshFault> differences;
 };
 
-/// What `surfmesh check` tells.
+/// The result of `surfmesh check`.
 struct MeshCheck {
   std::string mesh;   ///< as given
   std::string model;  ///< as given; empty for none
@@ -36,10 +37,10 @@ struct MeshCheck {
   ShapeStatistics shape;
   std::optional<ModelFit> fit;  ///< with a model
   Notices notices;
-  std::vector<MeshFault> faults;  ///< of all kinds; empty for a clean mesh
+  std::vector<MeshFault> faults;  ///< of all kinds; empty if the mesh is clean
 };
 
-/// Check a mesh that was read from a file as it stands there, by itself.
+/// Check a mesh by itself, exactly as it was read from a file.
 ///
 /// Faults are those of check_face_set, and degenerate_face for triangles of .stl files with two
 /// equal corners.
@@ -50,13 +51,13 @@ MeshCheck check_mesh(const MeshArraysFile& file);
 /// Reads    surf:uv (halfedge; optional: without it, or where it is unset, the mesh is projected),
 ///          surf:patch (face)
 /// Writes   surf:uv (halfedge) and surf:patch (face) if the mesh is projected; surf:metric
-///          (halfedge), in place of that of the mesh
-/// Cost     about 30 surface evaluations a triangle
+///          (halfedge), which replaces that of the mesh
+/// Cost     about 30 surface evaluations per triangle
 /// Throws   InvalidInput for a patch that the model does not have
 ModelFit measure_fit(MeshFile& mesh, const ModelInput& input);
 
-/// Add the fit of a mesh to its check, with its faults; duplicate_vertex is then only what the
-/// model does not promise.
+/// Add the fit of a mesh, with its faults, to its check. Of duplicate_vertex, only those remain
+/// that the model does not promise.
 void add_fit(MeshCheck& check, ModelFit fit);
 
 /// The check as JSON text. Keys: mesh, model, clean, faults (kind, count, places), notices (kind,
@@ -68,7 +69,7 @@ void add_fit(MeshCheck& check, ModelFit fit);
 /// max_at, max_corner).
 std::string to_json(const MeshCheck& check);
 
-/// The check in some lines for a terminal, with the first faults.
+/// The check in a few lines for a terminal, with the first faults.
 std::string to_text(const MeshCheck& check);
 
 }  // namespace surfmesh

@@ -14,7 +14,7 @@
 
 namespace surfmesh {
 
-/// The control spaces of all patches of a model, and what there is to say of them.
+/// The control spaces of all patches of a model, with notices about them.
 struct ControlSpaces {
   std::vector<std::unique_ptr<ControlSpace>> spaces;  ///< in the order of the patches
   Notices notices;
@@ -22,9 +22,8 @@ struct ControlSpaces {
 
 /// Make the control space of each patch, graded within patches and across their contours.
 ///
-/// Throws   Cancelled; InvalidOption; InvalidInput for a source of a patch that does not exist, or
-/// that makes
-///          no sense; Geometry; Limit; errors name the patch
+/// Throws   Cancelled; InvalidOption; InvalidInput for a source that is invalid or whose patch does
+///          not exist; Geometry; Limit; errors name the patch
 ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
                                   const ResolvedSizing& sizing, const ControlOptions& options,
                                   const RunContext& context = RunContext());

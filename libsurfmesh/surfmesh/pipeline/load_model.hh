@@ -10,23 +10,23 @@
 
 namespace surfmesh {
 
-/// What a file asks for: the arguments of mesh_model.
+/// The contents of a file, as arguments of mesh_model.
 struct ModelInput {
-  Model model;  ///< its notices are those of reading, too
+  Model model;  ///< its notices include those from reading
   Sources sources;
-  PipelineOptions options;  ///< defaults, with the sizing and the options of a model file
+  PipelineOptions options;  ///< defaults, overridden by the sizing and options of a model file
 };
 
 /// Read a control cage (.obj, .off) or a model file (.json), chosen by the ending in upper or lower
 /// case.
 ///
-/// The model of a model file has its formula patches, then those of its cages, named
-/// <cage>:<patch>; each cage is a group, too. Contours are shared within a cage and among formula
-/// patches, not between these. A scheme or kind of patches other than Auto replaces
-/// that of all cages; a kind that a cage names in the file beats the option of the file.
+/// The model of a model file has the formula patches first, then those of its cages, named
+/// <cage>:<patch>; each cage is also a group. Contours are shared within a cage and among formula
+/// patches, but not between them. A scheme or kind of patches other than Auto replaces that of all
+/// cages. In the file, the kind given with a cage overrides the option.
 ///
-/// Throws   Io if a file cannot be read; InvalidInput for an unknown ending, a fault in a file
-///          (naming it and the place) or a scheme for a model file without cages; Geometry
+/// Throws   Io if a file cannot be read; InvalidInput for an unknown ending, an error in a file
+///          (naming it and the location) or a scheme for a model file without cages; Geometry
 ModelInput load_model(const std::filesystem::path& path, const CageOptions& cage_options = {});
 
 }  // namespace surfmesh

@@ -23,19 +23,19 @@ struct MeshResult {
 /// Mesh a model: control spaces, contour nodes, boundary triangulations, inner nodes, improvement,
 /// assembly.
 ///
-/// The result is a proper half-edge mesh whose corners know their patch, parameters and metric. The
-/// same input gives the same bytes, whatever the number of threads. Contours and patches are shared
-/// among threads; the error is that of the first patch which has one. The observer, which is
-/// not owned and may be null, is called by any of them, one at a time.
+/// The result is a proper half-edge mesh. Each face records its patch, and each corner its
+/// parameters and metric. The same input gives the same bytes, whatever the number of threads.
+/// Threads share contours and patches; an error is that of the first patch that has one. The
+/// observer is not owned and may be null; any thread calls it, one at a time.
 ///
 /// Writes   of the result: surf:patch (face), surf:contour (edge), surf:uv, surf:metric (halfedge)
-/// Cost     about 2 µs a triangle
+/// Cost     about 2 µs per triangle
 /// Throws   InvalidOption, InvalidInput, Geometry, Limit, Cancelled
 /// Source   paper, section 2.1
 MeshResult mesh_model(const Model& model, const Sources& sources = {},
                       const PipelineOptions& options = {}, Observer* observer = nullptr);
 
-/// Write the mesh of a result with the names of its patches and groups, see write_mesh.hh.
+/// Write the mesh of a result with the names of its patches and groups; see write_mesh.hh.
 inline void write_mesh(const MeshResult& result, const std::filesystem::path& path) {
   write_mesh(result.mesh, path, result.names);
 }

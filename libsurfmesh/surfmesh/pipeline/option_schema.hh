@@ -6,9 +6,9 @@
 
 namespace surfmesh {
 
-/// The JSON schema of model files with the properties of its `sizing` and `options` made from the
-/// table of options; all else stays as it is.
-/// Throws   InvalidInput if the text is no such schema
+/// The JSON schema of model files, with the properties of `sizing` and `options` regenerated from
+/// the option table. All else stays as it is.
+/// Throws   InvalidInput if the text is not such a schema
 std::string schema_with_options(std::string_view schema);
 
 }  // namespace surfmesh

@@ -14,28 +14,28 @@
 
 namespace surfmesh {
 
-/// What an option belongs to; a model file has those of the sizes in its `sizing`.
+/// What an option belongs to. A model file has the options of sizes in `sizing`.
 enum class OptionGroup { Sizes, ControlSpace, Meshing, Cages };
 
-/// Where an option that is a number, a switch or a choice stands in PipelineOptions.
+/// Access to an option of PipelineOptions that is a number, a switch or a choice.
 struct NumberAccess {
   const OptionRange* range = nullptr;
   double (*get)(const PipelineOptions&) = nullptr;
   void (*set)(PipelineOptions&, double) = nullptr;
 };
 
-/// Where an option that is a length stands in PipelineOptions.
+/// Access to an option of PipelineOptions that is a length.
 struct LengthAccess {
   const LengthRange* range = nullptr;
   std::optional<Length> (*get)(const PipelineOptions&) = nullptr;
   void (*set)(PipelineOptions&, const std::optional<Length>&) = nullptr;
 };
 
-/// An option of the pipeline: all that get and set, model files and their schema, the command line,
-/// its help, and the report know of it.
+/// An option of the pipeline. Getting and setting, model files and their schema, the command line
+/// with its help, and the report all follow from this.
 struct Option {
   OptionGroup group = OptionGroup::Sizes;
-  bool is_common = false;  ///< stands in the short help
+  bool is_common = false;  ///< shown in the short help
   std::string_view unit;   ///< "" for a number without dimension, a switch or a choice
   std::string_view text;   ///< what it is, a noun phrase
   std::variant<NumberAccess, LengthAccess> access;
@@ -43,16 +43,16 @@ struct Option {
   std::string_view name() const;
   /// Its legal values in words.
   std::string range_text() const;
-  /// The words that it takes, those that are shown first.
+  /// The words it accepts, those shown in help first.
   std::vector<std::string_view> words() const;
-  /// The effective value as set_option reads it.
+  /// The effective value, as set_option reads it.
   std::string value_text(const PipelineOptions& options) const;
 };
 
-/// All options, those of the sizes first. It is the only list of them.
+/// All options, those of sizes first. This is the only list of them.
 std::span<const Option> option_table();
 
-/// Throws   InvalidOption for an unknown name, with the nearest one
+/// Throws   InvalidOption for an unknown name, suggesting the nearest one
 const Option& find_option(std::string_view name);
 
 }  // namespace surfmesh

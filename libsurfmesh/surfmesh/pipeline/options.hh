@@ -9,18 +9,19 @@
 
 namespace surfmesh {
 
-/// What the user may set of all stages.
+/// Everything the user may set, for all stages.
 struct PipelineOptions {
   Sizing sizing = {};
   ControlOptions control = {};
   RefineOptions refine = {};
   ImproveOptions improve = {};
-  PatchKind patches = PatchKind::Auto;  ///< of cages, when a model is loaded; not used in meshing
-  int threads = 0;  ///< that work, from 1 to 256; 0 is one for each core. The mesh is the same
+  PatchKind patches =
+      PatchKind::Auto;  ///< of cages, used when a model is loaded; not used in meshing
+  int threads = 0;      ///< from 1 to 256; 0 is one per core. The mesh is always the same
   std::size_t max_elements = 50'000'000;  ///< more triangles end the run with an error. Above 0
 };
 
-/// Throws   InvalidOption naming the option, its value and its range
+/// Throws   InvalidOption, naming the option, its value and its range
 void check(const PipelineOptions& options);
 
 }  // namespace surfmesh

@@ -14,7 +14,7 @@
 
 namespace surfmesh {
 
-/// What a run made, how good it is and what it cost.
+/// What a run made, its quality and its cost.
 struct Report {
   struct Mesh {
     std::size_t vertices = 0;
@@ -25,7 +25,7 @@ struct Report {
     long euler = 0;
   };
 
-  /// Control triangles by their interpolation; a grid has none.
+  /// Numbers of control triangles by interpolation; a grid has none.
   struct Classes {
     std::size_t single = 0;
     std::size_t triangle = 0;
@@ -37,33 +37,33 @@ struct Report {
     std::size_t nodes = 0;
     std::size_t triangles = 0;
     Classes classes;
-    PerStage<QueryCounts> queries;  ///< how each stage's questions for the metric were answered
+    PerStage<QueryCounts> queries;  ///< how the metric queries of each stage were answered
   };
 
   /// Greatest distance between mesh and surface, model units.
   struct Sag {
     std::optional<double> asked;
-    std::optional<double> reached;  ///< measured if asked for
+    std::optional<double> reached;  ///< measured only with a requested sag
   };
 
   std::string input;
   PipelineOptions options;  ///< the effective values
-  Notices notices;          ///< a tool ends with status 3 if one is a shortfall
+  Notices notices;          ///< a tool exits with status 3 if one is a shortfall
   Mesh mesh;
   std::vector<PatchMeasure> patches;
   EdgeStatistics edges;       ///< in the metric of the control space
   QualityStatistics quality;  ///< likewise
   Sag sag;
   Control control;
-  PerStage<double> seconds;  ///< of processor, over all threads
-  double wall_seconds = 0;   ///< by the clock
+  PerStage<double> seconds;  ///< processor time of all threads
+  double wall_seconds = 0;   ///< elapsed time
 
-  /// Triangles over processor time without reading, control space, report and writing: the NT/s of
-  /// the paper. 0 if no time has passed.
+  /// Triangles per second of processor time, without reading, control space, report and writing:
+  /// the NT/s of the paper. 0 if no time has passed.
   double triangles_per_second() const;
 };
 
-/// The report as JSON text, with the keys of the documentation.
+/// The report as JSON text, with the documented keys.
 std::string to_json(const Report& report);
 
 /// The report in about ten lines for a terminal.

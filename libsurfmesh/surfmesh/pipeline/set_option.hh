@@ -11,28 +11,29 @@
 
 namespace surfmesh {
 
-/// The names of all options of the pipeline, those of the sizing first.
+/// The names of all options, those of `sizing` first.
 const std::vector<std::string_view>& option_names();
 
-/// True for an option that a model file has in its `sizing`, not in its `options`.
+/// True for an option that a model file has in `sizing`, not in `options`.
 /// Throws   InvalidOption as set_option
 bool is_sizing_option(std::string_view name);
 
 /// Set an option by its name from text: `grade=1.3`, `hmin=0.1%`, `nodes=auto`, `features=off`.
 ///
-/// What can be off is so by `off`, numbers and the sag also by 0, switches also by `false`. An
-/// option whose stage is not built yet can only be off.
-/// Throws   InvalidOption: for an unknown name, with the nearest one; for a value that cannot be
-///          read or is out of its range, naming option, value and range; for what is not built yet
+/// Whatever can be off is switched off by `off`, numbers and the sag also by 0, switches also by
+/// `false`. An option whose stage is not built yet can only be off.
+/// Throws   InvalidOption for an unknown name, suggesting the nearest one; for a value that cannot
+///          be read or is out of its range, naming option, value and range; for what is not built
+///          yet
 void set_option(PipelineOptions& options, std::string_view name, std::string_view value);
 
 using OptionValue = std::variant<bool, std::int64_t, double, std::string>;
 
-/// The effective value of an option; its text is accepted by set_option. Switches are bool.
+/// The effective value of an option. set_option accepts its text. Switches are bool.
 /// Throws   InvalidOption as set_option
 OptionValue get_option(const PipelineOptions& options, std::string_view name);
 
-/// The value as set_option reads it: doubles read back exactly.
+/// The value as set_option reads it; doubles read back exactly.
 std::string to_text(const OptionValue& value);
 
 }  // namespace surfmesh

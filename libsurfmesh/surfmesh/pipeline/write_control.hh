@@ -10,7 +10,7 @@
 
 namespace surfmesh {
 
-/// The control mesh of one patch, to be written. The mesh and the surface must outlive it.
+/// The control mesh of one patch, for writing. The mesh and the surface must outlive it.
 struct ControlPicture {
   std::string patch;
   const PolyMesh* mesh;
@@ -20,15 +20,16 @@ struct ControlPicture {
 /// Throws   Io, naming the file, unless its ending is .vtu or .obj
 void check_control_ending(const std::filesystem::path& path);
 
-/// Write the control meshes of patches on their surfaces, the format chosen by the ending.
+/// Write the control meshes of patches on their surfaces, completely or not at all. The ending
+/// selects the format.
 ///
-/// .vtu, for ParaView: at points uv, the two sizes, the size tensor in space (symmetric, its
-/// eigenvectors tangent to the surface), radius and outer radius; at triangles the patch and the
-/// class of interpolation (0 V_s, 1 V_t, 2 V_o, 4 linear, -1 a cell of a grid). .obj: the
-/// triangles with their patches, as write_mesh. Written whole or not at all.
+/// .vtu, for ParaView: points have uv, the two sizes, the size tensor in space (symmetric, with
+/// eigenvectors tangent to the surface), radius and outer radius; triangles have the patch and the
+/// class of interpolation (0 V_s, 1 V_t, 2 V_o, 4 linear, -1 a cell of a grid). .obj: triangles
+/// with their patches, as write_mesh.
 ///
-/// Reads    surf:uv, surf:size; surf:radius, surf:outer_radius and surf:class if they are there
-/// Cost     about 2 µs and 200 bytes a node
+/// Reads    surf:uv, surf:size; surf:radius, surf:outer_radius and surf:class if present
+/// Cost     about 2 µs and 200 bytes per node
 /// Throws   Io; Geometry for a position that is not finite; MissingProperty
 void write_control(const std::vector<ControlPicture>& pictures, const std::filesystem::path& path);
 

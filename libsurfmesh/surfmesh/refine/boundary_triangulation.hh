@@ -9,23 +9,23 @@
 
 namespace surfmesh {
 
-/// The triangles between the nodes of a boundary, and what they cost.
+/// The triangles between the nodes of a boundary, and the queries they took.
 struct BoundaryTriangulation {
   std::unique_ptr<DelaunayMesh> delaunay;
   QueryCounts queries;  ///< of the metric field
 };
 
-/// Triangulate the nodes of the loops of one patch, with all their segments as edges, and cut off
-/// what lies outside and in holes.
+/// Triangulate the nodes of one patch's loops, with all their segments as edges, and remove what
+/// lies outside or in holes.
 ///
-/// A constrained Delaunay triangulation in the plane scaled by the mean of the metric's diagonal,
-/// then swaps by quality in the metric; inserting boundary nodes directly in a strong metric loses
-/// edges. Vertices are the nodes in the order of the loops.
+/// This is a constrained Delaunay triangulation in the plane scaled by the mean of the metric's
+/// diagonal, followed by swaps by quality in the metric; inserting boundary nodes directly in a
+/// strong metric would lose edges. Vertices are the nodes in the order of the loops.
 ///
 /// Writes   surf:uv, surf:metric (vertex), surf:constrained (edge)
-/// Cost     O(n log n), about 3 µs a node
-/// Throws   Geometry if loops touch or cross themselves or each other, or are not finite, naming
-///          (u,v); if they leave nothing inside
+/// Cost     O(n log n), about 3 µs per node
+/// Throws   Geometry if loops touch or cross themselves or each other or are not finite, naming
+///          (u,v), or if they have no interior
 /// Source   paper, section 2.1, item 2
 BoundaryTriangulation triangulate_boundary(const std::vector<std::vector<Uv>>& loops,
                                            const MetricField& field);

@@ -10,17 +10,17 @@
 
 namespace surfmesh {
 
-/// Triangles of the front, the largest first, those of nearly equal size in the order of their
+/// Triangles of the front, the largest first, and those of nearly equal size in the order of their
 /// arrival.
 ///
-/// Buckets over the squared circumradius from 0.5 to 1.5; all that is larger is equal. This order
-/// is as fast as tiles at a million triangles and leaves no seams; one exact heap costs 45 % more,
-/// one list without buckets costs shape.
+/// Buckets divide the squared circumradius from 0.5 to 1.5; all larger triangles count as equal. At
+/// a million triangles this order is as fast as tiles and leaves no seams. An exact heap costs 45 %
+/// more; a list without buckets gives worse shapes.
 class FrontQueue {
  public:
   struct Entry {
     FaceHandle face;
-    std::uint32_t stamp;  ///< of the face when it was put in; it has changed since if it differs
+    std::uint32_t stamp;  ///< of the face when it was pushed; the face has changed if it differs
   };
 
   void push(Entry entry, double squared_radius) {
@@ -29,7 +29,7 @@ class FrontQueue {
     highest_ = std::max(highest_, i);
   }
 
-  /// Take the first entry of the highest bucket; false if there is none.
+  /// Remove the first entry of the highest bucket; false if there is none.
   bool pop(Entry& entry) {
     while (buckets_[highest_].is_empty()) {
       buckets_[highest_].clear();

@@ -7,12 +7,12 @@
 
 namespace surfmesh {
 
-/// A base edge from a to b and the corner of its triangle on the left.
+/// A base edge from a to b, and the third corner of the triangle on its left.
 struct BaseTriangle {
   MetricCorner a, b, apex;
 };
 
-/// The triangle on the left of a halfedge, with this as its base.
+/// The triangle on the left of a halfedge, with that halfedge as its base.
 inline BaseTriangle triangle_at(const DelaunayMesh& delaunay, HalfedgeHandle base) {
   const PolyMesh& mesh = delaunay.mesh();
   return {corner(delaunay, mesh.from_vertex_handle(base)),
@@ -24,15 +24,15 @@ inline BaseTriangle triangle_at(const DelaunayMesh& delaunay, HalfedgeHandle bas
 /// degenerate triangle.
 Uv circumcentre(const BaseTriangle& triangle);
 
-/// The point that makes a unit triangle with the base in the mean metric of its ends; nothing where
-/// the circumcentre is nearer, or the base too long for one.
+/// The point that forms a unit triangle with the base, in the mean metric of its ends. Nothing if
+/// the circumcentre is nearer, or if the base is too long.
 ///
-/// At the height d = √(1 − l²/4) over the base, if the circumcentre is higher.
+/// It is at height d = √(1 − l²/4) above the base, if the circumcentre is higher.
 std::optional<Uv> frontal_point(const BaseTriangle& triangle);
 
-/// Move a frontal point to where both its edges to the base are units, to first order.
+/// Move a frontal point so that both of its edges to the base have unit length, to first order.
 ///
-/// One Newton step, at most half a unit, with the metric of the point itself; a second one gains
+/// One Newton step of at most half a unit, with the metric of the point itself; a second step gains
 /// nothing.
 Uv correct_frontal_point(const BaseTriangle& triangle, const MetricCorner& point);
 

@@ -9,8 +9,8 @@
 
 namespace surfmesh {
 
-/// ∫√det M, the number of unit squares that sizes ask for, of the exact field and of a control
-/// space, on the same quasi-random points.
+/// ∫√det M, the number of unit squares that the sizes ask for: of the exact field and of a control
+/// space, at the same quasi-random points.
 struct MetricArea {
   double exact = 0;
   double control = 0;
@@ -18,24 +18,24 @@ struct MetricArea {
 
 /// Estimate both integrals over the domain.
 ///
-/// Error    about 1 % of either, much less of their ratio (the points are the same)
+/// Error    about 1 % for each, much less for their ratio (the points are the same)
 /// Cost     `samples` evaluations of the field and queries of the control space
 MetricArea metric_area(const SizeField& field, const ControlSpace& control, int samples);
 
-/// Choose control nodes by precision (choose_control_nodes), finer until a triangulation of them
-/// holds ∫√det M of the field to 1.5 % on an independent sample; after six rounds, and
-/// where elements cannot follow, what is reached is taken.
+/// Choose control nodes by precision (choose_control_nodes), with a finer precision until a
+/// triangulation of them has ∫√det M of the field to 1.5 % on an independent sample. After six
+/// rounds, or where elements cannot follow, the nodes are accepted as they are.
 ///
-/// Error    on a smooth field 1 % of all points miss the precision at most, on one with kinks 2 %,
-///          by less than three times (test AccurateNodes.*)
-/// Cost     about 5 µs a node
+/// Error    at most 1 % of all points miss the precision on a smooth field, 2 % on one with kinks,
+///          and by less than three times (test AccurateNodes.*)
+/// Cost     about 5 µs per node
 ChosenNodes choose_accurate_nodes(const SizeField& field, const ControlNodeOptions& options);
 
-/// Regular nodes, rows along u: as many as asked for, or twice as many along each side until
-/// bilinear interpolation holds the field to the precision on an independent sample or cells are
-/// small against the elements; a million at most.
+/// Regular nodes in rows along u. Either a given number, or doubled along each side until bilinear
+/// interpolation represents the field to the precision on an independent sample or cells are small
+/// compared with elements; at most a million.
 ///
-/// Cost     about 1 µs a node
+/// Cost     about 1 µs per node
 ChosenNodes choose_grid_nodes(const SizeField& field, const ControlNodeOptions& options);
 
 }  // namespace surfmesh

@@ -8,20 +8,20 @@
 
 namespace surfmesh {
 
-/// Cells shorter than this share of the elements wanted there need not be finer: elements cannot
-/// follow finer detail.
+/// Cells shorter than this share of the elements wanted there need no further halving: elements
+/// cannot follow finer detail.
 inline constexpr double kLeastCellLength = 0.3;
 
-/// How control nodes are placed.
+/// How control nodes are chosen.
 struct ControlNodeOptions {
-  /// Number of regular nodes in the bounding rectangle, made square (40,000 is 200 × 200); 0
-  /// chooses them by precision. 0, or 4 to 4,000,000.
+  /// Number of regular nodes in the bounding rectangle, as a square (40,000 is 200 × 200). 0: nodes
+  /// are chosen by precision. 0, or 4 to 4,000,000.
   int regular = 0;
-  /// Greatest conformity (max |ln λ|, DESIGN terms) between the exact field and one interpolated
-  /// within a cell from its corners. Above 0.
+  /// Greatest conformity (max |ln λ|) between the exact field and the one interpolated within a
+  /// cell from its corners. Above 0.
   double precision = 0.1;
-  /// True for nodes whose sizes are averaged by inverse distances (V_s, V_t, V_o), of first order
-  /// only; false for linear interpolation, which needs far fewer.
+  /// True for nodes whose sizes are averaged by inverse distances (V_s, V_t, V_o), which is of
+  /// first order only; false for linear interpolation, which needs far fewer nodes.
   bool by_distance = false;
 };
 
@@ -29,16 +29,16 @@ void check(const ControlNodeOptions& options);
 
 struct ChosenNodes {
   std::vector<ControlNode> nodes;
-  /// True if the field changes so fast that the nodes were cut off before they held the precision.
+  /// True if the field changes so fast that nodes were cut off before the precision was reached.
   bool is_coarse = false;
 };
 
-/// Place nodes so that the field is represented to a precision: at the corners of cells that are
-/// halved until they conform (detail::ControlCells), or regularly.
+/// Choose nodes that represent the field to a precision: the corners of cells that are halved until
+/// they conform (detail::ControlCells), or regular ones.
 ///
-/// The corners of the domain are always nodes, no position comes twice.
+/// The corners of the domain are always nodes. No two nodes have the same position.
 ///
-/// Cost     about twenty samples of the field a node
+/// Cost     about twenty samples of the field per node
 /// Throws   InvalidOption
 ChosenNodes choose_control_nodes(const SizeField& field, const ControlNodeOptions& options);
 

@@ -5,12 +5,12 @@
 
 namespace surfmesh {
 
-/// The lengths of elements that a curvature asks for: factor × radius, and what keeps the sag of
-/// elements below the one asked for; the shorter where both are.
+/// The lengths of elements that follow from a curvature: factor × radius, and the length that keeps
+/// the sag of elements below the requested one. If both are given, the shorter one.
 ///
-/// A segment of length h over a curve of curvature k has the sag h² k / 8, a triangle of sides h
-/// over a sphere h² k / 6. Lengths of a mesh scatter, so that no share of the sag guarantees it:
-/// what is left is found by measuring.
+/// A segment of length h over a curve of curvature k has the sag h² k / 8, and a triangle of sides
+/// h over a sphere h² k / 6. Lengths in a mesh scatter, so no share of the sag guarantees it;
+/// measuring finds the rest.
 ///
 /// Units    curvatures 1/length, of either sign; lengths in model units, infinite at curvature 0
 class CurvatureLength {
@@ -18,17 +18,17 @@ class CurvatureLength {
   explicit CurvatureLength(const ResolvedSizing& sizing)
       : factor_(sizing.curvature), sag_(sizing.sag) {}
 
-  /// True if no curvature asks for any length.
+  /// True if no length follows from any curvature.
   bool is_off() const { return factor_ == 0 && sag_ == 0; }
 
-  /// Of triangles, along a principal direction of their surface.
+  /// The length of triangles along a principal direction of their surface.
   double of_surface(double curvature) const;
 
-  /// Of the triangles that meet at an extraordinary vertex, from the greatest curvature on a ring
+  /// The length of triangles at an extraordinary vertex, from the greatest curvature on a ring
   /// around it.
   double around_vertex(double curvature) const;
 
-  /// Of the segments of a curve.
+  /// The length of segments of a curve.
   double of_curve(double curvature) const;
 
  private:

@@ -9,10 +9,10 @@
 
 namespace surfmesh {
 
-/// Sizes along a contour that is shorter than hmax: its length, in all directions. None along a
-/// longer one.
+/// Sizes along a contour that is shorter than hmax: the length of the contour, in all directions.
+/// Empty for a longer contour.
 ///
-/// Without gradation they hold within half of that length around the contour.
+/// Without gradation, they hold within half of that length around the contour.
 /// Cost     40 evaluations of the curve for a simple one
 std::vector<PlacedSize> feature_sizes(const SpaceCurve& curve, const ResolvedSizing& sizing);
 

@@ -11,7 +11,7 @@ namespace surfmesh {
 
 /// A length in model units, or a share of the diagonal of the model's bounding box.
 ///
-/// Made by name, so that no number can be taken for the other kind.
+/// Made by a named function, so that a number cannot be taken for the other kind.
 struct Length {
   double value = 0;
   bool is_relative = false;
@@ -25,8 +25,8 @@ struct Length {
 
   double in_units(double diagonal) const { return is_relative ? value * diagonal : value; }
 
-  /// True for 0 and above, and shares up to 1: nothing in a model is longer than its diagonal, and
-  /// a larger share is most likely one in percent.
+  /// True for lengths from 0, and for shares up to 1: nothing in a model is longer than its
+  /// diagonal, and a larger share is most likely a percentage.
   bool is_legal() const;
 
   friend bool operator==(const Length&, const Length&) = default;
@@ -35,14 +35,13 @@ struct Length {
   Length(double v, bool is_share) : value(v), is_relative(is_share) {}
 };
 
-/// Read a length: a plain number in model units, or with % a share of the diagonal ("0.1%").
+/// Read a length: a plain number in model units, or a share of the diagonal with % ("0.1%").
 ///
-/// The share is the nearest double of the decimal number: "0.1%" is 0.001 exactly as written there.
-/// Throws   InvalidInput if it cannot be read or is not finite; whether it is_legal is for the
-///          caller to check
+/// The share is the double nearest to the decimal number: "0.1%" gives the same double as 0.001.
+/// Throws   InvalidInput if it cannot be read or is not finite; the caller checks is_legal
 Length parse_length(std::string_view text);
 
-/// Write a length so that parse_length gives the same bits.
+/// Write a length so that parse_length reads the same bits.
 std::string to_text(const Length& length);
 
 /// The legal values of an option that is a length: above 0, shares up to 100 %.
@@ -56,7 +55,7 @@ struct LengthRange {
 /// "off, a length above 0 in model units, or a share of the diagonal up to 100%".
 std::string to_text(const LengthRange& range);
 
-/// A length as it is shown, "off" for none.
+/// A length as it is shown; "off" for none.
 std::string to_text(const std::optional<Length>& length);
 
 /// Throws   InvalidOption naming the option, its value and its range if it is not legal

@@ -11,21 +11,21 @@
 
 namespace surfmesh {
 
-/// What has a say in the sizes of each patch of a model, by the index of the patch: the user's
-/// sources, and by the sizing the curvature of contours, short contours and gaps.
+/// The sources of sizes of each patch of a model, by the index of the patch: those of the user and,
+/// depending on the sizing, the curvature of contours, short contours and gaps.
 ///
-/// These three come from contours that are not smooth (true boundaries, creases, trims), and go to
-/// all patches that share the contour.
-/// Cost     about 0.1 ms a contour that is not smooth, and proximity_sizes
-/// Throws   InvalidInput for a size or radius of `near` that is none
+/// The last three come from contours that are not smooth (true boundaries, creases, trims) and
+/// apply to all patches that share the contour.
+/// Cost     about 0.1 ms per contour that is not smooth, and proximity_sizes
+/// Throws   InvalidInput for an invalid size or radius of `near`
 std::vector<PatchSources> model_sources(const Model& model, const Sources& sources,
                                         const ResolvedSizing& sizing);
 
-/// Tell how many sizes of the user lie beyond hmin and hmax; none if there are
-/// none. Sizes of fields are not known.
+/// A notice of how many user-requested sizes lie outside hmin and hmax; nothing if none do. Sizes
+/// of fields are not known.
 ///
-/// Cost     an evaluation of the surface for each row of a table
-/// Throws   InvalidInput for a size or metric that is none
+/// Cost     a surface evaluation for each row of a table
+/// Throws   InvalidInput for an invalid size or metric
 std::optional<Notice> clamp_notice(const Model& model, const Sources& sources,
                                    const SizeBounds& bounds);
 

@@ -13,7 +13,7 @@
 
 namespace surfmesh {
 
-/// What has a say in the sizes of one patch besides its curvature.
+/// The sources of sizes of one patch, apart from its curvature.
 struct PatchSources {
   std::vector<EverywhereSource> everywhere;
   std::vector<AtSource> at;
@@ -21,29 +21,30 @@ struct PatchSources {
   std::vector<InsideSource> inside = {};
   std::vector<FieldSource> fields = {};
   std::vector<TableSource> tables = {};
-  std::vector<TableSource> sag = {};  ///< in place of what the curvature asks for; one at most
-  /// Sizes around places in space, perhaps shared with other patches: `near`, contours.
+  std::vector<TableSource> sag = {};  ///< replaces the sizes from curvature; at most one
+  /// Sizes around points and lines in space, possibly shared with other patches: `near`, contours.
   std::vector<std::shared_ptr<const SourceTree>> trees = {};
-  std::vector<Ring> rings = {};  ///< short ones, around which hmin does not hold
+  std::vector<Ring> rings = {};  ///< short ones, around which hmin does not apply
 
-  /// The least precision that a source asks for itself.
+  /// The least precision that a source gives of its own.
   std::optional<double> precision() const;
 };
 
-/// The sources that belong to one patch of a model. `near` belongs to all and is not among them.
+/// The sources that belong to one patch of a model. `near` belongs to all patches and is not among
+/// them.
 PatchSources sources_of_patch(const Sources& sources, int patch);
 
-/// The sizes of `near` of all patches; null if there is none.
+/// The sizes of `near`, for all patches; null if there are none.
 ///
-/// Throws   InvalidInput for a size or radius that is none, a line without points, or without a
-///          radius where gradation is off
+/// Throws   InvalidInput for an invalid size or radius, a line without points, or no radius while
+///          gradation is off
 std::shared_ptr<const SourceTree> near_tree(const Sources& sources, const ResolvedSizing& sizing);
 
-/// Number of sizes of the user beyond hmin and hmax, without those of fields and tables.
+/// The number of user-requested sizes outside hmin and hmax, without those of fields and tables.
 ///
-/// Whole patches with one and the same size count once: a group is one source for each of its
-/// patches.
-/// Throws   InvalidInput for a size that is none
+/// The same size in several whole patches counts once, because a group becomes a source for each of
+/// its patches.
+/// Throws   InvalidInput for an invalid size
 std::size_t count_clamped(const Sources& sources, const SizeBounds& bounds);
 
 }  // namespace surfmesh

@@ -9,23 +9,26 @@
 
 namespace surfmesh {
 
-/// Sizes between parts of the boundary that face each other across a patch, or across several that
-/// smooth contours join, by patch: those of a gap on the patches at both of its ends.
+/// Sizes between parts of the boundary that face each other across a patch, or across several
+/// patches that smooth contours join. Returned by patch: the sizes of a gap belong to the patches
+/// at both of its ends.
 ///
-/// From the middle of each piece of a contour that is not smooth the nearest point of another piece
-/// is looked for that lies inwards, within 60° of the inward direction of either, and whose inward
-/// direction is against it (beyond 120°). Across its distance, the gap, ResolvedSizing::proximity
-/// rows of unit triangles shall fit: a segment across wants the size gap / (proximity √3/2) along
-/// itself and twice that the other way. Pieces are halved until they are no longer than twice their
-/// gap, or twice a gap that wants hmin. Pieces of one contour, or of two that end at one vertex, do
-/// not count unless the way along them is more than six times the gap: so corners down to 20° are
-/// no gaps, nor are round ends.
+/// Contours that are not smooth are divided into pieces. From the middle of each piece, the nearest
+/// point of another piece is searched that lies within 60° of the inward directions of both and
+/// whose inward direction is opposite (beyond 120°). Its distance is the gap, across which
+/// ResolvedSizing::proximity rows of unit triangles are to fit: a segment across has the size
+/// gap / (proximity √3/2) along itself and twice that in the other direction. Pieces are halved
+/// until they are no longer than twice their gap, or twice the gap that asks for hmin. Two pieces
+/// of one contour, or of contours that end at the same vertex, count only if the way along them is
+/// more than six times the gap. Corners down to 20° and round ends are therefore no gaps.
 ///
 /// Units    gaps are measured in space
-/// Error    a gap is within a twentieth, whatever hmax (test
+/// Error    a gap is within 5 %, whatever hmax (test
 ///          Proximity.IsTheWidthOfACurvedStripWhateverHmax)
-/// Cost     O(n log n) for n pieces of the boundary, and for each those that are nearer than its
-///          gap; without a gap, those within reach: O(n²) where all are and none face each other
+/// Cost     O(n log n) for n pieces of the boundary, plus, for each, the pieces that are nearer
+/// than
+///          its gap. Without a gap, the pieces within reach: O(n²) if all are and none face each
+///          other
 std::vector<std::vector<PlacedSize>> proximity_sizes(const Model& model,
                                                      const ResolvedSizing& sizing);
 

@@ -6,8 +6,8 @@
 
 namespace surfmesh {
 
-/// A sizing in model units, checked. It is made once for a model, and everything that makes sizes
-/// works with it.
+/// A checked sizing in model units. It is made once per model, and everything that makes sizes uses
+/// it.
 struct ResolvedSizing {
   SizeBounds bounds;
   double curvature = 0;  ///< factor of the radius of curvature; 0 is off

@@ -12,7 +12,7 @@ struct SizeLengths {
   double across = kUnset;  ///< l_t, above 0
 };
 
-/// The bounds of all sizes in model units, and the diagonal that shares refer to; see
+/// The bounds of all sizes, in model units, and the diagonal that shares refer to. See
 /// ResolvedSizing.
 struct SizeBounds {
   double hmin = 0;
@@ -22,9 +22,9 @@ struct SizeBounds {
   double clamp(double length) const;
   SizeTensor clamp(const SizeTensor& size) const;
 
-  /// The lengths of a user's size in model units, as they are.
-  /// Throws   InvalidInput if a length is not positive and finite or a share above 1, or the angle
-  /// not finite
+  /// The lengths of a user's size in model units, not clamped.
+  /// Throws   InvalidInput if a length is not positive and finite or is a share above 1, or if the
+  ///          angle is not finite
   SizeLengths lengths(const Size& size) const;
 
   /// The same, clamped.
@@ -34,7 +34,7 @@ struct SizeBounds {
   /// Throws   as lengths
   SizeTensor tensor(const Size& size) const;
 
-  /// True if a length of the size is above hmax or below hmin by more than rounding.
+  /// True if a length of the size is above hmax or below hmin, beyond rounding.
   bool changes(const Size& size) const;
 
   /// A radius in model units.

@@ -16,8 +16,8 @@ namespace surfmesh {
 
 class NodeInterpolation;
 
-/// What the sources of one patch ask for, exactly and at every point: the field that the control
-/// space of the patch approximates.
+/// The exact sizes that the sources of one patch ask for, at every point. The control space of the
+/// patch approximates this field.
 class SizeField {
  public:
   struct Sample {
@@ -26,50 +26,51 @@ class SizeField {
     SizeTensor size;
   };
 
-  /// The surface must outlive the field. `sources` are those of this patch only; tables are thinned
-  /// to `precision` where they name none of their own.
+  /// The surface must outlive the field. `sources` are those of this patch only. Tables are thinned
+  /// to `precision`, unless they have one of their own.
   ///
-  /// Sources of `at` alone are interpolated between each other, as nodes of a table are, where
-  /// another source with a place meets them.
-  /// Throws   InvalidInput for a bad source
+  /// If a patch has sources of `at` and others at points or along curves, but none with a size at
+  /// every point, those of `at` are interpolated between each other, like nodes of a table.
+  /// Throws   InvalidInput for an invalid source
   SizeField(const Surface& surface, const ResolvedSizing& sizing, const PatchSources& sources,
             double precision = 0.1);
 
-  /// Position, first form and wanted sizes at a point of the bounding rectangle of the domain;
-  /// beyond the diagonal of a triangular domain those of its mirror point.
+  /// Position, first form and wanted sizes at a point of the bounding rectangle of the domain.
+  /// Beyond the diagonal of a triangular domain, those of the mirror point.
   ///
-  /// Curvature gives a size along each principal direction (CurvatureLength), clamped, then the
-  /// larger limited to stretch times the smaller; then the minimum with the other sources is
-  /// taken, in the order everywhere, inside, fields, tables, sizes around places; at last all are
-  /// clamped. Around a short ring of faces sizes leave room for four elements, below hmin, too.
-  /// Around an extraordinary vertex, where curvature grows without bound, the size is isotropic:
-  /// that length h which the greatest curvature on the ring at the distance h/2 asks for, so that
-  /// it does not depend on how near to the vertex one looks. Beside a narrowly rounded side the
-  /// curvature is taken where the rounding ends.
+  /// Curvature gives a size along each principal direction (CurvatureLength). Both are clamped, and
+  /// the larger is limited to stretch times the smaller. Then the minimum with the other sources is
+  /// computed, in the order everywhere, inside, fields, tables, sizes around points and lines, and
+  /// the result is clamped. Around a short ring of faces, sizes leave room for four elements, even
+  /// below hmin. At an extraordinary vertex curvature is unbounded, so the size around it is
+  /// isotropic: the length h that the greatest curvature on the ring at distance h/2 asks for. It
+  /// does not depend on the distance from the vertex. Beside a narrowly rounded side, the curvature
+  /// is that where the rounding ends.
   ///
-  /// Cost     one surface evaluation with second derivatives, and what the sources cost
-  /// Throws   InvalidInput where a field is not positive (definite) and finite, naming (u,v)
+  /// Cost     one surface evaluation with second derivatives, plus the cost of the sources
+  /// Throws   InvalidInput if a field is not positive (definite) and finite, naming (u,v)
   Sample at(Uv uv) const;
 
   const Surface& surface() const { return surface_; }
 
   const SizeBounds& bounds() const { return bounds_; }
 
-  /// Points of the domain at the places of `at`, `along` and `inside`, and one in each cell of a
-  /// surface of several: what is asked for there may be too small to be seen from far apart.
+  /// Points that sampling must include: those of `at`, points along `along` and the borders of
+  /// `inside`, and one in each cell of a surface with several. Sizes there may hold in so small an
+  /// area that widely spaced samples would miss them.
   const std::vector<Uv>& required_points() const { return required_points_; }
 
   /// True if some source has a size at every point.
   bool has_area_source() const;
 
-  /// True if some source may give sizes below hmax; if not, the field is hmax everywhere.
+  /// True if some source may give sizes below hmax; otherwise the field is hmax everywhere.
   bool has_source() const;
 
  private:
   /// Isotropic sizes around one extraordinary vertex.
   struct Disc {
     Vec3 centre;
-    double radius;  ///< the size holds within it and fades out over as much again
+    double radius;  ///< the size holds within it and fades out over the same distance again
     double size;
   };
 
@@ -110,7 +111,7 @@ class SizeField {
   std::vector<std::shared_ptr<const SourceTree>> trees_;
   std::vector<Ring> rings_;
   std::vector<Uv> required_points_;
-  bool has_wishes_ = false;               ///< for more than the curvature
+  bool has_wishes_ = false;               ///< sources apart from the curvature
   std::vector<std::vector<Disc>> discs_;  ///< by cell of the surface, rows along u
 };
 

@@ -15,12 +15,12 @@ namespace surfmesh {
 /// Where the curvature of a surface comes from.
 enum class CurvatureFrom {
   Exact,       ///< its second derivatives
-  Differences  ///< differences of its positions, for surfaces that give no derivatives
+  Differences  ///< differences of its positions, for surfaces without derivatives
 };
 
-/// What sizes follow from the shape, and the bounds of all sizes.
+/// Which sizes follow from the shape, and the bounds of all sizes.
 struct Sizing {
-  /// Size = factor × radius of curvature; 0 is off. Unset: 0.25, and off where `sag` is given.
+  /// Size = factor × radius of curvature; 0 is off. Unset: 0.25, or off if `sag` is given.
   std::optional<double> curvature = {};
   Length hmin = Length::share(0.001);  ///< lower clamp of all sizes, above 0
   Length hmax = Length::share(0.2);    ///< upper clamp of all sizes, at least hmin
@@ -32,10 +32,10 @@ struct Sizing {
   double proximity = 1;  ///< elements wanted across a gap between two parts of a boundary; 0 is off
   bool features = true;  ///< short contours bound the sizes near them
   CurvatureFrom curvature_from = CurvatureFrom::Exact;
-  /// Greatest distance wanted between mesh and surface, above 0; unset is off.
+  /// Greatest permitted distance between mesh and surface, above 0; unset is off.
   std::optional<Length> sag = {};
 
-  /// The factor that holds.
+  /// The effective factor.
   double curvature_factor() const { return curvature.value_or(sag ? 0 : 0.25); }
 };
 
@@ -56,17 +56,17 @@ struct Size {
   static Size isotropic(Length length) { return {length, length}; }
 };
 
-/// What is wanted farther away: beyond `radius` of the source sizes change linearly to `size` over
-/// the length `radius` of this.
+/// The size farther away: beyond the `radius` of the source, sizes change linearly to `size` over
+/// the length `radius` given here.
 /// Source   paper, section 3.1: M′ and r′
 struct Outer {
   Size size;
   Length radius;
 };
 
-/// A size around a place. It holds within `radius` of it and, with `outer`, goes over to the outer
-/// one; from there it grows by the grade. Without gradation it has no effect any farther.
-/// Distances are taken in space.
+/// A size around a point or curve. It holds within `radius` and, with `outer`, changes to the outer
+/// size beyond that. From there it grows by the grade; without gradation it has no effect farther
+/// away. Distances are measured in space.
 struct LocalSize {
   Size size;
   Length radius = {};
@@ -98,23 +98,23 @@ struct AlongSource {
 /// An area source: a size inside a polygon in the parameters of a patch, its border included.
 struct InsideSource {
   int patch = -1;
-  std::vector<Uv> polygon;  ///< at least three corners, either way round, without crossings
+  std::vector<Uv> polygon;  ///< at least three corners, in either direction, without crossings
   LocalSize wish;
 };
 
 /// A size near a point or a polyline in space, on every patch.
 struct NearSource {
-  std::vector<Vec3> line;  ///< one point, or several
+  std::vector<Vec3> line;  ///< one point or more
   LocalSize wish;
 };
 
-/// An area source: sizes as a function of the place, (u,v) and the position in space. One of the
-/// two functions is set; both are called from several threads at once.
+/// An area source: sizes as a function of (u,v) and the position in space. One of the two functions
+/// is set; it is called from several threads at once.
 struct FieldSource {
   int patch = -1;
   std::function<double(Uv, const Vec3&)> size = {};    ///< one length, model units
   std::function<Metric(Uv, const Vec3&)> metric = {};  ///< M in (u,v)
-  std::optional<double> precision = {};                ///< wins over that of the options
+  std::optional<double> precision = {};                ///< overrides that of the options
 };
 
 /// A point of a table: a size, or if `metric` is set, the metric in (u,v).
@@ -128,10 +128,10 @@ struct TableNode {
 struct TableSource {
   int patch = -1;
   std::vector<TableNode> nodes = {};
-  std::optional<double> precision = {};  ///< wins over that of the options
+  std::optional<double> precision = {};  ///< overrides that of the options
 };
 
-/// All wishes of the user for sizes besides the curvature.
+/// All user-requested sizes, apart from curvature.
 struct Sources {
   std::vector<EverywhereSource> everywhere;
   std::vector<AtSource> at;
@@ -140,8 +140,8 @@ struct Sources {
   std::vector<NearSource> near = {};
   std::vector<FieldSource> fields = {};
   std::vector<TableSource> tables = {};
-  /// Sizes that hold the sag, known from an earlier mesh: in their patches they take the place of
-  /// those that its curvature asks for. At most one a patch.
+  /// Sizes that keep the sag, known from an earlier mesh. In their patches they replace the sizes
+  /// from curvature. At most one per patch.
   std::vector<TableSource> sag = {};
 };
 

@@ -9,21 +9,21 @@
 
 namespace surfmesh {
 
-/// Many placed sizes, asked for their minimum at a point.
+/// Many placed sizes, with fast queries of their minimum at a point.
 ///
-/// A hierarchy of boxes in space; a box is left aside if the least size in it, grown by the grade
-/// over the distance to the box, is not below the larger of the sizes found so far. Immutable;
-/// queries may come from several threads.
+/// A hierarchy of boxes in space. A box is skipped if the least size in it, grown by the grade over
+/// the distance to the box, is not below the larger of the sizes found so far. Immutable; several
+/// threads may query it at once.
 class SourceTree {
  public:
   /// Units    grade as in Sizing: 0 (off), or at least 1
-  /// Cost     O(n log² n), about 1 µs a size
+  /// Cost     O(n log² n), about 1 µs per size
   SourceTree(std::vector<PlacedSize> sizes, double grade);
 
-  /// The minimum of a size and all sizes around a place; combined in an order that depends on the
-  /// tree and the place only.
+  /// The minimum of a size and all placed sizes at a point. The order in which they are combined
+  /// depends only on the tree and the point.
   ///
-  /// Cost     O(log n + k) for k sizes that are below the others somewhere around
+  /// Cost     O(log n + k) for k sizes that are below the others somewhere nearby
   SizeTensor minimum_at(const TangentFrame& place, const SizeTensor& size) const;
 
   bool empty() const { return sizes_.empty(); }

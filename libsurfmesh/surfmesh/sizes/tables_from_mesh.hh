@@ -9,11 +9,11 @@
 namespace surfmesh {
 
 /// Adaptation data: the metric at the corners of an earlier mesh as tables, one for each patch that
-/// has faces. A vertex has one row for each place that it has in a patch, also at a pole, whose
+/// has faces. A vertex has one row for each (u,v) it has in a patch. This includes poles, whose
 /// rows are left out when the table is used.
 ///
-/// Reads    surf:patch (face), surf:uv and surf:metric (corner); a simulation writes its wishes
-///          into the last
+/// Reads    surf:patch (face), surf:uv and surf:metric (corner); a simulation writes the metric it
+///          wants into the last
 /// Units    M in (u,v), which becomes sizes when the table is used
 /// Cost     O(corners)
 /// Throws   MissingProperty

@@ -8,17 +8,18 @@
 
 namespace surfmesh {
 
-/// Keep few of many nodes so that the sizes of the others follow from those kept.
+/// Keep a few of many nodes, such that the sizes of the others follow from those kept.
 ///
-/// Nodes at exactly one place first become one, with the minimum of their sizes. Begins with the
-/// nodes nearest to the corners of the rectangle and adds, in rounds, from each triangle the node
-/// that is represented worst; after twenty rounds all that are. Ends when all nodes left out
-/// conform to the precision (log_conformity) with the interpolation of those kept.
+/// First, nodes at exactly the same point become one, with the minimum of their sizes. The search
+/// starts from the nodes nearest to the corners of the rectangle. In each round it adds the worst
+/// represented node of each triangle; after twenty rounds it adds all nodes that miss the
+/// precision. It ends when all nodes left out conform to the precision (log_conformity) with the
+/// interpolation of those kept.
 ///
-/// Returns  the nodes kept, in the order of the first at their places
-/// Cost     O(n log n) a round, each a control space of the nodes kept so far and a query of every
-///          other node: for a smooth field about log(n) rounds and 5 µs a node in all, for noise
-///          few more than twenty
+/// Returns  the nodes kept, in the order of the first node at each point
+/// Cost     O(n log n) per round: a control space of the nodes kept so far, and a query for every
+///          other node. A smooth field takes about log(n) rounds and 5 µs per node in total; noise
+///          takes a few more than twenty rounds
 /// Pre      precision above 0
 /// Source   paper, section 6: the choice of nodes that it leaves open
 std::vector<ControlNode> thin_nodes(const Surface& surface, const std::vector<ControlNode>& nodes,
