@@ -68,6 +68,7 @@ int CheckCommand::check() const {
   check.model = model_;
   if (!model_.empty()) {
     append(input.model.notices, check.notices);
+    check.patch_names = mesh_names(input.model).patches;
     // Read again: this is the mesh as it was mended, with all that the format knows of its corners.
     MeshFile mesh = read_mesh(mesh_);
     add_fit(check, measure_fit(mesh, input));

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "surfmesh/core/language_standard.hh"
+
 namespace surfmesh {
 
 /// Receives the progress of a run; the library itself never prints.

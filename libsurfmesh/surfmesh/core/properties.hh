@@ -51,7 +51,7 @@ inline constexpr PropertyKey<EdgeHandle, char> edge_constrained{"surf:constraine
 /// Patch of a face of the result.
 inline constexpr PropertyKey<FaceHandle, int> face_patch{"surf:patch", "assemble"};
 /// Contour of an edge of the result, or of the finished mesh of a patch; -1 inside patches.
-inline constexpr PropertyKey<EdgeHandle, int> edge_contour{"surf:contour", "assemble"};
+inline constexpr PropertyKey<EdgeHandle, int> edge_contour{"surf:contour", "patch_mesh, assemble"};
 /// Parameters of a corner of the result, at the tip of the halfedge, in the patch of its face.
 inline constexpr PropertyKey<HalfedgeHandle, Uv> corner_uv{"surf:uv", "assemble"};
 /// Metric of a corner of the result, at the tip of the halfedge, in the patch of its face.

@@ -14,6 +14,7 @@
 #include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/metric/tensor.hh"
+#include "surfmesh/pipeline/notice_json.hh"
 #include "surfmesh/sizes/model_sources.hh"
 #include "surfmesh/sizes/size_field.hh"
 
@@ -92,12 +93,11 @@ Json quality_json(const QualityStatistics& quality) {
   return {{"min", quality.min}, {"mean", quality.mean}, {"below_0.3", quality.below_0_3}};
 }
 
-Json notices_json(const Notices& notices) {
-  Json json = Json::array();
-  for (const Notice& notice : notices) {
-    json.push_back({{"kind", name(notice.kind)}, {"text", notice.text}, {"count", notice.count}});
-  }
-  return json;
+Json notices_json(const MeshCheck& check) {
+  return detail::notices_json(check.notices, [&check](int patch) {
+    const auto p = static_cast<std::size_t>(patch);
+    return p < check.patch_names.size() ? check.patch_names[p] : std::string();
+  });
 }
 
 Json faults_json(const std::vector<MeshFault>& faults) {
@@ -272,7 +272,7 @@ std::string to_json(const MeshCheck& check) {
       {"model", check.model.empty() ? Json() : Json(check.model)},
       {"clean", check.faults.empty()},
       {"faults", faults_json(check.faults)},
-      {"notices", notices_json(check.notices)},
+      {"notices", notices_json(check)},
       {"counts", counts_json(check.faces)},
       {"open_edges", open_edges_json(check.faces.open_edges)},
       {"closed", check.faces.is_closed},

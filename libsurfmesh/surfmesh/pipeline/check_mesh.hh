@@ -35,9 +35,10 @@ struct MeshCheck {
   std::string model;  ///< as given; empty for none
   FaceSetCheck faces;
   ShapeStatistics shape;
-  std::optional<ModelFit> fit;  ///< with a model
-  Notices notices;
-  std::vector<MeshFault> faults;  ///< of all kinds; empty if the mesh is clean
+  std::optional<ModelFit> fit;           ///< with a model
+  Notices notices;                       ///< of reading; add those of the model
+  std::vector<std::string> patch_names;  ///< of the model, by which its notices are told
+  std::vector<MeshFault> faults;         ///< of all kinds; empty if the mesh is clean
 };
 
 /// Check a mesh by itself, exactly as it was read from a file.

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "surfmesh/core/language_standard.hh"
+
 namespace surfmesh {
 
 /// The JSON schema of model files, with the properties of `sizing` and `options` regenerated from

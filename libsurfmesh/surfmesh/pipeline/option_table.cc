@@ -55,7 +55,8 @@ constexpr OptionGroup kMeshing = OptionGroup::Meshing;
 constexpr OptionGroup kCages = OptionGroup::Cages;
 
 constexpr auto kTable = std::to_array<Option>({
-    {kSizes, true, "", "size as a share of the radius of curvature; off beside sag", kCurvature},
+    {kSizes, true, "",
+     "size as a share of the radius of curvature; off by default where sag is given", kCurvature},
     {kSizes, true, kLengthUnit, "greatest distance between mesh and surface",
      length(
          ranges::kSag, [](auto& o) -> auto& { return o.sizing.sag; })},
@@ -114,7 +115,7 @@ constexpr auto kTable = std::to_array<Option>({
     {kControl, false, "", "metric distance within which the last sizes are used again",
      number(
          ranges::kReuse, [](auto& o) -> auto& { return o.control.reuse; })},
-    {kMeshing, true, "", "place of new nodes: at the front, or at circumcentres",
+    {kMeshing, true, "", "where new nodes go: at the front, or to circumcentres",
      number(
          ranges::kPlacement, [](auto& o) -> auto& { return o.refine.placement; })},
     {kMeshing, false, "", "connection of new nodes: by their cavity, or by edge swaps",

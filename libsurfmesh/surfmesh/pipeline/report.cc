@@ -7,6 +7,7 @@
 #include <string_view>
 #include <variant>
 
+#include "surfmesh/pipeline/notice_json.hh"
 #include "surfmesh/pipeline/set_option.hh"
 
 namespace surfmesh {
@@ -23,25 +24,11 @@ Json options_json(const PipelineOptions& options) {
   return json;
 }
 
-/// The patch by its name; null for what is not known.
-Json notice_json(const Notice& notice, const Report& report) {
-  const auto patch = static_cast<std::size_t>(notice.patch);
-  const bool has_patch = notice.patch >= 0 && patch < report.patches.size();
-  Json json = {{"kind", name(notice.kind)},
-               {"severity", name(notice.severity)},
-               {"text", notice.text},
-               {"patch", has_patch ? Json(report.patches[patch].name) : Json(nullptr)},
-               {"contour", notice.contour >= 0 ? Json(notice.contour) : Json(nullptr)},
-               {"point", nullptr},
-               {"count", notice.count}};
-  if (notice.point) json["point"] = {notice.point->x(), notice.point->y(), notice.point->z()};
-  return json;
-}
-
 Json notices_json(const Report& report) {
-  Json json = Json::array();
-  for (const Notice& notice : report.notices) json.push_back(notice_json(notice, report));
-  return json;
+  return detail::notices_json(report.notices, [&report](int patch) {
+    const auto p = static_cast<std::size_t>(patch);
+    return p < report.patches.size() ? report.patches[p].name : std::string();
+  });
 }
 
 Json mesh_json(const Report::Mesh& mesh) {
