@@ -59,7 +59,7 @@ TEST(LoadModel, NamesThePlaceOfAWrongOption) {
                                           "nodes: nodes = 1 is outside its range: auto, or a "
                                           "whole number from 4 to 4000000");
   write_text(folder / "a.json", model(R"("options": {"hmin": 1})"));
-  EXPECT_EQ(fault(folder / "a.json"), front + "hmin: its place is in sizing");
+  EXPECT_EQ(fault(folder / "a.json"), front + "hmin: it belongs in sizing");
 }
 
 /// The sizing of a model file, and its fault without the place of the file.
@@ -115,7 +115,7 @@ TEST(LoadModel, TellsFaultsOfTheSizingAsAllOthers) {
        "grade: grade = \"1.5\" is outside its range: off, or a number from 1 to 1000000"},
       {R"("features": 1)", "features: features = 1 is outside its range: on or off"},
       {R"("Hmin": 1)", "Hmin: there is no option 'Hmin'; did you mean hmin?"},
-      {R"("nodes": 9)", "nodes: its place is in options"},
+      {R"("nodes": 9)", "nodes: it belongs in options"},
       {R"("hmin": 2, "hmax": 1)", "hmax: hmin = 2 must not be above hmax = 1"},
       {R"("hmin": "30%")", "hmin: hmin = 30% must not be above hmax = 20%"},
       {R"("hmin": 1, "hmin": 1)", "hmin: this key comes twice"}};

@@ -41,7 +41,7 @@ struct BorderEdge {
 
 using Border = std::vector<BorderEdge>;
 
-/// The place of the i-th face along a side of a block, counter-clockwise.
+/// The cell of the i-th face along a side of a block, counter-clockwise.
 std::array<int, 2> cell_on_side(const Block& block, int side, int i) {
   switch (side) {
     case 0:
@@ -68,9 +68,9 @@ Border border_of(const Level& level, const Block& block) {
       const BlockFace& f = block.faces[static_cast<std::size_t>(row * block.columns + column)];
       const int from = (f.rotation + side) % corners, to = (from + 1) % corners;
       const Far::ConstIndexArray vertices = level.GetFaceVertices(f.face);
-      const Uv place{static_cast<double>(column), static_cast<double>(row)};
+      const Uv lower{static_cast<double>(column), static_cast<double>(row)};
       border.push_back({level.GetFaceEdges(f.face)[from], vertices[from], vertices[to],
-                        place + cell.corner(side), place + cell.corner((side + 1) % corners),
+                        lower + cell.corner(side), lower + cell.corner((side + 1) % corners),
                         i == 0});
     }
   }

@@ -26,14 +26,14 @@ constexpr int kNone = -1;
 constexpr int kMostFacesAtSide = 8;
 
 /// A face with one of its corners at the lower left, as one number.
-int placed(int face, int rotation) { return 4 * face + rotation % 4; }
-int face_of(int place) { return place / 4; }
-int rotation_of(int place) { return place % 4; }
+int turned(int face, int rotation) { return 4 * face + rotation % 4; }
+int face_of(int turned_face) { return turned_face / 4; }
+int rotation_of(int turned_face) { return turned_face % 4; }
 
 /// The same face with its right side where its upper one was.
-int rotated(int place) { return placed(face_of(place), rotation_of(place) + 1); }
+int rotated(int turned_face) { return turned(face_of(turned_face), rotation_of(turned_face) + 1); }
 
-/// Tells which placed faces lie beside each other in a block.
+/// Tells which turned faces lie beside each other in a block.
 class Neighbours {
  public:
   Neighbours(const Far::TopologyRefiner& refiner, const std::vector<int>& sets)
@@ -48,34 +48,34 @@ class Neighbours {
     for (int v = 0; v < level_.GetNumVertices(); ++v) is_flat_[index(v)] = surrounds(v);
   }
 
-  int place_count() const { return static_cast<int>(across_.size()); }
+  int turned_face_count() const { return static_cast<int>(across_.size()); }
 
   bool is_usable(int face) const { return sets_[index(face)] != kNone; }
 
-  int right(int place) const {
-    const int side = across(place, 1);
-    return side == kNone ? kNone : placed(face_of(side), rotation_of(side) + 1);
+  int right(int turned_face) const {
+    const int side = across(turned_face, 1);
+    return side == kNone ? kNone : turned(face_of(side), rotation_of(side) + 1);
   }
 
-  int up(int place) const { return across(place, 2); }
+  int up(int turned_face) const { return across(turned_face, 2); }
 
-  int left(int place) const {
-    const int side = across(place, 3);
-    return side == kNone ? kNone : placed(face_of(side), rotation_of(side) + 3);
+  int left(int turned_face) const {
+    const int side = across(turned_face, 3);
+    return side == kNone ? kNone : turned(face_of(side), rotation_of(side) + 3);
   }
 
   /// True if the upper right corner may lie inside a block.
-  bool is_flat(int place) const {
-    const int corner = (rotation_of(place) + 2) % 4;
-    return is_flat_[index(level_.GetFaceVertices(face_of(place))[corner])] != 0;
+  bool is_flat(int turned_face) const {
+    const int corner = (rotation_of(turned_face) + 2) % 4;
+    return is_flat_[index(level_.GetFaceVertices(face_of(turned_face))[corner])] != 0;
   }
 
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-  /// The neighbour at a side of a place, turned so that this side is its lower one.
-  int across(int place, int side) const {
-    return across_[index(placed(face_of(place), rotation_of(place) + side))];
+  /// The neighbour at a side of a turned face, turned so that this side is its lower one.
+  int across(int turned_face, int side) const {
+    return across_[index(turned(face_of(turned_face), rotation_of(turned_face) + side))];
   }
 
   /// A quad with four different sides: a side that is a point would end inside of a block.
@@ -119,7 +119,7 @@ class Neighbours {
     const int other_side = level_.GetFaceEdges(other).FindIndex(edge);
     const auto mine = level_.GetFaceVertices(face), its = level_.GetFaceVertices(other);
     if (other != face && its[other_side] == mine[(side + 1) % 4]) {
-      across_[index(placed(face, side))] = placed(other, other_side);
+      across_[index(turned(face, side))] = turned(other, other_side);
     }
   }
 
@@ -132,8 +132,8 @@ class Neighbours {
     }
     return std::all_of(faces.begin(), faces.end(), [&](int face) {
       const int corner = level_.GetFaceVertices(face).FindIndex(vertex);
-      return is_quad(face) && across_[index(placed(face, corner))] != kNone &&
-             across_[index(placed(face, corner + 3))] != kNone;
+      return is_quad(face) && across_[index(turned(face, corner))] != kNone &&
+             across_[index(turned(face, corner + 3))] != kNone;
     });
   }
 
@@ -144,24 +144,26 @@ class Neighbours {
   std::vector<char> is_flat_;
 };
 
-/// For each place the number of places to its right, itself included, as long as `joins` holds
-/// between neighbours; in a circle the number of places in it.
+/// For each turned face the number of turned faces to its right, itself included, as long as
+/// `joins` holds between neighbours; in a circle the number of turned faces in it.
 template <class Joins>
 std::vector<int> run_lengths(const Neighbours& neighbours, Joins joins) {
-  std::vector<int> lengths(static_cast<std::size_t>(neighbours.place_count()), 0);
-  const auto length = [&lengths](int place) -> int& {
-    return lengths[static_cast<std::size_t>(place)];
+  std::vector<int> lengths(static_cast<std::size_t>(neighbours.turned_face_count()), 0);
+  const auto length = [&lengths](int turned_face) -> int& {
+    return lengths[static_cast<std::size_t>(turned_face)];
   };
-  const auto next = [&](int place) { return joins(place) ? neighbours.right(place) : kNone; };
-  for (int first = 0; first < neighbours.place_count(); ++first) {
+  const auto next = [&](int turned_face) {
+    return joins(turned_face) ? neighbours.right(turned_face) : kNone;
+  };
+  for (int first = 0; first < neighbours.turned_face_count(); ++first) {
     if (length(first) > 0) continue;
     std::vector<int> run = {first};
     int end = next(first);
     for (; end != kNone && end != first && length(end) == 0; end = next(end)) run.push_back(end);
     const bool is_circle = end == first;
     int sum = is_circle ? static_cast<int>(run.size()) : end == kNone ? 0 : length(end);
-    for (auto place = run.rbegin(); place != run.rend(); ++place) {
-      length(*place) = is_circle ? sum : ++sum;
+    for (auto turned_face = run.rbegin(); turned_face != run.rend(); ++turned_face) {
+      length(*turned_face) = is_circle ? sum : ++sum;
     }
   }
   return lengths;
@@ -169,36 +171,37 @@ std::vector<int> run_lengths(const Neighbours& neighbours, Joins joins) {
 
 /// Takes the largest rectangle again and again.
 ///
-/// A queue holds for each place an upper bound of the rectangles whose lower left it is. Bounds
-/// only fall as faces are taken; so a bound that is reached when it comes to the front is the
-/// largest.
+/// A queue holds for each turned face an upper bound of the rectangles whose lower left it is.
+/// Bounds only fall as faces are taken; so a bound that is reached when it comes to the front is
+/// the largest.
 class BlockGatherer {
  public:
   explicit BlockGatherer(const Neighbours& neighbours)
       : neighbours_(neighbours),
         row_(run_lengths(neighbours, [](int) { return true; })),
-        strip_(run_lengths(neighbours, [&](int place) { return neighbours.is_flat(place); })),
+        strip_(run_lengths(neighbours,
+                           [&](int turned_face) { return neighbours.is_flat(turned_face); })),
         is_taken_(row_.size() / 4, 0),
         mark_(row_.size() / 4, 0) {}
 
   std::vector<Block> run() {
-    for (int place = 0; place < neighbours_.place_count(); ++place) {
-      if (neighbours_.is_usable(face_of(place)))
-        push(place, Area{row(place)} * row(rotated(place)));
+    for (int turned_face = 0; turned_face < neighbours_.turned_face_count(); ++turned_face) {
+      if (neighbours_.is_usable(face_of(turned_face)))
+        push(turned_face, Area{row(turned_face)} * row(rotated(turned_face)));
     }
     std::vector<Block> blocks;
     while (!queue_.empty()) {
       const auto [area, negative] = queue_.top();
       queue_.pop();
-      const int place = -negative;
-      if (is_taken(place)) continue;
-      if (const Area bound = largest_area(place); bound < area) {
-        push(place, bound);
+      const int turned_face = -negative;
+      if (is_taken(turned_face)) continue;
+      if (const Area bound = largest_area(turned_face); bound < area) {
+        push(turned_face, bound);
         continue;
       }
-      Block block = grow(place);
+      Block block = grow(turned_face);
       if (const Area grown = Area{block.columns} * block.rows; grown < area) {
-        push(place, grown);
+        push(turned_face, grown);
         continue;
       }
       take(block);
@@ -208,18 +211,18 @@ class BlockGatherer {
   }
 
  private:
-  int row(int place) const { return row_[static_cast<std::size_t>(place)]; }
-  int strip(int place) const { return strip_[static_cast<std::size_t>(place)]; }
-  bool is_taken(int place) const {
-    return is_taken_[static_cast<std::size_t>(face_of(place))] != 0;
+  int row(int turned_face) const { return row_[static_cast<std::size_t>(turned_face)]; }
+  int strip(int turned_face) const { return strip_[static_cast<std::size_t>(turned_face)]; }
+  bool is_taken(int turned_face) const {
+    return is_taken_[static_cast<std::size_t>(face_of(turned_face))] != 0;
   }
 
-  /// Of equal areas the first place comes first.
-  void push(int place, Area area) { queue_.emplace(area, -place); }
+  /// Of equal areas the first turned face comes first.
+  void push(int turned_face, Area area) { queue_.emplace(area, -turned_face); }
 
-  /// The place above, if it is free.
-  int free_above(int place) const {
-    const int above = neighbours_.up(place);
+  /// The turned face above, if it is free.
+  int free_above(int turned_face) const {
+    const int above = neighbours_.up(turned_face);
     return above == kNone || is_taken(above) ? kNone : above;
   }
 
@@ -228,8 +231,8 @@ class BlockGatherer {
     return std::min({width, strip(below), row(above)});
   }
 
-  /// Area of the largest rectangle with a place at its lower left, or more where it would meet
-  /// itself.
+  /// Area of the largest rectangle with a turned face at its lower left, or more where it would
+  /// meet itself.
   Area largest_area(int first) const {
     int width = row(first);
     Area rows = 1, area = width;
@@ -258,45 +261,45 @@ class BlockGatherer {
     }
     for (int j = 0; j < best.rows; ++j) {
       for (int i = 0; i < best.columns; ++i) {
-        const int place = rows[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
-        best.faces.push_back({face_of(place), rotation_of(place)});
+        const int turned_face = rows[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
+        best.faces.push_back({face_of(turned_face), rotation_of(turned_face)});
       }
     }
     return best;
   }
 
-  /// The places of a row up to a face that the growing block already has.
+  /// The turned faces of a row up to a face that the growing block already has.
   std::vector<int> unmarked_row(int start, int width) {
-    std::vector<int> places;
-    for (int place = start; static_cast<int>(places.size()) < width;
-         place = neighbours_.right(place)) {
-      int& mark = mark_[static_cast<std::size_t>(face_of(place))];
+    std::vector<int> turned_faces;
+    for (int turned_face = start; static_cast<int>(turned_faces.size()) < width;
+         turned_face = neighbours_.right(turned_face)) {
+      int& mark = mark_[static_cast<std::size_t>(face_of(turned_face))];
       if (mark == growth_) break;
       mark = growth_;
-      places.push_back(place);
+      turned_faces.push_back(turned_face);
     }
-    return places;
+    return turned_faces;
   }
 
   void take(const Block& block) {
     for (const BlockFace& f : block.faces) is_taken_[static_cast<std::size_t>(f.face)] = 1;
     for (const BlockFace& f : block.faces) {
-      for (int rotation = 0; rotation < 4; ++rotation) end_rows_at(placed(f.face, rotation));
+      for (int rotation = 0; rotation < 4; ++rotation) end_rows_at(turned(f.face, rotation));
     }
   }
 
   void end_rows_at(int taken) {
     int length = 1;
-    for (int place = neighbours_.left(taken);
-         place != kNone && !is_taken(place) && row(place) > length;
-         place = neighbours_.left(place), ++length) {
-      row_[static_cast<std::size_t>(place)] = length;
-      strip_[static_cast<std::size_t>(place)] = std::min(strip(place), length);
+    for (int turned_face = neighbours_.left(taken);
+         turned_face != kNone && !is_taken(turned_face) && row(turned_face) > length;
+         turned_face = neighbours_.left(turned_face), ++length) {
+      row_[static_cast<std::size_t>(turned_face)] = length;
+      strip_[static_cast<std::size_t>(turned_face)] = std::min(strip(turned_face), length);
     }
   }
 
   const Neighbours& neighbours_;
-  std::vector<int> row_;    ///< by place: free places to the right, itself included
+  std::vector<int> row_;    ///< by turned face: free turned faces to the right, itself included
   std::vector<int> strip_;  ///< of them, those over which a second row fits
   std::vector<char> is_taken_;
   std::vector<int> mark_;  ///< by face: the growth that has last come to it

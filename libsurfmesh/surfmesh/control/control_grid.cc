@@ -87,16 +87,16 @@ ControlGrid::CellPoint ControlGrid::find_cell(Uv uv) const {
           y - row};
 }
 
-std::array<std::size_t, 4> ControlGrid::corners_of(const CellPoint& place) const {
-  return {place.node, place.node + 1, place.node + side_, place.node + side_ + 1};
+std::array<std::size_t, 4> ControlGrid::corners_of(const CellPoint& cell) const {
+  return {cell.node, cell.node + 1, cell.node + side_, cell.node + side_ + 1};
 }
 
 SizeTensor ControlGrid::interpolate(const SurfacePoint& at, QueryHint& hint) const {
   ++hint.answers.grid;
-  const CellPoint place = find_cell(at.uv);
-  const auto [a, b, c, d] = corners_of(place);
+  const CellPoint cell = find_cell(at.uv);
+  const auto [a, b, c, d] = corners_of(cell);
   const SizeTensor value =
-      lerp(lerp(values_[a], values_[b], place.s), lerp(values_[c], values_[d], place.s), place.t);
+      lerp(lerp(values_[a], values_[b], cell.s), lerp(values_[c], values_[d], cell.s), cell.t);
   return options().blend == Blend::Logarithmic ? exp_size(value) : value;
 }
 

@@ -33,7 +33,7 @@ constexpr double kLongestKink = 1e-3;
 /// A step leads no farther than this share of the domain, so that none leaps from side to side.
 constexpr double kLongestStep = 0.25;
 
-/// A place of the curve and its parameters.
+/// A point of the curve and its parameters.
 struct Station {
   double t = 0;
   Uv uv;
@@ -79,7 +79,7 @@ class Follower {
  private:
   bool follow(double t, int halvings) {
     const Station from = stations_.back();
-    const std::optional<Uv> uv = place(t, guess(t));
+    const std::optional<Uv> uv = find_uv(t, guess(t));
     if (uv && is_straight(from, {t, *uv})) {
       stations_.push_back({t, *uv});
       return true;
@@ -100,7 +100,7 @@ class Follower {
     return lerp(before.uv, last.uv, (t - before.t) / (last.t - before.t));
   }
 
-  std::optional<Uv> place(double t, Uv guess) const {
+  std::optional<Uv> find_uv(double t, Uv guess) const {
     const SurfaceFoot foot = project_to_surface(surface_, curve_.evaluate(t), guess);
     if (!(foot.distance < reach_)) return std::nullopt;
     return foot.uv;
@@ -108,7 +108,7 @@ class Follower {
 
   bool is_straight(const Station& a, const Station& b) const {
     const Uv middle = lerp(a.uv, b.uv, 0.5);
-    const std::optional<Uv> uv = place((a.t + b.t) / 2, middle);
+    const std::optional<Uv> uv = find_uv((a.t + b.t) / 2, middle);
     const double length = distance(a.uv, b.uv);
     return uv && distance(*uv, middle) <= std::max(kStraightness * length, kNegligibleStep) &&
            length <= kLongestStep;
@@ -127,20 +127,20 @@ class Follower {
   std::vector<Station> stations_;
 };
 
-/// Fail if a place of the curve is off the surface.
+/// Fail if a point of the curve is off the surface.
 void check_distance(const Surface& surface, const SpaceCurve& curve, double reach,
                     const CurveRange& range) {
-  double greatest = 0, place = 0;
+  double greatest = 0, at = 0;
   for (int i = 0; i <= kFirstSteps; ++i) {
     const double t = double(i) / kFirstSteps;
     const double gap = find_near_points(surface, curve.evaluate(t)).front().distance;
-    if (gap > greatest) std::tie(greatest, place) = std::pair(gap, t);
+    if (gap > greatest) std::tie(greatest, at) = std::pair(gap, t);
   }
   if (greatest < reach) return;
   throw Error(ErrorCode::Geometry,
               fmt::format("its distance from the patch at t = {:.6g} is {:.3g}, which must be "
                           "below {:.3g}",
-                          range.at(place), greatest, reach));
+                          range.at(at), greatest, reach));
 }
 
 }  // namespace

@@ -15,14 +15,14 @@ namespace {
 /// range. Neither displaces the foot of a point on the curve, only the rate at which it is reached.
 constexpr double kTangentStep = 0x1p-13;
 
-/// A foot this near, in units of the curve's speed, is the nearest place of the curve (or as good).
+/// A foot this near, in units of the curve's speed, is the nearest point of the curve (or as good).
 constexpr double kOnCurve = 1e-7;
 
-/// Places this near, in units of the curve's extent or speed, are one place in space: some thousand
-/// roundings. Among the places of a curve that are one, the guess decides.
+/// Points this near, in units of the curve's extent or speed, are one point in space: some thousand
+/// roundings. Among the points of a curve that are one, the guess decides.
 constexpr double kSamePoint = 1e-12;
 
-/// Evaluations round to a few units in the last place of the coordinates; far from the origin that
+/// Evaluations round to a few units in the last digit of the coordinates; far from the origin that
 /// is more than kSamePoint.
 constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
 
@@ -48,7 +48,7 @@ Uv tangent_uv(const Curve& curve, double t) {
   return 1 / (2 * h) * (curve.evaluate(t + h) - curve.evaluate(t - h));
 }
 
-/// A place of the curve as seen from the point: half the squared distance has the derivative
+/// A point of the curve as seen from the point: half the squared distance has the derivative
 /// slope().
 struct Foot {
   double t = 0;
@@ -61,7 +61,7 @@ struct Foot {
   double newton() const { return t - slope() / tangent.squaredNorm(); }
 };
 
-/// Three places in order, the middle one the nearest of them.
+/// Three points in order, the middle one the nearest of them.
 struct Bracket {
   Foot low;
   Foot middle;
@@ -79,7 +79,7 @@ class Projection {
  private:
   Foot at(double t) const;
   double squared_distance(double t) const;
-  /// Distance within which places are one, for a curve of this extent or speed.
+  /// Distance within which points are one, for a curve of this extent or speed.
   double same_point(double extent) const {
     return std::max(kSamePoint * extent, kRounding * point_.lpNorm<Eigen::Infinity>());
   }
@@ -132,7 +132,7 @@ std::array<double, kScanIntervals + 1> Projection::scan() const {
 }
 
 /// Halve the bracket until the slope changes its sign over it, or it is as small as the rounding
-/// of t. Needs values only, so it also passes places where the tangent vanishes.
+/// of t. Needs values only, so it also passes points where the tangent vanishes.
 Bracket Projection::narrow(Bracket b) const {
   for (int i = 0; i < kMaxHalvings; ++i) {
     if (b.low.slope() < 0 && b.high.slope() > 0) break;
@@ -172,7 +172,7 @@ double Projection::root(const Bracket& bracket) const {
   return foot.t;
 }
 
-/// The nearest place between the neighbours of a sample that is nearer than these.
+/// The nearest point between the neighbours of a sample that is nearer than these.
 double Projection::refine(int sample) const {
   const auto foot = [&](int i) {
     return at(double(std::clamp(i, 0, kScanIntervals)) / kScanIntervals);
@@ -185,7 +185,7 @@ double Projection::refine(int sample) const {
   return has_root ? root(bracket) : bracket.middle.t;
 }
 
-/// The nearest place next to the nearest samples, which are several where the curve is closed.
+/// The nearest point next to the nearest samples, which are several where the curve is closed.
 double Projection::search(double t_guess) const {
   const auto squares = scan();
   const auto [least, greatest] = std::minmax_element(squares.begin(), squares.end());

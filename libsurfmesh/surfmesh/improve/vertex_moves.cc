@@ -16,11 +16,11 @@ constexpr double kLeastMove = 0.01;
 /// Gain of score for which a vertex is moved: far above rounding, so that a search ends.
 constexpr double kLeastGain = 1e-6;
 
-/// By so much the score of a place within a fifth of a unit may differ with its own metric and with
+/// By so much the score of a point within a fifth of a unit may differ with its own metric and with
 /// that of the vertex.
 constexpr double kMetricChange = 0.02;
 
-/// Steps of a search for a better place; four halvings and a few moves are usual.
+/// Steps of a search for a better position; four halvings and a few moves are usual.
 constexpr int kMaxSearchRounds = 40;
 
 }  // namespace
@@ -57,10 +57,10 @@ void VertexMoves::smooth(VertexHandle vh) {
   const double length = std::sqrt(squared_length(old.metric, step));
   if (!(length >= kLeastMove && length < INFINITY)) return;
   for (int attempt = 0; attempt < 2; ++attempt) {
-    const Uv place = old.uv + step;
+    const Uv uv = old.uv + step;
     // Far moves that invert a triangle are not worth a query.
-    if (star_.sees(place)) {
-      const MetricCorner p = at(place);
+    if (star_.sees(uv)) {
+      const MetricCorner p = at(uv);
       const double reached = star_.quality(p);
       if (reached >= kGoodQuality || reached >= star_.quality(old)) {
         move(vh, p);
@@ -80,11 +80,11 @@ double VertexMoves::score(const MetricCorner& p) const {
     const double length = fast_edge_length(p.uv, p.metric, neighbour.uv, neighbour.metric);
     excess = std::max({excess, kShortestUnit - length, length - kLongestUnit});
   }
-  // A valid place never scores below an inverted one.
+  // A valid position never scores below an inverted one.
   return std::max(least - 0.5 * excess, 0.0);
 }
 
-/// The best of eight places around one, or that itself.
+/// The best of eight points around one, or that itself.
 MetricCorner VertexMoves::best_around(const MetricCorner& from, double step, double& best_score) {
   constexpr int directions = 8;
   MetricCorner best = from;
@@ -95,10 +95,10 @@ MetricCorner VertexMoves::best_around(const MetricCorner& from, double step, dou
   for (int i = 0; i < directions; ++i) {
     const double angle = 2 * std::numbers::pi * i / directions;
     const double y = step * std::sin(angle) / l22;
-    const Uv place = from.uv + Uv{(step * std::cos(angle) - l21 * y) / l11, y};
-    // Most places are worse by far already in the metric of the vertex.
-    if (score({place, from.metric}) <= best_score - kMetricChange) continue;
-    const MetricCorner p = at(place);
+    const Uv uv = from.uv + Uv{(step * std::cos(angle) - l21 * y) / l11, y};
+    // Most points are worse by far already in the metric of the vertex.
+    if (score({uv, from.metric}) <= best_score - kMetricChange) continue;
+    const MetricCorner p = at(uv);
     const double value = score(p);
     if (value > best_score + kLeastGain) {
       best_score = value;

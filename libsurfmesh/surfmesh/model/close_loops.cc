@@ -73,15 +73,15 @@ void LoopCloser::add_loops(int index, std::vector<Chain> loops) {
   std::vector<double> areas;
   for (std::size_t l = 0; l < loops.size(); ++l) {
     curves.push_back(curves_of(loops[l]));
-    if (const auto place = find_point_outside(curves[l], input.surface->domain())) {
-      fail_loop(ErrorCode::Geometry, input, l, "the loop leaves the domain: " + *place);
+    if (const auto location = find_point_outside(curves[l], input.surface->domain())) {
+      fail_loop(ErrorCode::Geometry, input, l, "the loop leaves the domain: " + *location);
     }
     close(input, l, loops[l]);
     check_extent(input, l, loops[l]);
     areas.push_back(signed_area(curves[l]));
   }
-  if (const auto place = crossing(curves)) {
-    throw Error(ErrorCode::Geometry, fmt::format("{}: loops cross: {}", label(input), *place));
+  if (const auto location = crossing(curves)) {
+    throw Error(ErrorCode::Geometry, fmt::format("{}: loops cross: {}", label(input), *location));
   }
   warn_of_near_parts(index, input, curves);
   const std::vector<std::size_t> order = outer_first(areas);

@@ -65,10 +65,10 @@ void NamedContours::lie_along(const LoopEntry& entry) {
 }
 
 int NamedContours::add_use(int contour, int patch, std::shared_ptr<const Curve> curve,
-                           const std::string& place) {
-  if (!curve) curve = project(contour, patch, place);
+                           const std::string& location) {
+  if (!curve) curve = project(contour, patch, location);
   ContourUse added{patch, std::move(curve), true, true};
-  check_same_point(contour, added, place);
+  check_same_point(contour, added, location);
   added.is_same_speed = is_same_speed(contour, added);
   std::vector<ContourUse>& uses = model_.contour(contour).uses;
   uses.push_back(std::move(added));
@@ -76,12 +76,12 @@ int NamedContours::add_use(int contour, int patch, std::shared_ptr<const Curve> 
 }
 
 std::shared_ptr<const Curve> NamedContours::project(int contour, int patch,
-                                                    const std::string& place) const {
+                                                    const std::string& location) const {
   try {
     return project_curve(model_.patch(patch).surface, origin(contour).xyz, lengths_.reach,
                          origin(contour).range);
   } catch (const Error& error) {
-    throw Error(error.code(), fmt::format("{}: {}", place, error.what()));
+    throw Error(error.code(), fmt::format("{}: {}", location, error.what()));
   }
 }
 
@@ -97,7 +97,7 @@ bool NamedContours::is_same_speed(int contour, const ContourUse& use) const {
 
 /// Fail if a use is elsewhere than the contour in space and than its first use.
 void NamedContours::check_same_point(int contour, const ContourUse& use,
-                                     const std::string& place) const {
+                                     const std::string& location) const {
   const std::vector<ContourUse>& uses = model_.contour(contour).uses;
   double greatest = 0, where = 0;
   for (const double t : sample_parameters(kLineSamples)) {
@@ -116,7 +116,7 @@ void NamedContours::check_same_point(int contour, const ContourUse& use,
   throw Error(ErrorCode::Geometry,
               fmt::format("{}: at t = {:.6g} it is {:.3g} away from where it is elsewhere, which "
                           "must be below {:.3g}",
-                          place, range(contour).at(where), greatest, lengths_.reach));
+                          location, range(contour).at(where), greatest, lengths_.reach));
 }
 
 }  // namespace surfmesh

@@ -14,7 +14,7 @@ namespace surfmesh {
 
 /// Distances of contours, in model units.
 struct ContourLengths {
-  double join = 0;   ///< places this near are one place
+  double join = 0;   ///< points this near are one point
   double reach = 0;  ///< a contour is nearer than this to its patches and to the next one in a loop
 };
 
@@ -38,10 +38,11 @@ class NamedContours {
 
   /// Add a use of a contour by a patch, whose curve is found by projection if none is given.
   ///
-  /// `place` names both, for messages.
+  /// `location` names both, for messages.
   /// Returns  the use
   /// Throws   Geometry if the curve is elsewhere than the contour, or cannot be found
-  int add_use(int contour, int patch, std::shared_ptr<const Curve> curve, const std::string& place);
+  int add_use(int contour, int patch, std::shared_ptr<const Curve> curve,
+              const std::string& location);
 
  private:
   /// What is known of a contour that is in the model.
@@ -54,9 +55,9 @@ class NamedContours {
   const Origin& origin(int contour) const { return origins_[static_cast<std::size_t>(contour)]; }
   std::shared_ptr<const SpaceCurve> curve_in_space(const ContourInput& input) const;
   int vertex_at(const Vec3& point);
-  std::shared_ptr<const Curve> project(int contour, int patch, const std::string& place) const;
+  std::shared_ptr<const Curve> project(int contour, int patch, const std::string& location) const;
   bool is_same_speed(int contour, const ContourUse& use) const;
-  void check_same_point(int contour, const ContourUse& use, const std::string& place) const;
+  void check_same_point(int contour, const ContourUse& use, const std::string& location) const;
 
   Model& model_;
   const std::vector<PatchInput>& patches_;

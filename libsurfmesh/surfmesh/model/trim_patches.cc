@@ -178,20 +178,20 @@ Chain Trimmer::side_chain(const std::string& name, const Chain& side, int index)
       continue;
     }
     const int c = link.entry.contour;
-    const std::string place = fmt::format("{}: side {}", label(patch(index)), name);
+    const std::string location = fmt::format("{}: side {}", label(patch(index)), name);
     const std::vector<ContourUse>& uses = model_.contour(c).uses;
     if (std::any_of(uses.begin(), uses.end(), [&](const auto& u) { return u.patch == index; })) {
-      throw Error(ErrorCode::InvalidInput, fmt::format("{} is there twice", place));
+      throw Error(ErrorCode::InvalidInput, fmt::format("{} is there twice", location));
     }
     contours_.lie_along(link.entry);
-    const int added = contours_.add_use(c, index, nullptr, place);
+    const int added = contours_.add_use(c, index, nullptr, location);
     chain.push_back({{c, added}, link.is_along});
   }
   return chain;
 }
 
 ChainLink Trimmer::contour_link(const ContourInput& input, int index) {
-  const std::string place = fmt::format("{} on patch {}", label(input), patch(index).name);
+  const std::string location = fmt::format("{} on patch {}", label(input), patch(index).name);
   const std::size_t mention = mentions_[{&input, index}]++;
   std::vector<const ContourInput::On*> on;
   for (const ContourInput::On& entry : input.on) {
@@ -199,10 +199,11 @@ ChainLink Trimmer::contour_link(const ContourInput& input, int index) {
   }
   if (mention >= std::max<std::size_t>(1, on.size())) {
     throw Error(ErrorCode::InvalidInput,
-                fmt::format("{}: the loops name it more often than it is given there", place));
+                fmt::format("{}: the loops name it more often than it is given there", location));
   }
   const int c = contours_.contour_of(input);
-  const int added = contours_.add_use(c, index, on.empty() ? nullptr : on[mention]->curve, place);
+  const int added =
+      contours_.add_use(c, index, on.empty() ? nullptr : on[mention]->curve, location);
   return {{c, added}, true};
 }
 

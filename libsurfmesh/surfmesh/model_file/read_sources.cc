@@ -31,7 +31,7 @@ void refuse(const JsonNode& node, std::string_view subject,
   }
 }
 
-/// `size`, `angle`, `radius` and `outer` of a source with a place.
+/// `size`, `angle`, `radius` and `outer` of a source with a location.
 LocalSize read_wish(const JsonNode& node) {
   LocalSize wish{read_size(node)};
   if (const auto radius = node.find("radius")) wish.radius = read_radius(*radius);
@@ -62,10 +62,10 @@ Uv read_uv(const JsonNode& node, const PatchScope& patch) {
 }
 
 std::vector<Uv> read_uvs(const JsonNode& node, const PatchScope& patch, std::size_t least) {
-  std::vector<Uv> places;
-  for (const JsonNode& place : node.elements()) places.push_back(read_uv(place, patch));
-  if (places.size() < least) node.fail(fmt::format("needs at least {} points", least));
-  return places;
+  std::vector<Uv> uvs;
+  for (const JsonNode& entry : node.elements()) uvs.push_back(read_uv(entry, patch));
+  if (uvs.size() < least) node.fail(fmt::format("needs at least {} points", least));
+  return uvs;
 }
 
 void read_along(const JsonNode& node, const PatchScope& patch, ModelFile& model) {
@@ -74,10 +74,10 @@ void read_along(const JsonNode& node, const PatchScope& patch, ModelFile& model)
     model.along_contours.push_back({patch.index, along.text(), read_wish(node), along.pointer()});
     return;
   }
-  const std::vector<Uv> places = read_uvs(along, patch, 2);
+  const std::vector<Uv> uvs = read_uvs(along, patch, 2);
   AlongSource source{patch.index, {}, read_wish(node)};
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    source.curves.push_back(std::make_shared<SegmentCurve>(places[i - 1], places[i]));
+  for (std::size_t i = 1; i < uvs.size(); ++i) {
+    source.curves.push_back(std::make_shared<SegmentCurve>(uvs[i - 1], uvs[i]));
   }
   model.sources.along.push_back(std::move(source));
 }
@@ -182,9 +182,9 @@ void read_patch_source(const JsonNode& node, const PatchScope& patch, ModelFile&
     if (!node.at(kind).boolean()) node.at(kind).fail("must be true");
     sources.everywhere.push_back({patch.index, read_size(node)});
   } else if (kind == "at") {
-    const Uv place = read_uv(node.at(kind), patch);
+    const Uv uv = read_uv(node.at(kind), patch);
     const LocalSize wish = read_wish(node);
-    sources.at.push_back({patch.index, place, wish.size, wish.radius, wish.outer});
+    sources.at.push_back({patch.index, uv, wish.size, wish.radius, wish.outer});
   } else if (kind == "along") {
     read_along(node, patch, model);
   } else {

@@ -26,12 +26,12 @@
 namespace surfmesh {
 namespace {
 
-/// Call `body`, and put the place in a file in front of its errors. What is wrong with an option is
-/// so in the file.
+/// Call `body`, and put the location in a file in front of its errors. What is wrong with an option
+/// is so in the file.
 template <class Body>
-void at_file(const std::string& place, Body body) {
+void at_file(const std::string& location, Body body) {
   try {
-    at_location(place, body);
+    at_location(location, body);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::InvalidOption) throw;
     throw Error(ErrorCode::InvalidInput, error.what());
@@ -62,7 +62,7 @@ void set_file_option(PipelineOptions& options, const FileOption& entry) {
   const Option& option = find_option(entry.name);
   if ((option.group == OptionGroup::Sizes) != entry.is_in_sizing) {
     throw Error(ErrorCode::InvalidOption,
-                fmt::format("its place is in {}", entry.is_in_sizing ? "options" : "sizing"));
+                fmt::format("it belongs in {}", entry.is_in_sizing ? "options" : "sizing"));
   }
   const auto value = nlohmann::json::parse(entry.value);
   if (!value.is_null()) set_option(options, entry.name, text_for(value));

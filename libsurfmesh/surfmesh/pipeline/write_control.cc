@@ -21,9 +21,9 @@ namespace {
 
 /// H in space: its eigenvectors are tangent, along the normal it is 0.
 Eigen::Matrix3d space_tensor(const Surface& surface, Uv uv, const SizeTensor& h) {
-  const TangentFrame place =
+  const TangentFrame frame =
       tangent_frame(surface.evaluate(surface.domain().fold(uv), Order::First));
-  const Vec3 &first = place.first, &second = place.second;
+  const Vec3 &first = frame.first, &second = frame.second;
   const Eigen::Matrix3d mixed = first * second.transpose() + second * first.transpose();
   return h.h11 * first * first.transpose() + h.h12 * mixed + h.h22 * second * second.transpose();
 }

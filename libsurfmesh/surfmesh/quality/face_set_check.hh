@@ -18,11 +18,11 @@ struct MeshFault {
 
   static constexpr std::size_t kMostPlaces = 10;
 
-  /// Count one more. `place()` makes the text that says where it is, and is called only for the
+  /// Count one more. `location()` makes the text that says where it is, and is called only for the
   /// first ones.
-  template <class Place>
-  void add(Place place) {
-    if (count++ < kMostPlaces) places.push_back(place());
+  template <class Location>
+  void add(Location location) {
+    if (count++ < kMostPlaces) places.push_back(location());
   }
 
   friend bool operator==(const MeshFault&, const MeshFault&) = default;

@@ -88,9 +88,9 @@ class SagMeter {
       if (there > greatest.distance) greatest = {w, there};
     }
     const detail::SagSample found = detail::search_sag(greatest, distance);
-    Greatest place;
-    place.take(found.distance, point_at(triangle, found.weights));
-    return place;
+    Greatest result;
+    result.take(found.distance, point_at(triangle, found.weights));
+    return result;
   }
 
   static Vec3 point_at(const Triangle& t, const detail::Weights& w) {

@@ -27,18 +27,18 @@ inline constexpr int kSampleSteps = 6;
 inline constexpr double kFirstSearchStep = 0.5 / kSampleSteps;
 inline constexpr double kLastSearchStep = 0.125 / kSampleSteps;
 
-/// A place of a triangle and the distance there.
+/// A point of a triangle and the distance there.
 struct SagSample {
   Weights weights{};
   double distance = 0;
 };
 
-/// Climb from the sample with the greatest distance to a place with a greater one: over a rounded
+/// Climb from the sample with the greatest distance to one with a greater one: over a rounded
 /// crease, which is much narrower than the triangle, all samples may miss it.
 ///
 /// `distance(weights)` is asked about 20 times.
 template <class Distance>
-SagSample search_sag(SagSample place, Distance distance);
+SagSample search_sag(SagSample sample, Distance distance);
 
 /// The greatest distance of the surface from the plane of the triangle, over the samples, and
 /// around the greatest one if that is above `searched_from`.
@@ -48,9 +48,9 @@ SagSample search_sag(SagSample place, Distance distance);
 double plane_sag(const Surface& surface, const SurfaceTriangle& triangle, double searched_from = 0);
 
 template <class Distance>
-SagSample search_sag(SagSample place, Distance distance) {
+SagSample search_sag(SagSample sample, Distance distance) {
   for (double step = kFirstSearchStep; step >= kLastSearchStep;) {
-    const SagSample before = place;
+    const SagSample before = sample;
     for (std::size_t from = 0; from < 3; ++from) {
       for (std::size_t to = 0; to < 3; ++to) {
         if (from == to || before.weights[from] < step) continue;
@@ -58,12 +58,12 @@ SagSample search_sag(SagSample place, Distance distance) {
         weights[from] -= step;
         weights[to] += step;
         const double there = distance(weights);
-        if (there > place.distance) place = {weights, there};
+        if (there > sample.distance) sample = {weights, there};
       }
     }
-    if (place.distance <= before.distance) step /= 2;
+    if (sample.distance <= before.distance) step /= 2;
   }
-  return place;
+  return sample;
 }
 
 }  // namespace surfmesh::detail

@@ -19,7 +19,7 @@ double accepted_size(Placement placement) {
   return placement == Placement::Frontal ? 0.72 * 0.72 : 0.74 * 0.74;
 }
 
-/// How many times too large a triangle may be for a place inside it that its vertices do not show.
+/// How many times too large a triangle may be for a point inside it that its vertices do not show.
 constexpr double kMissedSize = 2;
 
 /// Least metric distance of a new node from the others.
@@ -80,22 +80,22 @@ class Refinement {
            kMostTriangles * states_.predicted_count();
   }
 
-  /// Insert places of the field that lie in triangles much too large for them: what lies between
+  /// Insert points of the field that lie in triangles much too large for them: what lies between
   /// the vertices of a triangle alone is never asked for.
   bool insert_required_points() {
     bool is_any = false;
     FaceHandle near(0);
-    for (const MetricCorner& place : field_.required_points()) {
+    for (const MetricCorner& point : field_.required_points()) {
       if (exceeds_prediction()) {
         report_.is_stopped = true;
         return false;
       }
-      const Location location = delaunay_.locate(place.uv, near);
+      const Location location = delaunay_.locate(point.uv, near);
       near = location.face;
-      if (!is_insertable(location) || !is_missed(place, location.face)) continue;
-      delaunay_.find_cavity(place.uv, location, rule_, cavity_);
-      if (!keeps_its_distance(place)) continue;
-      insert(place.uv, place.metric, location);
+      if (!is_insertable(location) || !is_missed(point, location.face)) continue;
+      delaunay_.find_cavity(point.uv, location, rule_, cavity_);
+      if (!keeps_its_distance(point)) continue;
+      insert(point.uv, point.metric, location);
       near = delaunay_.mesh().face_handle(delaunay_.mesh().halfedge_handle(
           VertexHandle(static_cast<int>(delaunay_.n_vertices()) - 1)));
       is_any = true;
@@ -103,9 +103,9 @@ class Refinement {
     return is_any;
   }
 
-  bool is_missed(const MetricCorner& place, FaceHandle fh) const {
+  bool is_missed(const MetricCorner& point, FaceHandle fh) const {
     const auto [a, b, c] = corners(delaunay_.mesh(), fh, delaunay_.uv_handle());
-    const MetricCircle circle = circumcircle({a, b, c}, place.metric);
+    const MetricCircle circle = circumcircle({a, b, c}, point.metric);
     return circle.squared_radius > kMissedSize * kMissedSize * accepted_size_;
   }
 
@@ -117,13 +117,13 @@ class Refinement {
            try_insert(0.5 * (triangle.a.uv + triangle.b.uv), fh, triangle, false);
   }
 
-  /// The place before its correction is asked for the metric only if it lies inside.
+  /// The point before its correction is asked for the metric only if it lies inside.
   bool try_frontal(FaceHandle fh, const BaseTriangle& triangle) {
-    const std::optional<Uv> place = frontal_point(triangle);
-    if (!place) return false;
-    const Location location = delaunay_.locate(*place, fh);
+    const std::optional<Uv> uv = frontal_point(triangle);
+    if (!uv) return false;
+    const Location location = delaunay_.locate(*uv, fh);
     if (!is_insertable(location)) return false;
-    const MetricCorner point{*place, field_.at(*place, hint_)};
+    const MetricCorner point{*uv, field_.at(*uv, hint_)};
     return try_insert(correct_frontal_point(triangle, point), location.face, triangle, false);
   }
 

@@ -25,23 +25,23 @@ constexpr double kAgreement = 0.05;
 /// Sizes spread by one patch or more in each round.
 constexpr int kMaxRounds = 40;
 
-/// Greatest distance between two places where a contour is compared, in units of the smaller sizes.
+/// Greatest distance between two points where a contour is compared, in units of the smaller sizes.
 constexpr double kLongestStep = 2;
 constexpr int kFirstSteps = 4;
-/// 4 × 2^12 places: more than sizes differ along one contour.
+/// 4 × 2^12 points: more than sizes differ along one contour.
 constexpr int kMaxHalvings = 12;
 
 /// Step of t for the direction of a contour: its error is of second order in the step.
 constexpr double kTangentStep = 1e-4;
 
-/// A place of a contour as one of its patches sees it.
+/// A point of a contour as one of its patches sees it.
 struct Side {
   SurfacePoint at;
   double cos = 1;  ///< of the angle from the first tangent axis to the contour's direction
   double sin = 0;
 };
 
-/// A place of a contour as all its patches see it.
+/// A point of a contour as all its patches see it.
 struct Station {
   double t = 0;  ///< on the first use
   Vec3 point;
@@ -68,7 +68,7 @@ SizeTensor carried(const SizeTensor& h, const Side& from, const Side& to, bool i
   return from_contour(along, to);
 }
 
-/// A contour and the places where its patches are compared.
+/// A contour and the points where its patches are compared.
 class ComparedContour {
  public:
   ComparedContour(const Model& model, std::size_t index)
@@ -96,8 +96,8 @@ class ComparedContour {
       const Jet jet = surface.evaluate(uv, Order::First);
       const FirstFormFactor form = first_form_factor(jet.du, jet.dv);
       if (!is_regular(form)) return {};
-      const TangentFrame place = tangent_frame(jet);
-      const double x = tangent.dot(place.first), y = tangent.dot(place.second);
+      const TangentFrame frame = tangent_frame(jet);
+      const double x = tangent.dot(frame.first), y = tangent.dot(frame.second);
       const double length = std::hypot(x, y);
       if (!(length > 0)) return {};
       result.push_back({{uv, jet.point, form}, x / length, y / length});
@@ -160,7 +160,7 @@ class ContourGradation {
     }
   }
 
-  /// Compare within an interval of t, at places two units apart at most.
+  /// Compare within an interval of t, at points two units apart at most.
   void compare_between(const ComparedContour& compared, const Station& from, const Station& to,
                        int halvings) {
     if (halvings == 0 || units_between(compared, from, to) <= kLongestStep) return;
@@ -214,8 +214,8 @@ class ContourGradation {
     }
   }
 
-  /// False if the patch has got such a size at this place before. That the control space gives
-  /// another one is then interpolation, which further nodes at one place do not change.
+  /// False if the patch has got such a size at this point before. That the control space gives
+  /// another one is then interpolation, which further nodes at one point do not change.
   bool is_news(const ComparedContour& compared, std::size_t use, double t, const SizeTensor& size) {
     auto& given = given_[compared.index()];
     const auto [entry, is_first] = given.try_emplace({use, t}, size);

@@ -189,19 +189,19 @@ ControlCells::Halving ControlCells::halving_by_samples(const Cell& cell,
   return {std::min(error, kErrorPerChange * less), !is_more_u};
 }
 
-/// Across the longer side of the cell in the sizes at the place of a source that it hides most.
+/// Across the longer side of the cell in the sizes at the point of a source that it hides most.
 ControlCells::Halving ControlCells::halving_by_points(const Cell& cell) const {
   const Uv size = extent(cell);
   Halving halving;
   // A cell of few grid lines is left as it is, whatever is asked for in it.
   if (std::min(cell.i1 - cell.i0, cell.j1 - cell.j0) < 2) return halving;
-  for (const std::size_t place : cell.points) {
-    const SizeField::Sample& exact = points_[place];
+  for (const std::size_t point : cell.points) {
+    const SizeField::Sample& exact = points_[point];
     const Metric metric = metric_from_size(exact.form, exact.size);
     const double along_u = squared_length(metric, {size.u, 0});
     const double along_v = squared_length(metric, {0, size.v});
     if (!is_long(std::max(along_u, along_v))) continue;
-    const double error = error_at(cell, field_.required_points()[place], exact);
+    const double error = error_at(cell, field_.required_points()[point], exact);
     if (error > halving.error) halving = {error, along_u >= along_v};
   }
   return halving;
@@ -275,10 +275,10 @@ void ControlCells::halve(const Cell& cell, std::deque<Cell>& cells) {
 
 void ControlCells::add_points(Cell& cell, const std::vector<std::size_t>& points) const {
   const Uv lower = at(cell.i0, cell.j0), upper = at(cell.i1, cell.j1);
-  for (const std::size_t place : points) {
-    const Uv uv = field_.required_points()[place];
+  for (const std::size_t point : points) {
+    const Uv uv = field_.required_points()[point];
     if (uv.u >= lower.u && uv.u <= upper.u && uv.v >= lower.v && uv.v <= upper.v) {
-      cell.points.push_back(place);
+      cell.points.push_back(point);
     }
   }
 }

@@ -22,7 +22,7 @@ SizeTensor directed(const SizeLengths& lengths, double c, double s) {
   return {lengths.across + more * c * c, more * c * s, lengths.across + more * s * s};
 }
 
-SizeTensor size_on_segment(const PlacedSize& placed, double share, const TangentFrame& place) {
+SizeTensor size_on_segment(const PlacedSize& placed, double share, const TangentFrame& frame) {
   const SizeLengths& a = placed.at_from;
   const SizeLengths& b = placed.at_to;
   const SizeLengths lengths{(1 - share) * a.along + share * b.along,
@@ -30,12 +30,12 @@ SizeTensor size_on_segment(const PlacedSize& placed, double share, const Tangent
   if (lengths.along == lengths.across) return isotropic(lengths.along);
   if (!placed.follows_segment) return size_tensor(lengths.along, lengths.across, placed.angle);
   const Vec3 direction = placed.to - placed.from;
-  return directed(lengths, direction.dot(place.first), direction.dot(place.second));
+  return directed(lengths, direction.dot(frame.first), direction.dot(frame.second));
 }
 
 /// Metric length of a step in space per its length.
-double length_per_unit(const SizeTensor& size, const Vec3& unit, const TangentFrame& place) {
-  const double x = unit.dot(place.first), y = unit.dot(place.second);
+double length_per_unit(const SizeTensor& size, const Vec3& unit, const TangentFrame& frame) {
+  const double x = unit.dot(frame.first), y = unit.dot(frame.second);
   const double scale = 1 / determinant(size);
   const double a = scale * (size.h22 * x - size.h12 * y);
   const double b = scale * (size.h11 * y - size.h12 * x);
@@ -56,14 +56,14 @@ TangentFrame tangent_frame(const Jet& jet) {
   return {jet.point, first, across.normalized()};
 }
 
-std::optional<SizeTensor> size_around(const PlacedSize& placed, const TangentFrame& place,
+std::optional<SizeTensor> size_around(const PlacedSize& placed, const TangentFrame& frame,
                                       double growth) {
-  const double share = nearest_share(placed.from, placed.to, place.point);
-  const Vec3 step = place.point - ((1 - share) * placed.from + share * placed.to);
+  const double share = nearest_share(placed.from, placed.to, frame.point);
+  const Vec3 step = frame.point - ((1 - share) * placed.from + share * placed.to);
   const double distance = step.norm();
   const double rest = distance - reach(placed);
   if (rest > 0 && std::isinf(growth)) return std::nullopt;
-  SizeTensor size = size_on_segment(placed, share, place);
+  SizeTensor size = size_on_segment(placed, share, frame);
   if (distance <= placed.radius) return size;
   if (placed.outer) {
     const PlacedSize::OuterSize& outer = *placed.outer;
@@ -74,7 +74,7 @@ std::optional<SizeTensor> size_around(const PlacedSize& placed, const TangentFra
   if (placed.follows_segment) {
     return SizeTensor{size.h11 + growth * rest, size.h12, size.h22 + growth * rest};
   }
-  return scaled(size, 1 + growth * rest * length_per_unit(size, step / distance, place));
+  return scaled(size, 1 + growth * rest * length_per_unit(size, step / distance, frame));
 }
 
 double growth_of_grade(double grade) {

@@ -65,10 +65,10 @@ void measure(const Surface& surface, Ring& ring) {
 }  // namespace
 
 double Ring::length_at(Uv uv) const {
-  const double place = is_along_u ? uv.v : uv.u;
-  if (place < from || place > to) return std::numeric_limits<double>::infinity();
+  const double across = is_along_u ? uv.v : uv.u;
+  if (across < from || across > to) return std::numeric_limits<double>::infinity();
   const double steps = static_cast<double>(lengths.size() - 1);
-  const double at = (place - from) / (to - from) * steps;
+  const double at = (across - from) / (to - from) * steps;
   const auto i = static_cast<std::size_t>(std::min(at, steps - 1));
   const double share = at - static_cast<double>(i);
   return (1 - share) * lengths[i] + share * lengths[i + 1];

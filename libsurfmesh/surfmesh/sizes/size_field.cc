@@ -186,9 +186,9 @@ SizeField::Disc SizeField::quarter_ring(const Disc& so_far, Uv at, Uv towards,
   Disc ring = so_far;
   for (int i = 0; i < kRingSamples; ++i) {
     const double angle = 0.5 * std::numbers::pi * i / (kRingSamples - 1);
-    const Uv place{at.u + towards.u * distance * std::cos(angle),
-                   at.v + towards.v * distance * std::sin(angle)};
-    const Jet jet = second_order(surface_.beside_roundings(domain_.fold(place)));
+    const Uv uv{at.u + towards.u * distance * std::cos(angle),
+                at.v + towards.v * distance * std::sin(angle)};
+    const Jet jet = second_order(surface_.beside_roundings(domain_.fold(uv)));
     const PrincipalCurvatures k = principal_curvatures(jet);
     const double greatest = std::max(std::abs(k.k1), std::abs(k.k2));
     ring.size = std::min(ring.size, std::max(bounds_.hmin, length_.around_vertex(greatest)));
@@ -242,9 +242,9 @@ Jet SizeField::second_order(Uv uv) const {
 
 /// Set the size that follows from the curvature, if there is a tangent plane here or beside.
 void SizeField::add_curvature(Uv uv, const Jet& jet, Sample& sample) const {
-  const Uv place =
+  const Uv regular =
       is_regular(sample.form) ? surface_.beside_roundings(uv) : beside_pole(surface_, uv);
-  const Jet there = place == uv ? jet : second_order(place);
+  const Jet there = regular == uv ? jet : second_order(regular);
   if (!is_regular(first_form_factor(there.du, there.dv))) return;
   sample.size = size_from_curvature(there);
   blend_with_discs(uv, sample);
@@ -278,8 +278,8 @@ void SizeField::add_sources(Uv uv, const Jet& jet, Sample& sample) const {
     size = minimum(size, table->at({uv, sample.point, sample.form}).size);
   }
   if (!trees_.empty()) {
-    const TangentFrame place = tangent_frame(jet);
-    for (const auto& tree : trees_) size = tree->minimum_at(place, size);
+    const TangentFrame frame = tangent_frame(jet);
+    for (const auto& tree : trees_) size = tree->minimum_at(frame, size);
   }
   // Where stretched sizes cross, their minimum is shorter than both.
   size = bounds_.clamp(size);

@@ -85,27 +85,27 @@ double SourceTree::bound(const Node& node, const Vec3& point) const {
   return rest <= 0 ? node.least : node.least + node.rate * rest;
 }
 
-SizeTensor SourceTree::minimum_at(const TangentFrame& place, const SizeTensor& size) const {
+SizeTensor SourceTree::minimum_at(const TangentFrame& frame, const SizeTensor& size) const {
   if (nodes_.empty()) return size;
   SizeTensor result = size;
   double largest = larger_length(size);
   std::array<std::pair<double, int>, kMaxDepth> stack;
   std::size_t depth = 0;
-  stack[depth++] = {bound(nodes_[0], place.point), 0};
+  stack[depth++] = {bound(nodes_[0], frame.point), 0};
   while (depth > 0) {
     const auto [least, index] = stack[--depth];
     if (least >= largest) continue;
     const Node& node = nodes_[static_cast<std::size_t>(index)];
     for (int i = node.first; i < node.first + node.count; ++i) {
-      const auto wanted = size_around(sizes_[static_cast<std::size_t>(i)], place, growth_);
+      const auto wanted = size_around(sizes_[static_cast<std::size_t>(i)], frame, growth_);
       if (!wanted) continue;
       result = minimum(result, *wanted);
       largest = larger_length(result);
     }
     if (node.count > 0) continue;
-    std::pair<double, int> near{bound(nodes_[static_cast<std::size_t>(index + 1)], place.point),
+    std::pair<double, int> near{bound(nodes_[static_cast<std::size_t>(index + 1)], frame.point),
                                 index + 1};
-    std::pair<double, int> far{bound(nodes_[static_cast<std::size_t>(node.second)], place.point),
+    std::pair<double, int> far{bound(nodes_[static_cast<std::size_t>(node.second)], frame.point),
                                node.second};
     if (far.first < near.first) std::swap(near, far);
     stack[depth++] = far;

@@ -16,16 +16,16 @@ namespace {
 /// a control space merges, each round would find a few more.
 constexpr int kRoundsOfWorst = 20;
 
-/// The nodes with those of exactly one place made one, with the minimum of their sizes.
+/// The nodes with those of exactly one point made one, with the minimum of their sizes.
 std::vector<ControlNode> merge_coincident(const std::vector<ControlNode>& nodes) {
   std::map<std::pair<double, double>, std::size_t> index;
   std::vector<ControlNode> merged;
   for (const ControlNode& node : nodes) {
-    const auto [place, is_new] = index.try_emplace({node.uv.u, node.uv.v}, merged.size());
+    const auto [known, is_new] = index.try_emplace({node.uv.u, node.uv.v}, merged.size());
     if (is_new) {
       merged.push_back(node);
     } else {
-      SizeTensor& size = merged[place->second].size;
+      SizeTensor& size = merged[known->second].size;
       size = minimum(size, node.size);
     }
   }
