@@ -104,25 +104,22 @@ std::string long_text(const Option& option) {
   return fmt::format("{} ({}{})", option.text, unit, option.range_text());
 }
 
+bool is_switch(const Option& option) {
+  const auto* number = std::get_if<NumberAccess>(&option.access);
+  return number && number->range->is_switch();
+}
+
+/// A switch has a value, too: see with_switch_values.
 CLI::Option* add_flag(CLI::App& command, Settings& settings, const Option& option) {
   const std::string name(option.name());
-  const auto* number = std::get_if<NumberAccess>(&option.access);
-  const bool is_switch = number && number->range->is_switch();
-  const auto value_of = [is_switch](const std::string& value) {
-    return is_switch && value.empty() ? std::string("on") : value;
-  };
   CLI::Option* flag = command.add_option_function<std::string>(
       flag_of(option),
-      [&settings, name, value_of](const std::string& value) {
-        settings.emplace_back(name, value_of(value));
-      },
+      [&settings, name](const std::string& value) { settings.emplace_back(name, value); },
       wrapped(std::string(option.text)));
   flag->option_text(
       fmt::format("{}={}", placeholder(option), option.value_text(PipelineOptions())));
   flag->group(heading(option.group));
-  flag->check(
-      [name, value_of](const std::string& value) { return fault_of(name, value_of(value)); });
-  if (is_switch) flag->expected(0, 1);
+  flag->check([name](const std::string& value) { return fault_of(name, value); });
   return flag;
 }
 
@@ -174,6 +171,21 @@ std::vector<CLI::Option*> add_flags(CLI::App& command, Settings& settings,
     }
   }
   return flags;
+}
+
+std::vector<std::string> with_switch_values(std::vector<std::string> arguments) {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const auto& table = option_table();
+    const auto option = std::find_if(table.begin(), table.end(), [&](const Option& o) {
+      return is_switch(o) && flag_of(o) == arguments[i];
+    });
+    if (option == table.end()) continue;
+    const std::vector<std::string_view> words = option->words();
+    const bool has_value = i + 1 < arguments.size() &&
+                           std::find(words.begin(), words.end(), arguments[i + 1]) != words.end();
+    if (!has_value) arguments[i] += "=on";
+  }
+  return arguments;
 }
 
 CageOptions cage_options(Scheme scheme, const Settings& settings) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <utility>
 
 #include "check_command.hh"
 #include "control_command.hh"
@@ -46,7 +48,9 @@ int run(int argc, char** argv) {
   surfmesh::ControlCommand control;
   control.add_to(app);
   try {
-    app.parse(argc, argv);
+    auto arguments = surfmesh::with_switch_values({argv + 1, argv + argc});
+    std::reverse(arguments.begin(), arguments.end());  // as the parser takes them
+    app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
     return exit_status(app, error);
   }

@@ -73,7 +73,7 @@ TEST_F(ControlFile, IsAMeshOfTheGroupInObj) {
 
 TEST_F(ControlFile, RefusesOtherEndings) {
   const std::string error = error_of([&] { written("a.off"); });
-  EXPECT_EQ(error.rfind(name(ErrorCode::Io), 0), 0U) << error;
+  EXPECT_EQ(error.rfind(name(ErrorCode::InvalidInput), 0), 0U) << error;
   EXPECT_NE(error.find("a.off"), std::string::npos) << error;
 }
 

@@ -71,6 +71,16 @@ TEST_F(MeshProgram, HelpsWithEveryOption) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
 }
 
+TEST_F(MeshProgram, TakesWhatFollowsASwitchForTheInput) {
+  const std::string input = "'" + own_model("cube.obj") + "'";
+  EXPECT_EQ(run("mesh --inner-nodes " + input + " -o a.obj --report report.json"), 0) << err_;
+  EXPECT_EQ(report()["options"]["inner_nodes"], true);
+  EXPECT_EQ(run("mesh --features off " + input + " -o a.obj --report report.json"), 0) << err_;
+  EXPECT_EQ(report()["options"]["features"], false);
+  EXPECT_EQ(run("mesh " + input + " -o a.obj --report report.json --features=off"), 0) << err_;
+  EXPECT_EQ(report()["options"]["features"], false);
+}
+
 TEST_F(MeshProgram, SetsEveryOptionByAFlag) {
   EXPECT_EQ(mesh("cube.obj",
                  "--contour-curvature off --inner-nodes --curvature-from differences "

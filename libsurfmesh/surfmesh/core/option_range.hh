@@ -101,6 +101,7 @@ inline constexpr std::array kPatches = {OptionWord{"auto", 0}, OptionWord{"faces
 
 }  // namespace words
 
+/// Those of lengths are in sizes/sizing.hh.
 namespace ranges {
 
 /// No factor or ratio makes sense anywhere near it.

@@ -9,9 +9,13 @@
 
 namespace surfmesh {
 
-/// The stages of a run, in the order of the data flow.
+/// The stages of a run, in the order of the data flow. Corrections within a patch and the splitting
+/// of chords between patches belong to Assemble. Quad is not built yet.
+///
+/// A new one is listed in kStages, too, and gets its name in stage.cc.
 enum class Stage { Read, Control, Boundary, Triangulate, Refine, Improve, Quad, Assemble, Write };
 
+/// All of them: what the sums and the report go by.
 inline constexpr std::array kStages = {Stage::Read,        Stage::Control,  Stage::Boundary,
                                        Stage::Triangulate, Stage::Refine,   Stage::Improve,
                                        Stage::Quad,        Stage::Assemble, Stage::Write};

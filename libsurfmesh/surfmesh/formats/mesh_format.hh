@@ -16,14 +16,14 @@
 namespace surfmesh {
 
 /// A format of meshes. Each is made in the file that is named after it and stands in the table of
-/// mesh_format.cc; nothing else names it.
+/// mesh_format.cc; no other code chooses by it.
 ///
 /// Writers walk the half-edge mesh, not MeshArrays: for a million triangles those are 40 MB and
 /// 20 ms more, of 50 to 250 ms, for nothing that the mesh does not tell as well.
 struct MeshFormat {
   std::string_view ending;  ///< in lower case, with its dot
 
-  /// Read the faces as they stand in the bytes of a file; `name` stands in messages.
+  /// Never null. Read the faces as they stand in the bytes of a file; `name` stands in messages.
   MeshArraysFile (*parse)(std::string bytes, const std::string& name) = nullptr;
 
   /// Read a mesh where the format holds its connectivity and properties; else null, and a mesh is
@@ -33,9 +33,10 @@ struct MeshFormat {
   /// Read a control cage; null where the format is none of cages.
   Cage (*parse_cage)(std::string_view text, const std::string& name) = nullptr;
 
+  /// Never null.
   void (*write)(const PolyMesh& mesh, const MeshNames& names, OutputFile& file) = nullptr;
 
-  /// As what_is_lost of write_mesh.hh.
+  /// Never null. As what_is_lost of write_mesh.hh.
   std::vector<std::string> (*what_is_lost)(const PolyMesh& mesh, const MeshNames& names) = nullptr;
 };
 

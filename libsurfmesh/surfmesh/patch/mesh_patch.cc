@@ -29,8 +29,8 @@ class PatchRun {
     triangulate();
     insert_inner_nodes();
     improve_triangles();
-    context_.add_elements(patch_.delaunay->n_faces());
     finish();
+    context_.add_elements(result_.mesh.mesh->n_faces());
     return std::move(result_);
   }
 
@@ -58,6 +58,7 @@ class PatchRun {
         improve(*patch_.delaunay, task_.field, task_.improve, context_).queries;
   }
 
+  /// Mends are counted as part of the assembly, which they are made for.
   void finish() {
     const StageClock clock(result_.seconds[Stage::Assemble]);
     evaluate_vertices(patch_);

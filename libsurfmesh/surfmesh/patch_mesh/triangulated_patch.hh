@@ -22,7 +22,8 @@ struct TriangulatedPatch {
   std::vector<Vec3> normals;
 };
 
-/// Evaluate the surface at the vertices that have no position yet.
+/// Evaluate the surface at the vertices that have no position yet. A vertex that is moved later has
+/// to get both anew.
 void evaluate_vertices(TriangulatedPatch& patch);
 
 /// Split an inner edge at its middle in (u,v). The new node gets its metric.

@@ -68,7 +68,8 @@ void set_file_option(PipelineOptions& options, const FileOption& entry) {
   if (!value.is_null()) set_option(options, entry.name, text_for(value));
 }
 
-/// Where both bounds are of one kind, a file is told of its fault before the model is there.
+/// Where both bounds are of one kind, a file that gives both is told of its fault before the model
+/// is there. A bound that it leaves out may still come from the command line.
 void check_bounds(const Sizing& sizing) {
   if (sizing.hmin.is_relative != sizing.hmax.is_relative) return;
   if (sizing.hmin.value <= sizing.hmax.value) return;
@@ -78,12 +79,16 @@ void check_bounds(const Sizing& sizing) {
 
 PipelineOptions file_options(const ModelFile& file, const std::string& name) {
   PipelineOptions options;
-  std::string bounds;  // where the last of them stands
+  std::vector<std::string> bounds;  // where they stand
   for (const FileOption& entry : file.options) {
     at_file(fmt::format("{}: {}", name, entry.origin), [&] { set_file_option(options, entry); });
-    if (entry.name == ranges::kHmin.name || entry.name == ranges::kHmax.name) bounds = entry.origin;
+    if (entry.name == ranges::kHmin.name || entry.name == ranges::kHmax.name) {
+      bounds.push_back(entry.origin);
+    }
   }
-  at_file(fmt::format("{}: {}", name, bounds), [&] { check_bounds(options.sizing); });
+  if (bounds.size() == 2) {
+    at_file(fmt::format("{}: {}", name, bounds.back()), [&] { check_bounds(options.sizing); });
+  }
   return options;
 }
 

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <iterator>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 

@@ -21,6 +21,9 @@ struct PipelineOptions {
   std::size_t max_elements = 50'000'000;  ///< more triangles end the run with an error. Above 0
 };
 
+/// Check every option by itself. That hmin is not above hmax is checked by resolve(), which knows
+/// the size of the model.
+///
 /// Throws   InvalidOption, naming the option, its value and its range
 void check(const PipelineOptions& options);
 

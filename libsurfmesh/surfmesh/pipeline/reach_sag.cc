@@ -113,7 +113,8 @@ class SagLoop {
     sources_.sag = tables_from_mesh(mesh);
   }
 
-  /// Ask for smaller sizes at the faces that are too far. Returns false if hmin is reached at all.
+  /// Ask for smaller sizes at the faces that are too far. Returns false if sizes are at hmin at all
+  /// of them.
   bool shrink_locally() {
     bool is_any = false;
     for (const FaceHandle fh : now_.mesh.faces()) {

@@ -122,6 +122,7 @@ std::string to_json(const Report& report) {
        {{"min", report.quality.min},
         {"mean", report.quality.mean},
         {"below_0.3", report.quality.below_0_3}}},
+      // Not built yet.
       {"quads", {{"fraction", 0}, {"min_scaled_jacobian", 0}, {"mean_scaled_jacobian", 0}}},
       {"sag",
        {{"asked", length_json(report.sag.asked)}, {"reached", length_json(report.sag.reached)}}},

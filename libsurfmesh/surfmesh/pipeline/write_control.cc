@@ -118,7 +118,7 @@ VtuGrid grid_of(const std::vector<ControlPicture>& pictures) {
 
 void check_control_ending(const std::filesystem::path& path) {
   if (lower_case_ending(path) == ".vtu" || lower_case_ending(path) == ".obj") return;
-  throw Error(ErrorCode::Io,
+  throw Error(ErrorCode::InvalidInput,
               fmt::format("{}: control meshes are written as .vtu or .obj", path.string()));
 }
 

@@ -17,7 +17,7 @@ struct ControlPicture {
   const Surface* surface;
 };
 
-/// Throws   Io, naming the file, unless its ending is .vtu or .obj
+/// Throws   InvalidInput, naming the file, unless its ending is .vtu or .obj
 void check_control_ending(const std::filesystem::path& path);
 
 /// Write the control meshes of patches on their surfaces, completely or not at all. The ending

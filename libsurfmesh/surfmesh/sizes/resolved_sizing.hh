@@ -8,16 +8,18 @@ namespace surfmesh {
 
 /// A checked sizing in model units. It is made once per model, and everything that makes sizes uses
 /// it.
+///
+/// Made by resolve() only, hence without defaults.
 struct ResolvedSizing {
   SizeBounds bounds;
-  double curvature = 0;  ///< factor of the radius of curvature; 0 is off
-  double sag = 0;        ///< greatest distance between mesh and surface, model units; 0 is off
-  double stretch = 2;    ///< greatest ratio of the two sizes from curvature
-  double grade = 1.5;    ///< sizes grow by at most ln(grade) per unit of length; 0 is off
-  bool contour_curvature = true;
-  double proximity = 1;  ///< elements wanted across a gap; 0 is off
-  bool features = true;
-  CurvatureFrom curvature_from = CurvatureFrom::Exact;
+  double curvature;  ///< factor of the radius of curvature; 0 is off
+  double sag;        ///< greatest distance between mesh and surface, model units; 0 is off
+  double stretch;    ///< greatest ratio of the two sizes from curvature
+  double grade;      ///< sizes grow by at most ln(grade) per unit of length; 0 is off
+  bool contour_curvature;
+  double proximity;  ///< elements wanted across a gap; 0 is off
+  bool features;
+  CurvatureFrom curvature_from;
 
   /// True if sizes follow from curvature at all.
   bool follows_curvature() const { return curvature > 0 || sag > 0; }
