@@ -9,6 +9,7 @@
 #include "output_paths.hh"
 #include "progress.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/formats/mesh_endings.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/load_model.hh"
@@ -64,9 +65,12 @@ int ControlCommand::write_control_meshes(Progress& progress) const {
   settings.insert(settings.end(), set_.begin(), set_.end());
   ModelInput input = load_model(input_, cage_options(scheme_, settings));
   for (const auto& [name, value] : settings) set_option(input.options, name, value);
-  const ControlSpaces control = make_control_spaces(
-      input.model, input.sources, resolve(input.options.sizing, input.model.diagonal),
-      input.options.control, RunContext(&progress));
+  ControlSpaces control;
+  with_threads(input.options.threads, [&] {
+    control = make_control_spaces(input.model, input.sources,
+                                  resolve(input.options.sizing, input.model.diagonal),
+                                  input.options.control, RunContext(&progress));
+  });
   const std::vector<ControlPicture> pictures = pictures_of(input.model, control);
   write_control(pictures, output_);
   progress.clear();

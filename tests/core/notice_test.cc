@@ -56,7 +56,7 @@ TEST(NoticeLines, ListAFewOfAKind) {
   const auto lines = lines_of(many(12));
   ASSERT_EQ(lines.size(), 3U);
   EXPECT_EQ(lines[0], "warning: sides 0");
-  EXPECT_EQ(lines[2], "warning: sides 2; 9 more of the kind unjoined_sides");
+  EXPECT_EQ(lines[2], "warning: sides 2; and 9 more like these");
 }
 
 }  // namespace

@@ -26,8 +26,13 @@ std::optional<std::size_t> rank(const std::string& folder) {
   return static_cast<std::size_t>(found - kFolders.begin());
 }
 
+/// Meshes are assembled where no control space is, although that folder stands below.
+bool is_forbidden(const std::string& from, const std::string& folder) {
+  return from == "assemble" && (folder == "control" || folder == "sizes" || folder == "sampling");
+}
+
 bool may_include(const std::string& from, const std::string& folder) {
-  return rank(from) && rank(folder) && *rank(folder) <= *rank(from);
+  return rank(from) && rank(folder) && *rank(folder) <= *rank(from) && !is_forbidden(from, folder);
 }
 
 /// The folder of ours that a line includes, if it does; empty for what lies in none.
@@ -73,7 +78,7 @@ TEST(Layering, FollowsTheDataFlow) {
 
 /// A patch can be meshed where there is no control space: they see a metric field only.
 TEST(Layering, KeepsTheControlSpaceFromTheMeshingStages) {
-  for (const char* stage : {"boundary", "refine", "improve", "patch_mesh", "patch"}) {
+  for (const char* stage : {"boundary", "refine", "improve", "patch_mesh", "patch", "assemble"}) {
     for (const char* folder : {"control", "sizes", "sampling"}) {
       EXPECT_FALSE(may_include(stage, folder)) << stage << ", " << folder;
     }

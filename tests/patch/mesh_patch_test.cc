@@ -35,9 +35,7 @@ TEST_F(MeshPatch, GivesTheSameMeshForTheSameTask) {
 TEST_F(MeshPatch, TellsWhatEachStageTook) {
   const PatchResult result = mesh_patch(task());
   for (const Stage stage : {Stage::Triangulate, Stage::Refine, Stage::Improve}) {
-    EXPECT_GT(result.queries[stage].total() + static_cast<std::size_t>(result.seconds[stage] > 0),
-              0U)
-        << name(stage);
+    EXPECT_GT(result.seconds[stage], 0) << name(stage);
   }
   EXPECT_FALSE(result.is_given_up);
   EXPECT_EQ(result.turned.count, 0U);

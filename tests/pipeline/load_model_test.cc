@@ -132,6 +132,16 @@ TEST(LoadModel, HasNoSchemeForModelFiles) {
   EXPECT_NE(error.find("only cages have a subdivision scheme"), std::string::npos) << error;
 }
 
+TEST(LoadModel, HasNoKindOfPatchesForModelFilesWithoutCages) {
+  const std::string error = fault(own_model("wave.json"), {.patches = PatchKind::Faces});
+  EXPECT_NE(error.find("only cages have faces or blocks"), std::string::npos) << error;
+}
+
+TEST(LoadModel, TellsThePatchesOfACageInItsOptions) {
+  const ModelInput input = load_model(own_model("cube.obj"), {.patches = PatchKind::Faces});
+  EXPECT_EQ(input.options.patches, PatchKind::Faces);
+}
+
 /// A model file of cages of ours, with other keys at its root.
 std::string cages(const std::string& scheme, const std::string& in_root = "") {
   return R"({"cages": [{"name": "a", "file": ")" + own_model("cube.obj").string() +

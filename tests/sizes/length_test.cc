@@ -46,6 +46,7 @@ TEST(ParseLength, ReadsItsOwnTextToTheLastBit) {
 
 TEST(Length, IsMadeByName) {
   EXPECT_EQ(Length::percent(5), Length::share(0.05));
+  EXPECT_EQ(Length::percent(0.7), parse_length("0.7%"));  // 0.7 / 100 is another number
   EXPECT_EQ(Length::units(3).in_units(10), 3);
   EXPECT_EQ(Length::share(0.5).in_units(10), 5);
   // {5, true}, meant as 5 %, was taken for 500 %.

@@ -11,6 +11,7 @@
 
 #include "surfmesh/assemble/orientation.hh"
 #include "surfmesh/assemble/promised_topology.hh"
+#include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/topology.hh"
@@ -42,14 +43,14 @@ struct PatchFace {
   std::size_t count = 0;
   CornerValue pole;  ///< of the corner that is a pole
 
-  /// True if two neighbouring corners are one vertex.
-  bool is_collapsed() const {
-    int before = corners[count - 1].vertex;
+  /// Leave out corners that are the same vertex as the next one: of a side that is a pole.
+  void drop_collapsed_corners() {
+    std::size_t kept = 0;
     for (std::size_t k = 0; k < count; ++k) {
-      if (corners[k].vertex == before) return true;
-      before = corners[k].vertex;
+      if (corners[k].vertex != corners[k + 1 == count ? 0 : k + 1].vertex)
+        corners[kept++] = corners[k];
     }
-    return false;
+    count = kept;
   }
 
   /// Go around the other way, from the same corner on.
@@ -88,12 +89,13 @@ class PatchFaces {
   HalfedgeHandle opposite(HalfedgeHandle heh) const { return mesh_.opposite_halfedge_handle(heh); }
 
   /// Call `visit` for every face, always in the same order; triangles that collapse at a pole are
-  /// left out.
+  /// left out, quads become triangles.
   template <class Visit>
   void for_each(Visit visit) const {
     PatchFace face;  // one for all: there are millions
     const auto visit_turned = [&] {
-      if (face.is_collapsed()) return;
+      face.drop_collapsed_corners();
+      if (face.count < 3) return;
       if (is_turned_) face.turn();
       visit(static_cast<const PatchFace&>(face));
     };
@@ -124,11 +126,14 @@ class PatchFaces {
     face.count = 0;
     HalfedgeHandle heh = start;
     do {
+      if (face.count == kMostCorners) {
+        throw Error(ErrorCode::InvalidInput, "a face of a patch has more than four corners");
+      }
       const VertexHandle vh = mesh_.from_vertex_handle(heh);
       face.corners[face.count++] = {vertices_[index(vh)], vh.idx(),
                                     mesh_.property(contour_, mesh_.edge_handle(heh)), heh};
       heh = mesh_.next_halfedge_handle(heh);
-    } while (heh != start && face.count < kMostCorners);
+    } while (heh != start);
   }
 
   void fill_from_fan(const PoleFan& fan, std::size_t i, PatchFace& face) const {

@@ -85,15 +85,21 @@ bool has_shortfall(const Notices& notices) {
 }
 
 std::vector<std::string> lines_of(const Notices& notices) {
-  std::map<NoticeKind, std::size_t> counts, shown;
-  for (const Notice& notice : notices) ++counts[notice.kind];
+  std::map<NoticeKind, std::size_t> notices_of, times_of, shown;
+  for (const Notice& notice : notices) {
+    ++notices_of[notice.kind];
+    times_of[notice.kind] += notice.count;
+  }
   std::vector<std::string> lines;
   for (const Notice& notice : notices) {
-    const std::size_t number = ++shown[notice.kind], count = counts[notice.kind];
-    if (number > kMostLines && count > kMostLines + 1) continue;
+    const bool is_cut = notices_of[notice.kind] > kMostLines + 1;
+    const std::size_t number = ++shown[notice.kind];
+    if (is_cut && number > kMostLines) continue;
     lines.push_back(line_of(notice));
-    if (number < kMostLines || count <= kMostLines + 1) continue;
-    lines.back() += fmt::format("; {} more of the kind {}", count - number, name(notice.kind));
+    times_of[notice.kind] -= notice.count;
+    if (is_cut && number == kMostLines) {
+      lines.back() += fmt::format("; and {} more like these", times_of[notice.kind]);
+    }
   }
   return lines;
 }

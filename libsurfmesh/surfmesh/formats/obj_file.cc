@@ -40,7 +40,7 @@ class ObjReader {
   int read_corner(std::string_view word);
   void check_ignored_indices(std::string_view indices) const;
   void read_group_names();
-  void read_object();
+  std::string read_name();
   void check_references() const;
 
   CageText text_;
@@ -67,8 +67,8 @@ void ObjReader::read_statement(std::string_view keyword) {
   if (keyword == "v") return text_.cage.points.push_back(scanner_.next_point());
   if (keyword == "f") return read_face();
   if (keyword == "g") return read_group_names();
-  if (keyword == "o") return read_object();
-  if (keyword == "usemtl") return labels_.set_material(std::string(scanner_.next_word()));
+  if (keyword == "o") return labels_.set_object(read_name());
+  if (keyword == "usemtl") return labels_.set_material(read_name());
   if (keyword == "t") return tags_.read();
   if (std::find(kIgnoredKeywords.begin(), kIgnoredKeywords.end(), keyword) !=
       kIgnoredKeywords.end()) {
@@ -121,12 +121,13 @@ void ObjReader::read_group_names() {
 }
 
 /// Unlike groups, an object has one name, which may have blanks.
-void ObjReader::read_object() {
+/// The words of the rest of the line: names of objects and materials may have blanks.
+std::string ObjReader::read_name() {
   std::string name(scanner_.next_word());
   for (auto word = scanner_.next_word(); !word.empty(); word = scanner_.next_word()) {
     name.append(" ").append(word);
   }
-  labels_.set_object(std::move(name));
+  return name;
 }
 
 void ObjReader::check_references() const {

@@ -227,6 +227,7 @@ class NamesReader {
         if (group.patches.back() < 0) scanner_.fail("a patch of a group is negative");
       }
     }
+    put_in_order(names.groups);
     return names;
   }
 

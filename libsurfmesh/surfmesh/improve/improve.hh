@@ -17,6 +17,7 @@ struct ImproveOptions {
   int repairs = 3;
 };
 
+/// Throws   InvalidOption, naming the option, its value and its range
 void check(const ImproveOptions& options);
 
 struct ImproveReport {

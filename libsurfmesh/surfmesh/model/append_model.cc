@@ -22,6 +22,7 @@ void warn_of_open_sides(const Model& model, const Model& added, Notices& notices
       fmt::format("{} pairs of contours run along each other but are not joined, as they belong to "
                   "different cages, or to a cage and formulas: {} and {}{}",
                   pairs.size(), pairs[0].a, pairs[0].b, pairs.size() > 1 ? ", ..." : "")));
+  notices.back().contour = find_contour(model, pairs[0].a);
 }
 
 void shift(Model& added, const Model& model, const std::string& prefix) {

@@ -120,7 +120,8 @@ Notices notices_of(const Parts& parts, const std::vector<Contour>& contours,
   std::vector<ContourShape> shapes;
   for (std::size_t c = 0; c < parts.curves.size(); ++c) {
     if (contours[c].is_degenerate) continue;
-    shapes.push_back({contours[c].name, parts.curves[c].first, contours[c].uses.size() > 1});
+    shapes.push_back({static_cast<int>(c), contours[c].name, parts.curves[c].first,
+                      contours[c].uses.size() > 1});
   }
   return near_miss_notices(shapes, lengths);
 }

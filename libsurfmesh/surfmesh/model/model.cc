@@ -86,6 +86,12 @@ void check_extent(double diagonal) {
 
 }  // namespace
 
+int find_contour(const Model& model, std::string_view name) {
+  const auto found = std::find_if(model.contours.begin(), model.contours.end(),
+                                  [name](const Contour& contour) { return contour.name == name; });
+  return found == model.contours.end() ? -1 : static_cast<int>(found - model.contours.begin());
+}
+
 MeshNames mesh_names(const Model& model) {
   MeshNames names;
   for (const Patch& patch : model.patches) names.patches.push_back(patch.name);

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "surfmesh/core/mesh_names.hh"
@@ -104,6 +105,9 @@ struct Model {
 /// The names of the patches, and the groups that have patches. Groups of the same name become one.
 /// They are in the order of their first patch.
 MeshNames mesh_names(const Model& model);
+
+/// The index of the contour of a name; -1 if there is none.
+int find_contour(const Model& model, std::string_view name);
 
 /// Check that indices are valid, that the diagonal is between 1e-70 and 1e70, and that all loops
 /// close in space, to 1e-6 of the diagonal.

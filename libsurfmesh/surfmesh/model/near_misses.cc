@@ -138,6 +138,7 @@ Notices near_miss_notices(const std::vector<ContourShape>& contours, const JoinL
         fmt::format(
             "contours {} and {} are not joined: the gap between them is {:.3g}, more than {:.3g}",
             a.name, b.name, *found, lengths.join)));
+    result.back().contour = a.contour;
   }
   return result;
 }

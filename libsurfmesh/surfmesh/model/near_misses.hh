@@ -11,6 +11,7 @@ namespace surfmesh {
 
 /// A contour as far as the search for near misses needs it.
 struct ContourShape {
+  int contour = -1;  ///< index in the model
   std::string name;
   SampledLine curve;
   bool is_shared = false;  ///< has several uses

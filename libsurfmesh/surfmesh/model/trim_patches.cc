@@ -64,6 +64,7 @@ void warn_of_neighbours(Model& model, const NamedInputs& inputs) {
         fmt::format("contours {} and {} run along each other, at most {:.3g} apart, but are not "
                     "joined: give them one name",
                     pair.a, pair.b, pair.gap)));
+    model.notices.back().contour = find_contour(model, pair.a);
   }
 }
 

@@ -45,6 +45,7 @@ ModelInput load_cage(const std::filesystem::path& path, const CageOptions& cage_
   Notices& notices = input.model.notices;
   for (Notice& notice : notices) notice.text.insert(0, path.string() + ": ");
   notices.insert(notices.begin(), cage.notices.begin(), cage.notices.end());
+  input.options.patches = cage_options.patches;
   return input;
 }
 
@@ -193,6 +194,10 @@ ModelInput load_model_file(const std::filesystem::path& path, const CageOptions&
   if (cage_options.scheme != Scheme::Auto && file.cages.empty()) {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("{}: only cages have a subdivision scheme", name));
+  }
+  if (cage_options.patches != PatchKind::Auto && file.cages.empty()) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("{}: only cages have faces or blocks as patches", name));
   }
   ModelInput input;
   input.options = file_options(file, name);

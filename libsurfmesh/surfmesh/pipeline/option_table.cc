@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <type_traits>
 
 #include "surfmesh/core/error.hh"
@@ -140,6 +141,36 @@ constexpr auto kTable = std::to_array<Option>({
      number(
          ranges::kMaxElements, [](auto& o) -> auto& { return o.max_elements; })},
 });
+
+/// The words of core, which does not know the enums, stand for the values that they name.
+template <class Enum, std::size_t n>
+constexpr bool stands_for(const std::array<OptionWord, n>& words, std::string_view word,
+                          Enum value) {
+  return std::any_of(words.begin(), words.end(), [&](const OptionWord& w) {
+    return w.word == word && w.value == static_cast<double>(value);
+  });
+}
+
+static_assert(stands_for(words::kCurvatureFrom, "exact", CurvatureFrom::Exact));
+static_assert(stands_for(words::kCurvatureFrom, "differences", CurvatureFrom::Differences));
+static_assert(stands_for(words::kControl, "mesh", ControlKind::Mesh));
+static_assert(stands_for(words::kControl, "grid", ControlKind::Grid));
+static_assert(stands_for(words::kInterpolation, "s", Interpolation::Single));
+static_assert(stands_for(words::kInterpolation, "t", Interpolation::Triangle));
+static_assert(stands_for(words::kInterpolation, "o", Interpolation::Circles));
+static_assert(stands_for(words::kInterpolation, "auto", Interpolation::Automatic));
+static_assert(stands_for(words::kInterpolation, "linear", Interpolation::Linear));
+static_assert(stands_for(words::kBlend, "linear", Blend::Linear));
+static_assert(stands_for(words::kBlend, "log", Blend::Logarithmic));
+static_assert(stands_for(words::kLookup, "disc", DiscLookup::Disc));
+static_assert(stands_for(words::kLookup, "vertices", DiscLookup::Vertices));
+static_assert(stands_for(words::kPlacement, "frontal", Placement::Frontal));
+static_assert(stands_for(words::kPlacement, "circumcentre", Placement::Circumcentre));
+static_assert(stands_for(words::kKernel, "cavity", Kernel::Cavity));
+static_assert(stands_for(words::kKernel, "swap", Kernel::Swap));
+static_assert(stands_for(words::kPatches, "auto", PatchKind::Auto));
+static_assert(stands_for(words::kPatches, "faces", PatchKind::Faces));
+static_assert(stands_for(words::kPatches, "blocks", PatchKind::Blocks));
 
 }  // namespace
 

@@ -58,6 +58,7 @@ class SagLoop {
       mesh(kCorrectedShare * asked_);
       if (sag_.max <= asked_ || !shrink_locally()) break;
     }
+    tell_if_not_reached();
     return std::move(best_);
   }
 
@@ -71,7 +72,23 @@ class SagLoop {
     const StageClock clock(seconds_[Stage::Control]);
     sag_ = measure_sag(now_.mesh, model_, search_);
     now_.report.sag = {asked_, sag_.max};
-    if (is_better()) best_ = now_;
+    if (!is_better()) return;
+    best_ = now_;
+    const auto worst = std::max_element(sag_.of_faces.begin(), sag_.of_faces.end());
+    worst_face_ = FaceHandle(static_cast<int>(worst - sag_.of_faces.begin()));
+  }
+
+  void tell_if_not_reached() {
+    const double reached = *best_.report.sag.reached;
+    if (reached <= asked_) return;
+    Notice notice = shortfall(
+        NoticeKind::SagNotReached,
+        fmt::format("mesh and surface are up to {:.6g} from each other, more than sag = {:.6g} (in "
+                    "model units) allows; a smaller hmin helps where that is in the way",
+                    reached, asked_));
+    notice.patch = best_.mesh.property(require(best_.mesh, keys::face_patch), worst_face_);
+    notice.point = to_eigen(best_.mesh.calc_face_centroid(worst_face_));
+    best_.report.notices.push_back(std::move(notice));
   }
 
   bool is_better() const {
@@ -170,6 +187,7 @@ class SagLoop {
   MeshResult now_;
   Sag sag_;  ///< of the mesh now
   MeshResult best_;
+  FaceHandle worst_face_;  ///< of the best mesh
   PerStage<double> seconds_;
 };
 
@@ -181,14 +199,6 @@ MeshResult reach_sag(const Model& model, const Sources& sources, const ResolvedS
   SagLoop loop(model, sources, sizing, mesh_once);
   MeshResult result = loop.run();
   result.report.seconds = loop.seconds();
-  const double asked = *result.report.sag.asked, reached = *result.report.sag.reached;
-  if (reached > asked) {
-    result.report.notices.push_back(shortfall(
-        NoticeKind::SagNotReached,
-        fmt::format("mesh and surface are up to {:.6g} from each other, more than sag = {:.6g} (in "
-                    "model units) allows; a smaller hmin helps where that is in the way",
-                    reached, asked)));
-  }
   result.report.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

@@ -23,6 +23,7 @@ struct RefineOptions {
   Kernel kernel = Kernel::Cavity;
 };
 
+/// Throws   InvalidOption, naming the option, its value and its range
 void check(const RefineOptions& options);
 
 struct RefineReport {
@@ -49,7 +50,7 @@ struct RefineReport {
 /// Writes   surf:uv, surf:metric of new vertices
 /// Cost     O(n) queue, 0.6 µs per triangle (1 µs at a million), and two metric queries per node
 ///          (one with Circumcentre)
-/// Throws   Limit if there are more triangles than the context allows; Cancelled
+/// Throws   InvalidOption; Limit if there are more triangles than the context allows; Cancelled
 /// Source   paper, section 2.1, item 3; frontal placement: Rebay, Efficient unstructured mesh
 ///          generation by means of Delaunay triangulation and Bowyer-Watson algorithm (1993)
 RefineReport refine(DelaunayMesh& delaunay, const MetricField& field,

@@ -67,6 +67,10 @@ bool Length::is_legal() const {
   return value >= 0 && std::isfinite(value) && !(is_relative && value > 1);
 }
 
+Length Length::percent(double value) {
+  return std::isfinite(value) ? parse_length(fmt::format("{}%", value)) : share(value);
+}
+
 Length parse_length(std::string_view text) {
   std::string_view digits = without_blanks(text);
   const bool is_relative = digits.ends_with('%');

@@ -20,8 +20,8 @@ struct Length {
   static Length units(double value) { return {value, false}; }
   /// A share of the diagonal, 0 to 1.
   static Length share(double value) { return {value, true}; }
-  /// A share of the diagonal, 0 to 100.
-  static Length percent(double value) { return {value / 100, true}; }
+  /// A share of the diagonal, 0 to 100: the same as parse_length makes of it, to the last bit.
+  static Length percent(double value);
 
   double in_units(double diagonal) const { return is_relative ? value * diagonal : value; }
 
