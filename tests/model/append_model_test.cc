@@ -41,6 +41,7 @@ TEST(Append, WarnsOfOpenContoursThatCoincide) {
   Model model = model_of({rectangle(0, 0, 1, 1)});
   append(model, model_of({rectangle(1, 0.25, 2, 0.75)}), "b:");
   ASSERT_EQ(texts_of(model.notices).size(), 1u);
+  EXPECT_EQ(model.contour(model.notices[0].contour).name, "p0:u1");
   EXPECT_NE(texts_of(model.notices)[0].find(
                 "1 pairs of contours run along each other but are not joined"),
             std::string::npos);

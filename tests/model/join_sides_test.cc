@@ -352,7 +352,8 @@ TEST(JoinSides, WarnsOfNearMissesAndTellsTheGap) {
   EXPECT_EQ(count_shared(model), 0);
   ASSERT_EQ(texts_of(model.notices).size(), 1U);
   EXPECT_NE(texts_of(model.notices)[0].find("p0:u1 and p1:u0"), std::string::npos)
-      << texts_of(model.notices)[0];
+  EXPECT_EQ(model.contour(model.notices[0].contour).name, "p0:u1");
+  << texts_of(model.notices)[0];
   EXPECT_NE(texts_of(model.notices)[0].find("1e-06"), std::string::npos)
       << texts_of(model.notices)[0];
 }

@@ -206,6 +206,8 @@ TEST(TrimPatches, WarnsNotOfContoursAsShortAsTheyAreNear) {
 TEST(TrimPatches, WarnsOfContoursThatNearlyMeet) {
   const Model model = square({{"-hole"}}, {hole(0.5, {0.5 - 1e-5, 0})});
   ASSERT_EQ(texts_of(model.notices).size(), 1u);
+  EXPECT_EQ(model.notices[0].patch, 0);
+  EXPECT_TRUE(model.notices[0].point.has_value());
   EXPECT_TRUE(texts_of(model.notices)[0].starts_with("patch p: contours "))
       << texts_of(model.notices)[0];
   EXPECT_NE(texts_of(model.notices)[0].find("nearly meet at (u,v) = (0.99999, "), std::string::npos)

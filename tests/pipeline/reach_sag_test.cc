@@ -90,6 +90,10 @@ TEST(ReachSag, IsAShortfallWhereTheLeastSizeIsInTheWay) {
   ASSERT_EQ(texts_of(result.report.notices, Severity::Shortfall).size(), 1u);
   EXPECT_NE(texts_of(result.report.notices, Severity::Shortfall)[0].find("sag = 0.0001"),
             std::string::npos);
+  const Notice& notice = result.report.notices.back();
+  EXPECT_EQ(notice.kind, NoticeKind::SagNotReached);
+  EXPECT_GE(notice.patch, 0);
+  EXPECT_TRUE(notice.point.has_value());
   EXPECT_GT(*result.report.sag.reached, 1e-4);
 }
 
