@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string>
 #include <utility>
 
 #include "check_command.hh"
@@ -14,12 +15,16 @@
 
 namespace {
 
+int tell_wrong_usage(const CLI::App& app, const std::string& fault) {
+  std::fprintf(stderr, "surfmesh: error: %s\n%s tells more\n", fault.c_str(),
+               surfmesh::help_line(app).c_str());
+  return surfmesh::kWrongUsage;
+}
+
 /// CLI11 has many codes; the documentation has one for wrong usage.
 int exit_status(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-  std::fprintf(stderr, "surfmesh: error: %s\n%s tells more\n",
-               surfmesh::usage_fault(app, error).c_str(), surfmesh::help_line(app).c_str());
-  return surfmesh::kWrongUsage;
+  return tell_wrong_usage(app, surfmesh::usage_fault(app, error));
 }
 
 constexpr const char* kFooter =
@@ -47,8 +52,11 @@ int run(int argc, char** argv) {
   convert.add_to(app);
   surfmesh::ControlCommand control;
   control.add_to(app);
+  auto arguments = surfmesh::with_switch_values({argv + 1, argv + argc});
+  if (const std::string fault = surfmesh::one_dash_fault(app, arguments); !fault.empty()) {
+    return tell_wrong_usage(app, fault);
+  }
   try {
-    auto arguments = surfmesh::with_switch_values({argv + 1, argv + argc});
     std::reverse(arguments.begin(), arguments.end());  // as the parser takes them
     app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <string_view>
 #include <vector>
 
@@ -55,6 +56,16 @@ std::string usage_fault(const CLI::App& app, const CLI::ParseError& error) {
   if (option != unknown.end()) return unknown_option(command, *option);
   if (&command == &app && !unknown.empty()) return unknown_command(app, unknown.front());
   return error.what();
+}
+
+std::string one_dash_fault(const CLI::App& app, const std::vector<std::string>& arguments) {
+  const auto wrong = std::find_if(arguments.begin(), arguments.end(), [](const std::string& word) {
+    return word.size() > 2 && word[0] == '-' && word[1] != 'o' &&
+           std::isalpha(static_cast<unsigned char>(word[1])) != 0;
+  });
+  if (wrong == arguments.end()) return {};
+  const CLI::App* command = app.get_subcommand_no_throw(arguments.front());
+  return unknown_option(command ? *command : app, *wrong);
 }
 
 std::string help_line(const CLI::App& app) {

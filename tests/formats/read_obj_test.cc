@@ -126,7 +126,6 @@ TEST(ReadObjGroups, AreObjectsToo) {
   EXPECT_EQ(cage.groups[0].faces, std::vector<int>{0});
   EXPECT_EQ(cage.groups[1].name, "b");
   EXPECT_EQ(cage.groups[2].name, "the lid");  // a material, whose name may have blanks, too
-  EXPECT_TRUE(cage.groups[2].is_material);
 }
 
 TEST(ReadObjGroups, AreNoneWithoutAName) { EXPECT_TRUE(read(kFive + "f 1 2 3").groups.empty()); }

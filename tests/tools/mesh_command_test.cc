@@ -71,6 +71,13 @@ TEST_F(MeshProgram, HelpsWithEveryOption) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
 }
 
+TEST_F(MeshProgram, RefusesWordsOfOneDash) {
+  EXPECT_EQ(run("mesh '" + own_model("cube.obj") + "' -o a.obj -hmax 5%"), 2);
+  EXPECT_NE(err_.find("there is no option -hmax, did you mean --hmax?"), std::string::npos) << err_;
+  EXPECT_EQ(out_, "");
+  EXPECT_EQ(run("mesh '" + own_model("cube.obj") + "' -oa.obj --quiet"), 0) << err_;
+}
+
 TEST_F(MeshProgram, TakesWhatFollowsASwitchForTheInput) {
   const std::string input = "'" + own_model("cube.obj") + "'";
   EXPECT_EQ(run("mesh --inner-nodes " + input + " -o a.obj --report report.json"), 0) << err_;

@@ -84,7 +84,7 @@ class SagLoop {
     Notice notice = shortfall(
         NoticeKind::SagNotReached,
         fmt::format("mesh and surface are up to {:.6g} from each other, more than sag = {:.6g} (in "
-                    "model units) allows; a smaller hmin helps where that is in the way",
+                    "model units) allows; try a smaller hmin where that is in the way",
                     reached, asked_));
     notice.patch = best_.mesh.property(require(best_.mesh, keys::face_patch), worst_face_);
     notice.point = to_eigen(best_.mesh.calc_face_centroid(worst_face_));
