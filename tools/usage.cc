@@ -64,8 +64,10 @@ std::string one_dash_fault(const CLI::App& app, const std::vector<std::string>& 
            std::isalpha(static_cast<unsigned char>(word[1])) != 0;
   });
   if (wrong == arguments.end()) return {};
-  const CLI::App* command = app.get_subcommand_no_throw(arguments.front());
-  return unknown_option(command ? *command : app, *wrong);
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == arguments.front()) return unknown_option(*command, *wrong);
+  }
+  return unknown_option(app, *wrong);
 }
 
 std::string help_line(const CLI::App& app) {

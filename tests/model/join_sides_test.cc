@@ -350,12 +350,11 @@ TEST(JoinSides, WarnsOfNearMissesAndTellsTheGap) {
   const Model model = join({rectangle(0, 0, 1, 1), rectangle(1 + 1e-6, 0, 2, 1)});
   EXPECT_EQ(model.vertices.size(), 8U);
   EXPECT_EQ(count_shared(model), 0);
-  ASSERT_EQ(texts_of(model.notices).size(), 1U);
-  EXPECT_NE(texts_of(model.notices)[0].find("p0:u1 and p1:u0"), std::string::npos)
-  EXPECT_EQ(model.contour(model.notices[0].contour).name, "p0:u1");
-  << texts_of(model.notices)[0];
-  EXPECT_NE(texts_of(model.notices)[0].find("1e-06"), std::string::npos)
-      << texts_of(model.notices)[0];
+  ASSERT_EQ(model.notices.size(), 1U);
+  const Notice& notice = model.notices[0];
+  EXPECT_NE(notice.text.find("p0:u1 and p1:u0"), std::string::npos) << notice.text;
+  EXPECT_NE(notice.text.find("1e-06"), std::string::npos) << notice.text;
+  EXPECT_EQ(model.contour(notice.contour).name, "p0:u1");
 }
 
 TEST(JoinSides, WarnsOfASeamThatDoesNotClose) {
