@@ -16,6 +16,7 @@
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 #include "surfmesh/pipeline/option_schema.hh"
+#include "surfmesh/pipeline/option_table.hh"
 #include "surfmesh/pipeline/set_option.hh"
 #include "surfmesh/quality/face_set_check.hh"
 
@@ -265,7 +266,7 @@ TEST(Schema, HasTheKeysThatTheReaderKnows) {
     EXPECT_TRUE(properties.contains(key)) << key;
   }
   for (const std::string_view name : option_names()) {
-    const char* place = is_sizing_option(name) ? "sizing" : "options";
+    const char* place = find_option(name).group == OptionGroup::Sizes ? "sizing" : "options";
     EXPECT_TRUE(properties[place]["properties"].contains(name)) << name;
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/pipeline/set_option.hh"
+#include "surfmesh/pipeline/option_table.hh"
 
 #include <gtest/gtest.h>
 
@@ -210,9 +211,9 @@ TEST(SetOption, ListsTheNamesWhereNoneIsNear) {
 }
 
 TEST(SetOption, KnowsWhatBelongsToTheSizing) {
-  EXPECT_TRUE(is_sizing_option("hmin"));
-  EXPECT_TRUE(is_sizing_option("features"));
-  EXPECT_FALSE(is_sizing_option("nodes"));
+  EXPECT_TRUE(find_option("hmin").group == OptionGroup::Sizes);
+  EXPECT_TRUE(find_option("features").group == OptionGroup::Sizes);
+  EXPECT_FALSE(find_option("nodes").group == OptionGroup::Sizes);
 }
 
 }  // namespace

@@ -53,10 +53,6 @@ const std::vector<std::string_view>& option_names() {
   return names;
 }
 
-bool is_sizing_option(std::string_view name) {
-  return find_option(name).group == OptionGroup::Sizes;
-}
-
 void set_option(PipelineOptions& options, std::string_view name, std::string_view value) {
   std::visit([&](const auto& access) { set(options, access, value); }, find_option(name).access);
 }

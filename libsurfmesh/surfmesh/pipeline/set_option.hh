@@ -14,10 +14,6 @@ namespace surfmesh {
 /// The names of all options, those of `sizing` first.
 const std::vector<std::string_view>& option_names();
 
-/// True for an option that a model file has in `sizing`, not in `options`.
-/// Throws   InvalidOption as set_option
-bool is_sizing_option(std::string_view name);
-
 /// Set an option by its name from text: `grade=1.3`, `hmin=0.1%`, `nodes=auto`, `features=off`.
 ///
 /// Whatever can be off is switched off by `off`, numbers and the sag also by 0, switches also by
