@@ -79,12 +79,12 @@ TEST_F(MeshProgram, RefusesWordsOfOneDash) {
 }
 
 TEST_F(MeshProgram, TakesWhatFollowsASwitchForTheInput) {
-  const std::string input = "'" + own_model("cube.obj") + "'";
-  EXPECT_EQ(run("mesh --inner-nodes " + input + " -o a.obj --report report.json"), 0) << err_;
+  const std::string input = own_model("cube.obj");
+  EXPECT_EQ(run("mesh --inner-nodes '" + input + "' -o a.obj --report report.json"), 0) << err_;
   EXPECT_EQ(report()["options"]["inner_nodes"], true);
-  EXPECT_EQ(run("mesh --features off " + input + " -o a.obj --report report.json"), 0) << err_;
+  EXPECT_EQ(run("mesh --features off '" + input + "' -o a.obj --report report.json"), 0) << err_;
   EXPECT_EQ(report()["options"]["features"], false);
-  EXPECT_EQ(run("mesh " + input + " -o a.obj --report report.json --features=off"), 0) << err_;
+  EXPECT_EQ(run("mesh '" + input + "' -o a.obj --report report.json --features=off"), 0) << err_;
   EXPECT_EQ(report()["options"]["features"], false);
 }
 
