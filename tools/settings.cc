@@ -131,6 +131,11 @@ std::pair<std::string, std::string> split_setting(const std::string& text) {
   return {text.substr(0, mark), text.substr(mark + 1)};
 }
 
+/// True for what may be meant as the value of a switch, not for options and files.
+bool is_value(const std::string& argument) {
+  return !argument.starts_with('-') && argument.find_first_of("./") == std::string::npos;
+}
+
 void add_help_all(CLI::App& command, const std::shared_ptr<HelpFormatter>& formatter) {
   command.add_flag_callback(
       "--help-all",
@@ -180,9 +185,7 @@ std::vector<std::string> with_switch_values(std::vector<std::string> arguments) 
       return is_switch(o) && flag_of(o) == arguments[i];
     });
     if (option == table.end()) continue;
-    const std::vector<std::string_view> words = option->words();
-    const bool has_value = i + 1 < arguments.size() &&
-                           std::find(words.begin(), words.end(), arguments[i + 1]) != words.end();
+    const bool has_value = i + 1 < arguments.size() && is_value(arguments[i + 1]);
     if (!has_value) arguments[i] += "=on";
   }
   return arguments;

@@ -171,7 +171,8 @@ TEST(CopyResult, NamesPropertiesThatAreMissing) {
   detach(source, keys::edge_contour);
   FloatTriMesh target;
   EXPECT_EQ(error_of([&] { copy_result(source, target); }),
-            "missing property: the mesh has no property surf:contour, which the stage assemble "
+            "missing property: the mesh has no property surf:contour, which the stage "
+            "patch_mesh, assemble "
             "makes");
 }
 

@@ -120,12 +120,12 @@ TEST(ReadObjGroups, AreInTheOrderOfTheirFirstFace) {
 }
 
 TEST(ReadObjGroups, AreObjectsToo) {
-  const Cage cage = read(kFive + "o the lid\nf 1 2 3\no b\nusemtl the lid\nf 1 2 4\n");
+  const Cage cage = read(kFive + "o the lid\nf 1 2 3\no b\nusemtl red paint\nf 1 2 4\n");
   ASSERT_EQ(cage.groups.size(), 3u);
   EXPECT_EQ(cage.groups[0].name, "the lid");
   EXPECT_EQ(cage.groups[0].faces, std::vector<int>{0});
   EXPECT_EQ(cage.groups[1].name, "b");
-  EXPECT_EQ(cage.groups[2].name, "the lid");  // a material, whose name may have blanks, too
+  EXPECT_EQ(cage.groups[2].name, "red paint");
 }
 
 TEST(ReadObjGroups, AreNoneWithoutAName) { EXPECT_TRUE(read(kFive + "f 1 2 3").groups.empty()); }

@@ -227,7 +227,6 @@ class NamesReader {
         if (group.patches.back() < 0) scanner_.fail("a patch of a group is negative");
       }
     }
-    put_in_order(names.groups);
     return names;
   }
 

@@ -438,10 +438,7 @@ MeshArraysFile parse_ply(std::string_view bytes, const std::string& name) {
   MeshArraysFile file = read_body(bytes, header, name);
   MeshArrays& mesh = file.mesh;
   if (mesh.patches.empty()) mesh.patches = patches_of_runs(header.runs, mesh.faces.size());
-  if (!mesh.patches.empty()) {
-    mesh.names = std::move(header.names);
-    put_in_order(mesh.names.groups);
-  }
+  if (!mesh.patches.empty()) mesh.names = std::move(header.names);
   return file;
 }
 
