@@ -34,6 +34,13 @@ std::vector<int> turned(std::vector<int> face) {
   return face;
 }
 
+void expect_equal_faces(const PolyMesh& mesh, const Cage& cage) {
+  ASSERT_EQ(cage.faces.size(), mesh.n_faces());
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
+    EXPECT_EQ(turned(cage.faces[f]), turned(corners(mesh, static_cast<int>(f))));
+  }
+}
+
 PolyMesh one_triangle(double x) {
   PolyMesh mesh;
   const auto a = mesh.add_vertex({x, -0.0, 1e300});
@@ -49,10 +56,7 @@ TEST(WriteObj, ReadsBackExactly) {
   write_mesh(mesh, folder / "a.obj");
   const Cage cage = read_cage(folder / "a.obj");
   expect_equal_points(mesh, cage);
-  ASSERT_EQ(cage.faces.size(), mesh.n_faces());
-  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
-    EXPECT_EQ(turned(cage.faces[f]), turned(corners(mesh, static_cast<int>(f))));
-  }
+  expect_equal_faces(mesh, cage);
   EXPECT_TRUE(cage.groups.empty());
   EXPECT_TRUE(texts_of(cage.notices).empty());
 }
@@ -106,10 +110,7 @@ TEST(WriteOff, ReadsBackExactly) {
   write_mesh(mesh, folder / "a.OFF");
   const Cage cage = read_cage(folder / "a.OFF");
   expect_equal_points(mesh, cage);
-  ASSERT_EQ(cage.faces.size(), mesh.n_faces());
-  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
-    EXPECT_EQ(turned(cage.faces[f]), turned(corners(mesh, static_cast<int>(f))));
-  }
+  expect_equal_faces(mesh, cage);
   EXPECT_TRUE(texts_of(cage.notices).empty());
 }
 

@@ -137,6 +137,22 @@ TEST(LoadModel, HasNoKindOfPatchesForModelFilesWithoutCages) {
   EXPECT_NE(error.find("only cages have faces or blocks"), std::string::npos) << error;
 }
 
+TEST(LoadModel, HasNoKindOfPatchesInTheOptionsOfFilesWithoutCages) {
+  const TestFolder folder;
+  const auto fault_with = [&](const std::string& kind) {
+    write_text(folder / "a.json",
+               R"({"patches": [{"name": "a", "domain": {"u": [0, 1], "v": [0, 1]},
+                                "surface": {"z": "0"}}], "options": {"patches": ")" +
+                   kind + "\"}}");
+    return fault(folder / "a.json");
+  };
+  const std::string error = fault_with("faces");
+  EXPECT_NE(error.find("a.json: /options/patches: only cages have faces or blocks as patches"),
+            std::string::npos)
+      << error;
+  EXPECT_EQ(fault_with("auto"), "no error");
+}
+
 TEST(LoadModel, TellsThePatchesOfACageInItsOptions) {
   const ModelInput input = load_model(own_model("cube.obj"), {.patches = PatchKind::Faces});
   EXPECT_EQ(input.options.patches, PatchKind::Faces);

@@ -9,16 +9,10 @@ namespace surfmesh {
 namespace {
 
 using testing::empty_square;
+using testing::faces_of;
 using testing::isotropic_field;
 
 constexpr double kAccepted = 0.5;
-
-/// Without the spare ones.
-std::vector<FaceHandle> faces_of(const DelaunayMesh& delaunay) {
-  std::vector<FaceHandle> faces;
-  for (std::size_t f = 0; f < delaunay.n_faces(); ++f) faces.emplace_back(static_cast<int>(f));
-  return faces;
-}
 
 std::size_t count_entries(Front& front) {
   std::size_t count = 0;

@@ -153,4 +153,11 @@ inline std::size_t count_constrained(const DelaunayMesh& delaunay, std::size_t f
   return found;
 }
 
+/// All faces but the spare ones.
+inline std::vector<FaceHandle> faces_of(const DelaunayMesh& delaunay) {
+  std::vector<FaceHandle> faces;
+  for (std::size_t f = 0; f < delaunay.n_faces(); ++f) faces.emplace_back(static_cast<int>(f));
+  return faces;
+}
+
 }  // namespace surfmesh::testing

@@ -103,6 +103,21 @@ CageOptions options_of(const CageInput& input, const CageOptions& given, PatchKi
   return options;
 }
 
+/// Refuse options of cages, which would have no effect.
+void check_without_cages(const ModelFile& file, const std::string& name, const CageOptions& given,
+                         PatchKind of_file) {
+  const auto fail = [](const std::string& location, const char* what) {
+    throw Error(ErrorCode::InvalidInput, fmt::format("{}: only cages have {}", location, what));
+  };
+  constexpr const char* kKinds = "faces or blocks as patches";
+  if (given.scheme != Scheme::Auto) fail(name, "a subdivision scheme");
+  if (given.patches != PatchKind::Auto) fail(name, kKinds);
+  if (of_file == PatchKind::Auto) return;
+  for (const FileOption& entry : file.options) {
+    if (entry.name == ranges::kPatches.name) fail(name + ": " + entry.origin, kKinds);
+  }
+}
+
 /// Read the cages of a model file and add them to the model.
 void append_cages(const ModelFile& file, const std::string& name, const CageOptions& given,
                   ModelInput& result) {
@@ -191,16 +206,9 @@ void add_along_sources(const ModelFile& file, const std::string& name, ModelInpu
 ModelInput load_model_file(const std::filesystem::path& path, const CageOptions& cage_options) {
   const std::string name = path.string();
   const ModelFile file = read_model(path);
-  if (cage_options.scheme != Scheme::Auto && file.cages.empty()) {
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("{}: only cages have a subdivision scheme", name));
-  }
-  if (cage_options.patches != PatchKind::Auto && file.cages.empty()) {
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("{}: only cages have faces or blocks as patches", name));
-  }
   ModelInput input;
   input.options = file_options(file, name);
+  if (file.cages.empty()) check_without_cages(file, name, cage_options, input.options.patches);
   if (!file.patches.empty()) {
     at_file(name, [&] { input.model = model_from_patches(file.patches, file.contours); });
     for (Notice& notice : input.model.notices) notice.text.insert(0, name + ": ");
