@@ -310,10 +310,17 @@ TEST(CageModel, NamesBlocksOfARefinedCageAfterAPart) {
 }
 
 TEST(CageModel, TakesFacesForBlocksUnderOtherSchemes) {
+  const std::vector<std::string> told = {
+      "only Catmull-Clark cages have blocks; each face is a patch"};
   const CageOptions bilinear = {.scheme = Scheme::Bilinear, .patches = PatchKind::Blocks};
-  EXPECT_EQ(model_from_cage(testing::sheet(), bilinear).patches.size(), 9u);
-  const CageOptions blocks = {.patches = PatchKind::Blocks};
-  EXPECT_EQ(model_from_cage(testing::icosahedron(), blocks).patches.size(), 20u);
+  const Model sheet = model_from_cage(testing::sheet(), bilinear);
+  EXPECT_EQ(sheet.patches.size(), 9u);
+  EXPECT_EQ(texts_of(sheet.notices), told);
+  const Model loop = model_from_cage(testing::icosahedron(), {.patches = PatchKind::Blocks});
+  EXPECT_EQ(loop.patches.size(), 20u);
+  EXPECT_EQ(texts_of(loop.notices), told);
+  EXPECT_TRUE(model_from_cage(testing::icosahedron()).notices.empty());
+  EXPECT_TRUE(model_from_cage(testing::sheet(), {.patches = PatchKind::Blocks}).notices.empty());
 }
 
 TEST(CageModel, RefusesPointsOnALine) {

@@ -347,6 +347,12 @@ Model model_of_blocks(const RefinedCage& regular, Scheme scheme, const CageOptio
   return std::move(builder.model);
 }
 
+/// Blocks were asked for where each face is a patch.
+void warn_of_faces(Model& model) {
+  model.notices.push_back(warning(NoticeKind::IgnoredInput,
+                                  "only Catmull-Clark cages have blocks; each face is a patch"));
+}
+
 /// Throws   Geometry if the points of the cage, and so its surface, lie on a line
 void check_area(const Model& model, const Cage& cage) {
   const Vec3& origin = cage.points.front();
@@ -375,6 +381,9 @@ Model model_from_cage(const Cage& cage, const CageOptions& options) {
   model.diagonal = diagonal(cage);
   if (model.diagonal > 0 && std::isfinite(model.diagonal)) check_area(model, cage);
   if (cage.is_chaikin) warn_of_gaps(model);
+  if (options.patches == PatchKind::Blocks && !has_blocks(options.patches, scheme)) {
+    warn_of_faces(model);
+  }
   add_groups(cage, model);
   return model;
 }
