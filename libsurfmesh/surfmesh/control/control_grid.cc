@@ -4,121 +4,98 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "surfmesh/control/grade_sizes.hh"
 #include "surfmesh/core/error.hh"
-#include "surfmesh/core/topology.hh"
-#include "surfmesh/metric/interpolate.hh"
 #include "surfmesh/metric/minimum.hh"
-#include "surfmesh/metric/size_tensor.hh"
 
 namespace surfmesh {
 namespace {
 
-std::size_t side_of(const std::vector<ControlNode>& regular) {
-  const auto side =
-      static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(regular.size()))));
-  if (side < 2 || side * side != regular.size()) {
+int side_of(const std::vector<ControlNode>& regular) {
+  const auto side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(regular.size()))));
+  if (side < 2 || static_cast<std::size_t>(side) * static_cast<std::size_t>(side) !=
+                      regular.size()) {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("{} nodes are no square grid", regular.size()));
   }
   return side;
 }
 
-/// The eight nodes around each node of a grid.
-NodeNeighbours neighbours_in_grid(int side) {
-  std::vector<std::size_t> first = {0};
-  std::vector<int> others;
-  for (int j = 0; j < side; ++j) {
-    for (int i = 0; i < side; ++i) {
-      for (int row = std::max(0, j - 1); row <= std::min(side - 1, j + 1); ++row) {
-        for (int column = std::max(0, i - 1); column <= std::min(side - 1, i + 1); ++column) {
-          if (row != j || column != i) others.push_back(row * side + column);
-        }
-      }
-      first.push_back(others.size());
-    }
-  }
-  return NodeNeighbours(std::move(first), std::move(others));
-}
-
 }  // namespace
 
-ControlGrid::ControlGrid(const Domain& domain, std::vector<ControlNode> regular,
+ControlGrid::ControlGrid(const Domain& domain, const std::vector<ControlNode>& regular,
                          const std::vector<ControlNode>& others, const ControlSpaceOptions& options)
-    : ControlSpace(options, others),
-      domain_(domain),
+    : LatticeSpace(domain, options, others),
       side_(side_of(regular)),
-      cells_per_u_(static_cast<double>(side_ - 1) / (domain.u1 - domain.u0)),
-      cells_per_v_(static_cast<double>(side_ - 1) / (domain.v1 - domain.v0)) {
-  for (const ControlNode& other : others) lower_cell(regular, other);
-  if (options.grade > 0) {
-    grade_sizes(regular, neighbours_in_grid(static_cast<int>(side_)), options.grade);
-  }
-  store_node_metrics(regular);
-  make_mesh(regular);
-  values_.reserve(regular.size());
-  for (const ControlNode& node : regular) {
-    values_.push_back(options.blend == Blend::Logarithmic ? log_size(node.size) : node.size);
-  }
+      cells_per_u_((side_ - 1) / (domain.u1 - domain.u0)),
+      cells_per_v_((side_ - 1) / (domain.v1 - domain.v0)) {
+  for (const ControlNode& node : regular) add_node(node);
+  for (const ControlNode& other : others) lower_cell(other);
 }
 
-void ControlGrid::lower_cell(std::vector<ControlNode>& nodes, const ControlNode& other) const {
+void ControlGrid::lower_cell(const ControlNode& other) {
   const Uv uv = other.uv;
-  if (!(uv.u >= domain_.u0 && uv.u <= domain_.u1 && uv.v >= domain_.v0 && uv.v <= domain_.v1)) {
+  if (domain().clamp(uv) != uv) {
     throw Error(
         ErrorCode::InvalidInput,
         fmt::format("a control node at (u,v) = ({}, {}) lies outside the domain", uv.u, uv.v));
   }
-  for (const std::size_t i : corners_of(find_cell(uv))) {
-    nodes[i].size = minimum(nodes[i].size, other.size);
+  for (const int node : support(find_cell(uv, -1), uv).nodes) {
+    set_size(node, minimum(size(node), other.size));
   }
 }
 
-ControlGrid::CellPoint ControlGrid::find_cell(Uv uv) const {
-  const auto cells = static_cast<double>(side_ - 1);
-  const double x = std::clamp((uv.u - domain_.u0) * cells_per_u_, 0.0, cells);
-  const double y = std::clamp((uv.v - domain_.v0) * cells_per_v_, 0.0, cells);
-  // The last node belongs to the last cell.
-  const double column = std::min(std::trunc(x), cells - 1);
-  const double row = std::min(std::trunc(y), cells - 1);
-  return {static_cast<std::size_t>(row) * side_ + static_cast<std::size_t>(column), x - column,
-          y - row};
+/// A cell has the number of the node at its lower corner.
+int ControlGrid::find_cell(Uv uv, int /*near*/) const {
+  const int last = side_ - 2;  // the last node belongs to the last cell
+  const auto index = [last](double x) { return static_cast<int>(std::clamp(x, 0.0, double(last))); };
+  return index((uv.v - domain().v0) * cells_per_v_) * side_ +
+         index((uv.u - domain().u0) * cells_per_u_);
 }
 
-std::array<std::size_t, 4> ControlGrid::corners_of(const CellPoint& cell) const {
-  return {cell.node, cell.node + 1, cell.node + side_, cell.node + side_ + 1};
+LatticeSpace::Support ControlGrid::support(int cell, Uv uv) const {
+  const double x = (uv.u - domain().u0) * cells_per_u_ - cell % side_;
+  const double y = (uv.v - domain().v0) * cells_per_v_ - cell / side_;
+  const double s = std::clamp(x, 0.0, 1.0), t = std::clamp(y, 0.0, 1.0);
+  return {{cell, cell + 1, cell + side_ + 1, cell + side_},
+          {(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t}};
 }
 
-SizeTensor ControlGrid::interpolate(const SurfacePoint& at, QueryHint& hint) const {
-  ++hint.answers.grid;
-  const CellPoint cell = find_cell(at.uv);
-  const auto [a, b, c, d] = corners_of(cell);
-  const SizeTensor value =
-      lerp(lerp(values_[a], values_[b], cell.s), lerp(values_[c], values_[d], cell.s), cell.t);
-  return options().blend == Blend::Logarithmic ? exp_size(value) : value;
+std::vector<int> ControlGrid::nodes_on_side(DomainSide side) const {
+  const int last = side_ - 1;
+  int first = 0, step = side_;  // along v at the lower u
+  if (side == DomainSide::UpperU) first = last;
+  if (side == DomainSide::LowerV || side == DomainSide::UpperV) step = 1;
+  if (side == DomainSide::UpperV) first = last * side_;
+  if (side == DomainSide::Diagonal) first = last, step = last;
+  std::vector<int> nodes;
+  for (int i = 0; i < side_; ++i) nodes.push_back(first + i * step);
+  return nodes;
 }
 
-void ControlGrid::make_mesh(const std::vector<ControlNode>& nodes) {
-  std::vector<std::array<int, 3>> triangles;
-  const int side = static_cast<int>(side_);
-  for (int row = 0; row + 1 < side; ++row) {
-    for (int column = 0; column + 1 < side; ++column) {
-      const int a = row * side + column;
-      triangles.push_back({a, a + 1, a + side + 1});
-      triangles.push_back({a, a + side + 1, a + side});
+LatticeSpace::Neighbours ControlGrid::neighbours(int node) const {
+  Neighbours result;
+  if (node >= side_ * side_) return result;
+  const int column = node % side_, row = node / side_;
+  for (int j = std::max(0, row - 1); j <= std::min(side_ - 1, row + 1); ++j) {
+    for (int i = std::max(0, column - 1); i <= std::min(side_ - 1, column + 1); ++i) {
+      if (i != column || j != row) result.add(j * side_ + i);
     }
   }
-  build_triangles(mesh_, nodes.size(), triangles);
-  const auto uv = attach(mesh_, keys::vertex_uv);
-  const auto size = attach(mesh_, keys::vertex_size);
-  for (const VertexHandle vh : mesh_.vertices()) {
-    const ControlNode& node = nodes[index(vh)];
-    mesh_.set_point(vh, to_openmesh(node.point));
-    mesh_.property(uv, vh) = node.uv;
-    mesh_.property(size, vh) = node.size;
+  return result;
+}
+
+FaceList ControlGrid::faces() const {
+  FaceList faces;
+  for (int row = 0; row + 1 < side_; ++row) {
+    for (int column = 0; column + 1 < side_; ++column) {
+      const int a = row * side_ + column;
+      faces.add(std::array{a, a + 1, a + side_ + 1, a + side_});
+    }
   }
+  return faces;
 }
 
 }  // namespace surfmesh

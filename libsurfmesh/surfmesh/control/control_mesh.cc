@@ -35,6 +35,16 @@ NodeNeighbours neighbours_in(const PolyMesh& mesh) {
   return NodeNeighbours(std::move(first), std::move(others));
 }
 
+std::vector<MetricCorner> metrics_of(const std::vector<ControlNode>& nodes) {
+  std::vector<MetricCorner> metrics;
+  metrics.reserve(nodes.size());
+  for (const ControlNode& node : nodes) {
+    if (!is_regular(node.form)) continue;  // a pole has no metric
+    metrics.push_back({node.uv, metric_from_size(node.form, node.size)});
+  }
+  return metrics;
+}
+
 FirstFormFactor mean_of(const FirstFormFactor& a, const FirstFormFactor& b) {
   return {0.5 * (a.l11 + b.l11), 0.5 * (a.l21 + b.l21), 0.5 * (a.l22 + b.l22)};
 }
@@ -52,7 +62,7 @@ ControlMesh::ControlMesh(const Domain& domain, const std::vector<ControlNode>& n
   const NodeTriangulation triangulation(domain, nodes);
   std::vector<ControlNode> graded = triangulation.nodes();
   if (options.grade > 0) grade_sizes(graded, neighbours_in(triangulation.mesh()), options.grade);
-  store_node_metrics(graded);
+  store_node_metrics(metrics_of(graded));
   make_mesh(triangulation, graded);
   collect_nodes(graded);
   collect_triangles();
@@ -264,23 +274,23 @@ int ControlMesh::walk(Uv uv, int start, RandomBits& random) const {
 }
 
 void ControlMesh::locate(Uv uv, QueryHint& hint) const {
-  const bool is_known = static_cast<std::size_t>(hint.triangle) < triangles_.size();
-  const bool is_near = is_known && seeds_.are_near(node(triangle(hint.triangle).nodes[0]).uv, uv);
-  const int start = is_near ? hint.triangle : seeds_.triangles[seeds_.cell(uv)];
-  hint.triangle = walk(uv, start, hint.random);
+  const bool is_known = static_cast<std::size_t>(hint.element) < triangles_.size();
+  const bool is_near = is_known && seeds_.are_near(node(triangle(hint.element).nodes[0]).uv, uv);
+  const int start = is_near ? hint.element : seeds_.triangles[seeds_.cell(uv)];
+  hint.element = walk(uv, start, hint.random);
 }
 
 // --- interpolation ---
 
 SizeTensor ControlMesh::interpolate(const SurfacePoint& at, QueryHint& hint) const {
-  const Triangle& t = triangle(hint.triangle);
+  const Triangle& t = triangle(hint.element);
   switch (t.interpolation) {
     case Interpolation::Single:
       ++hint.answers.single;
       return size_of(node(t.nodes[0]).value);
     case Interpolation::Circles:
       ++hint.answers.circles;
-      return from_circles(hint.triangle, at.uv, at.form, hint);
+      return from_circles(hint.element, at.uv, at.form, hint);
     case Interpolation::Linear:
       ++hint.answers.linear;
       return linear(t, at.uv);
@@ -298,7 +308,7 @@ std::optional<SizeTensor> ControlMesh::extended_size_by_vertices(const SurfacePo
                                                                  const QueryHint& hint) const {
   std::optional<SizeTensor> least;
   if (extended_.empty()) return least;
-  for (const int i : triangle(hint.triangle).nodes) {
+  for (const int i : triangle(hint.element).nodes) {
     const int extended = extended_of_[static_cast<std::size_t>(i)];
     if (extended < 0) continue;
     const auto size = extended_size(extended_[static_cast<std::size_t>(extended)], at.point);

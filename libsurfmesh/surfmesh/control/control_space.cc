@@ -51,14 +51,6 @@ SizeTensor ControlSpace::size_anew(const SurfacePoint& at, QueryHint& hint) cons
   return extended ? minimum(*extended, interpolated) : interpolated;
 }
 
-void ControlSpace::store_node_metrics(const std::vector<ControlNode>& nodes) {
-  node_metrics_.reserve(nodes.size());
-  for (const ControlNode& node : nodes) {
-    if (!is_regular(node.form)) continue;  // a pole has no metric
-    node_metrics_.push_back({node.uv, metric_from_size(node.form, node.size)});
-  }
-}
-
 Metric ControlSpace::metric(const SurfacePoint& at, QueryHint& hint) const {
   return metric_from_size(at.form, size(at, hint));
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "surfmesh/control/control_node.hh"
@@ -70,7 +71,7 @@ class ControlSpace {
   /// These sizes as the metric at the point.
   Metric metric(const SurfacePoint& at, QueryHint& hint) const;
 
-  /// The nodes with surf:uv, surf:size and positions in space, and the triangles between them.
+  /// The nodes with surf:uv, surf:size and positions in space, and the faces between them.
   virtual const PolyMesh& mesh() const = 0;
 
   /// The nodes with the metrics of their sizes. Sizes change there, so every mesh must resolve
@@ -83,15 +84,15 @@ class ControlSpace {
 
   const ControlSpaceOptions& options() const { return options_; }
 
-  /// Store the nodes after gradation.
-  void store_node_metrics(const std::vector<ControlNode>& nodes);
+  /// Store the metrics of the nodes after gradation.
+  void store_node_metrics(std::vector<MetricCorner> metrics) { node_metrics_ = std::move(metrics); }
 
-  /// Find the triangle that contains a point, for the queries below, and store it in the hint. The
-  /// cells of a grid need no search.
+  /// Find the triangle that contains a point, for the queries below, and store it in the hint. A
+  /// lattice finds the cell with the interpolation.
   virtual void locate(Uv, QueryHint&) const {}
 
   /// The sizes of the extended nodes at the triangle of a point whose discs contain the point; a
-  /// grid has no such triangles.
+  /// lattice has no such triangles.
   /// Pre      locate() was called last for this point
   virtual std::optional<SizeTensor> extended_size_by_vertices(const SurfacePoint&,
                                                               const QueryHint&) const {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/control/grade_sizes.hh"
 
-#include <cmath>
-#include <deque>
+#include <algorithm>
 
 #include "surfmesh/metric/conformity.hh"
 #include "surfmesh/metric/gradation.hh"
 #include "surfmesh/metric/size_tensor.hh"
-#include "surfmesh/metric/tensor.hh"
 
 namespace surfmesh {
 namespace {
@@ -15,64 +13,45 @@ namespace {
 /// A size that gradation lowers by less is left as it is, so that it ends.
 constexpr double kLeastGradation = 1e-3;
 
-/// The extreme lengths of a size tensor, to tell without its directions that no limit is reached.
-struct Range {
-  double least;
-  double greatest;
-};
-
-Range range_of(const SizeTensor& h) {
-  const double mean = 0.5 * (h.h11 + h.h22), half_difference = 0.5 * (h.h11 - h.h22);
-  const double radius = std::sqrt(half_difference * half_difference + h.h12 * h.h12);
-  return {mean - radius, mean + radius};
-}
-
-/// Waiting nodes, each once.
-class NodeQueue {
+class ListedNodes {
  public:
-  explicit NodeQueue(std::size_t count) : is_queued_(count, 1) {
-    for (std::size_t i = 0; i < count; ++i) queue_.push_back(i);
-  }
+  ListedNodes(std::vector<ControlNode>& nodes, const NodeNeighbours& neighbours)
+      : nodes_(nodes), neighbours_(neighbours) {}
 
-  bool is_empty() const { return queue_.empty(); }
+  Uv uv(int i) const { return node(i).uv; }
+  const FirstFormFactor& form(int i) const { return node(i).form; }
+  const SizeTensor& size(int i) const { return node(i).size; }
+  void set_size(int i, const SizeTensor& size) { nodes_[static_cast<std::size_t>(i)].size = size; }
 
-  void push(std::size_t node) {
-    if (!is_queued_[node]) queue_.push_back(node);
-    is_queued_[node] = 1;
-  }
-
-  std::size_t pop() {
-    const std::size_t node = queue_.front();
-    queue_.pop_front();
-    is_queued_[node] = 0;
-    return node;
+  template <class Visit>
+  void for_each_neighbour(int i, Visit visit) const {
+    for (const int other : neighbours_.of(static_cast<std::size_t>(i))) visit(other);
   }
 
  private:
-  std::deque<std::size_t> queue_;
-  std::vector<char> is_queued_;
+  const ControlNode& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
+
+  std::vector<ControlNode>& nodes_;
+  const NodeNeighbours& neighbours_;
 };
 
 }  // namespace
 
-void grade_sizes(std::vector<ControlNode>& nodes, const NodeNeighbours& neighbours, double grade) {
-  NodeQueue queue(nodes.size());
-  const double growth = std::log(grade);
-  while (!queue.is_empty()) {
-    const std::size_t i = queue.pop();
-    const ControlNode& from = nodes[i];
-    const Metric metric = metric_from_size(from.form, from.size);
-    const double least = range_of(from.size).least;
-    for (const int j : neighbours.of(i)) {
-      ControlNode& to = nodes[static_cast<std::size_t>(j)];
-      const double length_m = std::sqrt(squared_length(metric, to.uv - from.uv));
-      if (range_of(to.size).greatest <= least * (1 + growth * length_m)) continue;
-      const SizeTensor lowered = graded(to.size, from.size, length_m, grade);
-      if (log_conformity(to.size, lowered) <= kLeastGradation) continue;
-      to.size = lowered;
-      queue.push(static_cast<std::size_t>(j));
-    }
-  }
+SizeTensor limited_size(const SizeTensor& size, const SizeTensor& from, double length_m,
+                        double grade) {
+  SizeTensor limited = graded(size, from, length_m, grade);
+  const SizeRange now = length_range(size), range = length_range(limited);
+  const double least = std::min(now.least, length_range(from).least);
+  if (range.least < least) limited = clamp_sizes(limited, least, std::max(least, range.greatest));
+  return log_conformity(size, limited) <= kLeastGradation ? size : limited;
+}
+
+void grade_sizes(std::vector<ControlNode>& nodes, const NodeNeighbours& neighbours, double grade,
+                 const RunContext& context) {
+  ListedNodes net(nodes, neighbours);
+  Gradation gradation(net, grade);
+  for (std::size_t i = 0; i < nodes.size(); ++i) gradation.start_from(static_cast<int>(i));
+  gradation.run(context);
 }
 
 }  // namespace surfmesh

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+#include <queue>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "surfmesh/control/control_node.hh"
+#include "surfmesh/core/run_context.hh"
+#include "surfmesh/metric/tensor.hh"
 
 namespace surfmesh {
 
@@ -24,12 +29,88 @@ class NodeNeighbours {
   std::vector<int> others_;
 };
 
-/// Lower sizes until they grow by at most ln(grade) per unit of length from each node to its
-/// neighbours, to within 0.1 %. Sizes that already do are unchanged, bit by bit.
+/// The smaller and the greater length of a size tensor.
+struct SizeRange {
+  double least;
+  double greatest;
+};
+
+inline SizeRange length_range(const SizeTensor& h) {
+  const double mean = 0.5 * (h.h11 + h.h22);
+  const double radius = eigenvalue_radius(0.5 * (h.h11 - h.h22), h.h12);
+  return {mean - radius, mean + radius};
+}
+
+/// `size` limited to the size `from` grown over a metric length, or `size` itself, bit by bit, if
+/// that lowers it by less than 0.1 %. Never below the least length of both, although the minimum of
+/// two stretched sizes that cross can be: so no chain of such limits goes below the least size it
+/// began with.
 ///
-/// Cost     about 0.1 µs per pair of neighbours, and as much for each size that is lowered
-/// Pre      grade is at least 1
 /// Source   graded()
-void grade_sizes(std::vector<ControlNode>& nodes, const NodeNeighbours& neighbours, double grade);
+SizeTensor limited_size(const SizeTensor& size, const SizeTensor& from, double length_m,
+                        double grade);
+
+/// Grades the sizes of nodes: from each node to its neighbours, sizes grow by at most ln(grade) per
+/// unit of length, to within 0.1 %. Sizes that already do are unchanged, bit by bit.
+///
+/// The node of the least size comes first. Its size is final then, but for its greater length, so
+/// nearly every node is visited once.
+///
+/// `Net` gives the nodes: uv(i), form(i), size(i), set_size(i, size), and
+/// for_each_neighbour(i, visit).
+/// Cost     about 0.6 µs per node with eight neighbours
+/// Pre      grade is at least 1
+template <class Net>
+class Gradation {
+ public:
+  Gradation(Net& net, double grade) : net_(net), grade_(grade), growth_(std::log(grade)) {}
+
+  /// Let the size of a node reach others.
+  void start_from(int node) { queue_.push({length_range(net_.size(node)).least, node}); }
+
+  /// Grade from all nodes that were started from. Returns the nodes that were lowered, some of them
+  /// more than once.
+  /// Throws   Cancelled
+  std::vector<int> run(const RunContext& context) {
+    lowered_.clear();
+    for (std::size_t steps = 1; !queue_.empty(); ++steps) {
+      if (steps % kStepsBetweenCancellation == 0) context.throw_if_cancelled();
+      const auto [least, node] = queue_.top();
+      queue_.pop();
+      // Lowered since: it is in the queue once more, and was visited then.
+      if (least == length_range(net_.size(node)).least) spread(node, least);
+    }
+    return std::move(lowered_);
+  }
+
+ private:
+  using Entry = std::pair<double, int>;
+
+  void spread(int node, double least) {
+    const SizeTensor size = net_.size(node);
+    const Metric metric = metric_from_size(net_.form(node), size);
+    const Uv uv = net_.uv(node);
+    net_.for_each_neighbour(node, [&](int other) {
+      const double length_m = std::sqrt(squared_length(metric, net_.uv(other) - uv));
+      const SizeTensor there = net_.size(other);
+      if (length_range(there).greatest <= least * (1 + growth_ * length_m)) return;
+      const SizeTensor limited = limited_size(there, size, length_m, grade_);
+      if (limited == there) return;
+      net_.set_size(other, limited);
+      lowered_.push_back(other);
+      start_from(other);
+    });
+  }
+
+  Net& net_;
+  double grade_;
+  double growth_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+  std::vector<int> lowered_;
+};
+
+/// Grade the sizes of nodes with given neighbours.
+void grade_sizes(std::vector<ControlNode>& nodes, const NodeNeighbours& neighbours, double grade,
+                 const RunContext& context = RunContext());
 
 }  // namespace surfmesh

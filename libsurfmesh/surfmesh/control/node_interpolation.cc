@@ -50,7 +50,7 @@ NodeInterpolation::NodeInterpolation(const Surface& surface, const std::vector<C
 NodeInterpolation::Answer NodeInterpolation::at(const SurfacePoint& at) const {
   QueryHint hint;
   const SizeTensor size = control_->size(at, hint);
-  return {size, hint.triangle};
+  return {size, hint.element};
 }
 
 }  // namespace surfmesh

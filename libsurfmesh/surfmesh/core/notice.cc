@@ -46,8 +46,6 @@ std::string_view name(NoticeKind kind) {
       return "flat_triangles";
     case NoticeKind::CoarseControl:
       return "coarse_control";
-    case NoticeKind::UnfinishedGradation:
-      return "unfinished_gradation";
     case NoticeKind::GivenUp:
       return "given_up";
     case NoticeKind::TurnedTriangles:

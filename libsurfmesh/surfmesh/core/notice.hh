@@ -25,7 +25,6 @@ enum class NoticeKind {
   SplitVertices,        ///< vertices are taken apart, likewise
   FlatTriangles,        ///< triangles of very low quality
   CoarseControl,        ///< a control space does not hold its precision
-  UnfinishedGradation,  ///< gradation across contours has not come to an end
   GivenUp,              ///< refinement was given up
   TurnedTriangles,      ///< triangles against the normal of the surface
   SagNotReached,        ///< mesh and surface are farther apart than asked for

@@ -88,7 +88,8 @@ inline constexpr std::array kOffYet = {OptionWord{"off", 0}, OptionWord{"false",
                                        OptionWord{"on", 1, WordUse::Planned},
                                        OptionWord{"true", 1, WordUse::Planned}};
 inline constexpr std::array kCurvatureFrom = {OptionWord{"exact", 0}, OptionWord{"differences", 1}};
-inline constexpr std::array kControl = {OptionWord{"mesh", 0}, OptionWord{"grid", 1}};
+inline constexpr std::array kControl = {OptionWord{"mesh", 0}, OptionWord{"grid", 1},
+                                        OptionWord{"cells", 2}, OptionWord{"auto", 3}};
 inline constexpr std::array kInterpolation = {OptionWord{"s", 0}, OptionWord{"t", 1},
                                               OptionWord{"o", 2}, OptionWord{"auto", 3},
                                               OptionWord{"linear", 4}};

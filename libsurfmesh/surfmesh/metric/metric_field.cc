@@ -8,7 +8,7 @@ QueryCounts& QueryCounts::operator+=(const QueryCounts& other) {
   triangle += other.triangle;
   circles += other.circles;
   linear += other.linear;
-  grid += other.grid;
+  lattice += other.lattice;
   extended += other.extended;
   reused += other.reused;
   return *this;

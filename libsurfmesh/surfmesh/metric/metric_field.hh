@@ -17,12 +17,12 @@ struct QueryCounts {
   std::size_t triangle = 0;  ///< by V_t
   std::size_t circles = 0;   ///< by V_o
   std::size_t linear = 0;    ///< linearly in a triangle
-  std::size_t grid = 0;      ///< by the cell of a grid
+  std::size_t lattice = 0;   ///< bilinearly in a cell of a lattice
   std::size_t extended = 0;  ///< by an extended node alone
   std::size_t reused = 0;    ///< by the last answer
 
   std::size_t total() const {
-    return single + triangle + circles + linear + grid + extended + reused;
+    return single + triangle + circles + linear + lattice + extended + reused;
   }
   QueryCounts& operator+=(const QueryCounts& other);
   friend bool operator==(const QueryCounts&, const QueryCounts&) = default;
@@ -31,7 +31,7 @@ struct QueryCounts {
 /// What a caller keeps between queries of a metric field. Each caller has its own, so that several
 /// threads can query one field.
 struct QueryHint {
-  int triangle = -1;  ///< that contained the last point: a point near it is found fast
+  int element = -1;  ///< triangle or cell of the last point: a point near it is found fast
   RandomBits random;
   Uv last_uv;  ///< where the last answer was computed
   SizeTensor last_size;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/pipeline/for_each_patch.hh"
 #include "surfmesh/pipeline/patch_names.hh"
 #include "surfmesh/sampling/contour_gradation.hh"
@@ -44,7 +45,7 @@ std::vector<std::size_t> cells_of_patches(const Model& model) {
 
 void tell_coarse(const Model& model, const std::vector<ControlInput>& inputs, Notices& notices) {
   std::vector<char> is_coarse;
-  for (const ControlInput& input : inputs) is_coarse.push_back(input.is_coarse);
+  for (const ControlInput& input : inputs) is_coarse.push_back(input.sampling.is_coarse);
   auto notice = detail::shortfall_of_patches(
       NoticeKind::CoarseControl, model, is_coarse,
       "the control space does not hold its precision, for sizes change faster than elements can "
@@ -66,14 +67,13 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
   std::vector<ControlInput> inputs(model.patches.size());
   result.spaces.resize(model.patches.size());
   for_each_patch(model, "control", context, cells_of_patches(model), [&](std::size_t p) {
-    inputs[p] = collect_control_input(*model.patches[p].surface, sizing, patch_sources[p], options);
-    result.spaces[p] = make_control(inputs[p]);
+    inputs[p] = collect_control_input(*model.patches[p].surface, sizing, patch_sources[p], options,
+                                      context);
+    result.spaces[p] = make_control(inputs[p], context);
   });
   tell_coarse(model, inputs, result.notices);
-  if (!grade_across_contours(model, inputs, result.spaces, context).has_converged) {
-    result.notices.push_back(shortfall(NoticeKind::UnfinishedGradation,
-                                       "gradation across contours has not come to an end"));
-  }
+  grade_across_contours(model, inputs, result.spaces, context);
+  share_indices(result.spaces.size(), [&](std::size_t p) { finish(*result.spaces[p]); });
   return result;
 }
 

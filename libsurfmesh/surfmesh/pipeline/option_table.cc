@@ -92,7 +92,8 @@ constexpr auto kTable = std::to_array<Option>({
     {kControl, true, "", "conformity of the control space with the sizes asked for",
      number(
          ranges::kPrecision, [](auto& o) -> auto& { return o.control.precision; })},
-    {kControl, false, "", "control space: a triangulation of the control nodes, or a regular grid",
+    {kControl, false, "", "control space: cells, a triangulation of nodes (mesh), or a regular grid; auto is mesh if an "
+     "option of mesh is set, otherwise cells",
      number(
          ranges::kControl, [](auto& o) -> auto& { return o.control.kind; })},
     {kControl, false, "",
@@ -155,6 +156,8 @@ static_assert(stands_for(words::kCurvatureFrom, "exact", CurvatureFrom::Exact));
 static_assert(stands_for(words::kCurvatureFrom, "differences", CurvatureFrom::Differences));
 static_assert(stands_for(words::kControl, "mesh", ControlKind::Mesh));
 static_assert(stands_for(words::kControl, "grid", ControlKind::Grid));
+static_assert(stands_for(words::kControl, "cells", ControlKind::Cells));
+static_assert(stands_for(words::kControl, "auto", ControlKind::Automatic));
 static_assert(stands_for(words::kInterpolation, "s", Interpolation::Single));
 static_assert(stands_for(words::kInterpolation, "t", Interpolation::Triangle));
 static_assert(stands_for(words::kInterpolation, "o", Interpolation::Circles));

@@ -70,7 +70,7 @@ Json queries_json(const PerStage<QueryCounts>& queries) {
 
 Json answers_json(const QueryCounts& answers) {
   return {{"s", answers.single},      {"t", answers.triangle}, {"o", answers.circles},
-          {"linear", answers.linear}, {"grid", answers.grid},  {"extended", answers.extended},
+          {"linear", answers.linear}, {"lattice", answers.lattice},  {"extended", answers.extended},
           {"reused", answers.reused}};
 }
 

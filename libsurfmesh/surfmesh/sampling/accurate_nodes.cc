@@ -10,7 +10,8 @@
 #include "surfmesh/control/control_mesh.hh"
 #include "surfmesh/metric/conformity.hh"
 #include "surfmesh/metric/tensor.hh"
-#include "surfmesh/sampling/control_cells.hh"
+#include "surfmesh/sampling/node_cells.hh"
+#include "surfmesh/sampling/quasirandom.hh"
 
 namespace surfmesh {
 namespace {
@@ -38,15 +39,6 @@ int sample_count(std::size_t nodes) {
 
 double root_of_determinant(const FirstFormFactor& form, const SizeTensor& size) {
   return form.l11 * form.l22 / determinant(size);
-}
-
-/// Point i, from 1, of a sequence that covers the rectangle of a domain evenly: the additive one of
-/// the plastic number, which has no period.
-/// Source   Roberts, The unreasonable effectiveness of quasirandom sequences (2018)
-Uv quasirandom_point(const Domain& domain, int i) {
-  constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
-  double whole = 0;
-  return domain.at(std::modf(i * first, &whole), std::modf(i * second, &whole));
 }
 
 /// True if a point of the rectangle lies in the domain, which may be a triangle.
@@ -127,7 +119,7 @@ ChosenNodes choose_accurate_nodes(const SizeField& field, const ControlNodeOptio
   if (options.regular > 0 || !field.has_source()) return choose_control_nodes(field, options);
   const Interpolation interpolation =
       options.by_distance ? Interpolation::Triangle : Interpolation::Linear;
-  detail::ControlCells cells(field, options.by_distance);
+  detail::NodeCells cells(field, options.by_distance);
   EvenSample sample(field);
   double precision = options.precision;
   bool is_full = !cells.refine(precision);

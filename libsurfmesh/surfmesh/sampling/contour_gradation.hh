@@ -12,23 +12,22 @@ namespace surfmesh {
 
 /// The work it took to make the control spaces of patches agree on their contours.
 struct ContourGradationReport {
-  std::size_t nodes = 0;   ///< added on contours
-  std::size_t spaces = 0;  ///< control spaces made anew, counted each time
-  bool has_converged = true;
+  std::size_t lowered = 0;  ///< nodes on contours that came down, or were added, counted each time
+  std::size_t added = 0;    ///< nodes of cells that were halved at contours
+  std::size_t spaces = 0;   ///< triangulations made anew, counted each time
+  int rounds = 0;
 
   friend bool operator==(const ContourGradationReport&, const ContourGradationReport&) = default;
 };
 
-/// Continue gradation across contours. Where a patch has larger sizes on a contour than another
-/// patch there, it gets nodes with the minimum of both, and its sizes are graded from them. This is
-/// repeated until all patches agree to 5 %, for at most forty rounds.
+/// Continue gradation across contours, until all patches agree there.
 ///
-/// Sizes are carried across a contour as if the two tangent planes were unfolded around it.
-/// Contours are compared at points at most two units apart. Does nothing if gradation is off.
+/// Sizes are carried across a contour as if the two tangent planes were unfolded around it. Does
+/// nothing if gradation is off.
 ///
-/// Cost     a metric query for each patch and point; a control space is made anew in each round in
-///          which its sizes on some contour are lowered
-/// Pre      inputs and spaces are those of the patches, in their order
+/// Cost     of lattices, detail::grade_lattices_across_contours; of triangulations,
+///          detail::grade_meshes_across_contours
+/// Pre      inputs and spaces are those of the patches, in their order; all of one kind
 /// Throws   Cancelled
 ContourGradationReport grade_across_contours(const Model& model, std::vector<ControlInput>& inputs,
                                              std::vector<std::unique_ptr<ControlSpace>>& spaces,

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "surfmesh/core/option_range.hh"
-#include "surfmesh/sampling/control_cells.hh"
+#include "surfmesh/sampling/node_cells.hh"
 
 namespace surfmesh {
 namespace {
@@ -38,7 +38,7 @@ void check(const ControlNodeOptions& options) {
 ChosenNodes choose_control_nodes(const SizeField& field, const ControlNodeOptions& options) {
   check(options);
   if (options.regular > 0) return {regular_nodes(field, options.regular)};
-  detail::ControlCells cells(field, options.by_distance);
+  detail::NodeCells cells(field, options.by_distance);
   const bool is_held = cells.refine(options.precision);
   return {cells.nodes(), !is_held};
 }

@@ -34,7 +34,7 @@ struct ChosenNodes {
 };
 
 /// Choose nodes that represent the field to a precision: the corners of cells that are halved until
-/// they conform (detail::ControlCells), or regular ones.
+/// they conform (detail::NodeCells), or regular ones.
 ///
 /// The corners of the domain are always nodes. No two nodes have the same position.
 ///

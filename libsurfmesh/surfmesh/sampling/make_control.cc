@@ -1,18 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/sampling/make_control.hh"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <numeric>
+#include <string_view>
+#include <utility>
+
+#include "surfmesh/control/control_cells.hh"
 #include "surfmesh/control/control_grid.hh"
 #include "surfmesh/control/control_mesh.hh"
 #include "surfmesh/control/node_interpolation.hh"
+#include "surfmesh/core/error.hh"
 #include "surfmesh/core/option_range.hh"
+#include "surfmesh/metric/minimum.hh"
+#include "surfmesh/metric/tensor.hh"
 #include "surfmesh/sampling/accurate_nodes.hh"
 #include "surfmesh/sizes/point_nodes.hh"
 #include "surfmesh/sizes/table_sizes.hh"
 
 namespace surfmesh {
 namespace {
+
+/// Units of a size at a point to which cells are halved around it where gradation is off.
+constexpr double kUnitsAroundPoint = 2;
 
 ControlNodeOptions node_options(const ControlOptions& options) {
   return {.regular = options.regular_nodes,
@@ -30,7 +42,7 @@ ControlSpaceOptions space_options(const ControlOptions& options) {
 }
 
 /// True if there is nothing but `at`, not even curvature, and it takes more than its own nodes to
-/// hold the sizes: on a grid, and where discs end and gradation begins.
+/// hold the sizes: in a lattice, and where discs end and gradation begins.
 bool needs_interpolated_points(const PatchSources& sources, const ResolvedSizing& sizing,
                                const ControlOptions& options) {
   const bool has_others = sizing.follows_curvature() || !sources.everywhere.empty() ||
@@ -40,8 +52,8 @@ bool needs_interpolated_points(const PatchSources& sources, const ResolvedSizing
   const bool has_disc = std::any_of(
       sources.at.begin(), sources.at.end(),
       [](const AtSource& source) { return source.radius.value > 0 || source.outer.has_value(); });
-  const bool needs_more = options.kind == ControlKind::Grid || options.regular_nodes > 0 ||
-                          (has_disc && sizing.grade > 0);
+  const bool needs_more = effective_kind(options) != ControlKind::Mesh ||
+                          options.regular_nodes > 0 || (has_disc && sizing.grade > 0);
   return !has_others && !sources.at.empty() && needs_more;
 }
 
@@ -57,7 +69,7 @@ PatchSources with_interpolated_points(const PatchSources& sources) {
 
 void take(ChosenNodes chosen, ControlInput& input) {
   input.nodes = std::move(chosen.nodes);
-  input.is_coarse = chosen.is_coarse;
+  input.sampling.is_coarse = chosen.is_coarse;
 }
 
 /// Refine the triangulation of the nodes for shape; the new nodes have the sizes it gives there.
@@ -84,52 +96,126 @@ std::vector<ControlNode> sag_nodes(const TableSource& sag, const SizeField& fiel
   return nodes;
 }
 
+/// Takes the field with it.
+ControlCells::SampleNode sample_of(std::shared_ptr<const SizeField> field) {
+  return [field = std::move(field)](Uv uv) {
+    const SizeField::Sample sample = field->at(uv);
+    return ControlNode{uv, sample.point, sample.form, sample.size};
+  };
+}
+
+/// Sizes at single points that gradation does not spread reach the nodes around them.
+void lower_around(const std::vector<ControlNode>& places, ControlCells& cells) {
+  for (const ControlNode& place : places) {
+    const Metric metric = metric_from_size(place.form, place.size);
+    while (!cells.divide_cell(place.uv, metric, kUnitsAroundPoint).empty()) {
+    }
+    for (const int node : cells.support(cells.find_cell(place.uv, -1), place.uv).nodes) {
+      if (node >= 0) cells.set_size(node, minimum(cells.size(node), place.size));
+    }
+  }
+}
+
+std::unique_ptr<LatticeSpace> make_cells(const std::shared_ptr<const SizeField>& field,
+                                         double precision, const std::vector<ControlNode>& places,
+                                         ControlInput& input, const RunContext& context) {
+  const Surface& surface = field->surface();
+  auto cells = std::make_unique<ControlCells>(surface.domain(), first_cells(surface),
+                                              sample_of(field), input.options, places);
+  input.sampling = sample_cells(*field, *cells, precision, context);
+  if (input.options.grade == 0) lower_around(places, *cells);
+  return cells;
+}
+
+/// The nodes of a mesh: those that sources give, and others by the precision.
+void collect_mesh_nodes(const SizeField& field, const PatchSources& sources,
+                        const ControlNodeOptions& options, std::vector<ControlNode> places,
+                        ControlInput& input) {
+  if (!sources.sag.empty()) {
+    input.nodes = sag_nodes(sources.sag.front(), field);
+  } else if (input.options.discs_meet_area_sources) {
+    take(choose_accurate_nodes(field, options), input);
+  } else {
+    input.nodes = corners_like_nearest(field.surface(), places);
+  }
+  input.nodes.insert(input.nodes.end(), places.begin(), places.end());
+}
+
+std::string_view option_of_mesh(const ControlOptions& options) {
+  const ControlOptions defaults;
+  if (options.inner_nodes) return ranges::kInnerNodes.name;
+  if (options.interpolation != defaults.interpolation) return ranges::kInterpolation.name;
+  if (options.epsilon != defaults.epsilon) return ranges::kEpsilon.name;
+  if (options.lookup != defaults.lookup) return ranges::kLookup.name;
+  if (options.reuse != 0) return ranges::kReuse.name;
+  return {};
+}
+
 }  // namespace
+
+ControlKind effective_kind(const ControlOptions& options) {
+  if (options.kind != ControlKind::Automatic) return options.kind;
+  const bool is_mesh = options.regular_nodes > 0 || !option_of_mesh(options).empty();
+  return is_mesh ? ControlKind::Mesh : ControlKind::Cells;
+}
 
 void check(const ControlOptions& options) {
   check_option(ranges::kControl, options.kind);
   check(node_options(options));
   check(space_options(options));
+  std::string_view unused = options.kind == ControlKind::Mesh || options.kind == ControlKind::Automatic
+                                ? std::string_view()
+                                : option_of_mesh(options);
+  if (options.kind == ControlKind::Cells && options.regular_nodes > 0) unused = ranges::kNodes.name;
+  if (unused.empty()) return;
+  throw Error(ErrorCode::InvalidOption,
+              fmt::format("{} belongs to control = mesh and has no effect on control = {}", unused,
+                          to_text(ranges::kControl, static_cast<double>(options.kind))));
 }
 
 ControlInput collect_control_input(const Surface& surface, const ResolvedSizing& sizing,
-                                   const PatchSources& sources, const ControlOptions& options) {
+                                   const PatchSources& sources, const ControlOptions& options,
+                                   const RunContext& context) {
   if (needs_interpolated_points(sources, sizing, options)) {
-    return collect_control_input(surface, sizing, with_interpolated_points(sources), options);
+    return collect_control_input(surface, sizing, with_interpolated_points(sources), options,
+                                 context);
   }
   ControlNodeOptions own = node_options(options);
   own.precision = sources.precision().value_or(own.precision);
   check(own);
-  const SizeField field(surface, sizing, sources, own.precision);
-  std::vector<ControlNode> places = field_nodes(sources, field, sizing.grade > 0);
-  ControlInput input{surface.domain(), {}, {}, options.kind, space_options(options)};
+  const auto field = std::make_shared<SizeField>(surface, sizing, sources, own.precision);
+  std::vector<ControlNode> places = field_nodes(sources, *field, sizing.grade > 0);
+  ControlInput input{surface.domain(), effective_kind(options), {}, space_options(options)};
   input.options.grade = sizing.grade;
   check(input.options);
-  const bool is_chosen = has_other_sources(sources, field) || places.empty();
-  input.options.discs_meet_area_sources = is_chosen;
-  if (options.kind == ControlKind::Grid) {
-    take(choose_grid_nodes(field, own), input);
-    input.extra_nodes = std::move(places);
-    return input;
-  }
-  if (!sources.sag.empty()) {
-    input.nodes = sag_nodes(sources.sag.front(), field);
-  } else if (is_chosen) {
-    take(choose_accurate_nodes(field, own), input);
+  input.options.discs_meet_area_sources = has_other_sources(sources, *field) || places.empty();
+  if (input.kind == ControlKind::Cells) {
+    input.lattice = make_cells(field, own.precision, places, input, context);
+  } else if (input.kind == ControlKind::Grid) {
+    ChosenNodes chosen = choose_grid_nodes(*field, own);
+    input.sampling.is_coarse = chosen.is_coarse;
+    input.lattice = std::make_unique<ControlGrid>(input.domain, chosen.nodes, places, input.options);
   } else {
-    input.nodes = corners_like_nearest(surface, places);
+    collect_mesh_nodes(*field, sources, own, std::move(places), input);
+    if (options.inner_nodes) add_inner_nodes(surface, input.options, input.nodes);
   }
-  input.nodes.insert(input.nodes.end(), places.begin(), places.end());
-  if (options.inner_nodes) add_inner_nodes(surface, input.options, input.nodes);
   return input;
 }
 
-std::unique_ptr<ControlSpace> make_control(const ControlInput& input) {
-  if (input.kind == ControlKind::Grid) {
-    return std::make_unique<ControlGrid>(input.domain, input.nodes, input.extra_nodes,
-                                         input.options);
+std::unique_ptr<ControlSpace> make_control(ControlInput& input, const RunContext& context) {
+  if (!input.lattice) {
+    return std::make_unique<ControlMesh>(input.domain, input.nodes, input.options);
   }
-  return std::make_unique<ControlMesh>(input.domain, input.nodes, input.options);
+  if (input.options.grade > 0) {
+    std::vector<int> all(static_cast<std::size_t>(input.lattice->node_count()));
+    std::iota(all.begin(), all.end(), 0);
+    input.lattice->grade(all, context);
+  }
+  return std::move(input.lattice);
+}
+
+void finish(ControlSpace& space) {
+  if (auto* lattice = dynamic_cast<LatticeSpace*>(&space)) lattice->finish();
 }
 
 }  // namespace surfmesh

@@ -5,57 +5,80 @@
 #include <vector>
 
 #include "surfmesh/control/control_space.hh"
+#include "surfmesh/control/lattice_space.hh"
+#include "surfmesh/core/run_context.hh"
 #include "surfmesh/sampling/control_nodes.hh"
+#include "surfmesh/sampling/sample_cells.hh"
 #include "surfmesh/sizes/patch_sources.hh"
 #include "surfmesh/sizes/resolved_sizing.hh"
 
 namespace surfmesh {
 
-/// How a control space stores sizes: a triangulation of its nodes, or a regular grid.
-enum class ControlKind { Mesh, Grid };
+/// How a control space stores sizes.
+enum class ControlKind {
+  Mesh,       ///< in a triangulation of its nodes, as in the paper
+  Grid,       ///< at the nodes of a regular grid
+  Cells,      ///< in cells that are halved where sizes change
+  Automatic,  ///< Mesh if an option is set that belongs to it alone, otherwise Cells
+};
 
 /// How control spaces are made and queried: what the user may set.
 struct ControlOptions {
-  ControlKind kind = ControlKind::Mesh;
-  int regular_nodes = 0;   ///< in each patch, see ControlNodeOptions; 0 chooses them by precision
+  ControlKind kind = ControlKind::Automatic;
   double precision = 0.1;  ///< conformity with the requested sizes, see ControlNodeOptions
-  /// Refine the triangulation of the nodes for shape (the I of the paper); no effect on a grid.
-  bool inner_nodes = false;
+  Blend blend = Blend::Linear;
+  /// In each patch, of a mesh or a grid, see ControlNodeOptions; 0 chooses them by precision.
+  int regular_nodes = 0;
+  // Of a mesh alone.
+  bool inner_nodes = false;  ///< refine the triangulation for shape (the I of the paper)
   Interpolation interpolation = Interpolation::Linear;
   double epsilon = 0.1;  ///< of Interpolation::Automatic, see ControlSpaceOptions
-  Blend blend = Blend::Linear;
   DiscLookup lookup = DiscLookup::Disc;
   double reuse = 0;  ///< R of the paper, see ControlSpaceOptions; 0 is off
 };
 
-/// Throws   InvalidOption naming the option, its value and its range
+/// The kind that takes effect: that of the options, unless it is automatic.
+ControlKind effective_kind(const ControlOptions& options);
+
+/// Throws   InvalidOption naming the option, its value and its range, or an option that has no effect
+///          on the kind of control space that is asked for
 void check(const ControlOptions& options);
 
 /// Everything that the control space of one patch is made from.
 struct ControlInput {
   Domain domain;
-  std::vector<ControlNode> nodes;        ///< of a triangulation, or of a square grid
-  std::vector<ControlNode> extra_nodes;  ///< in addition to a grid, at points of their own
-  ControlKind kind = ControlKind::Mesh;
+  ControlKind kind = ControlKind::Mesh;  ///< not Automatic
+  std::vector<ControlNode> nodes = {};   ///< of a triangulation
   ControlSpaceOptions options = {};
-  bool is_coarse = false;  ///< the nodes do not reach the precision, see ChosenNodes
+  /// A lattice with the sizes of the sources, before gradation: make_control takes it.
+  std::unique_ptr<LatticeSpace> lattice = {};
+  CellSampling sampling = {};
 };
 
 /// Collect the nodes of one patch from all sources of sizes, and the options with the gradation.
 ///
-/// Nodes are chosen so that the control space represents the sources (choose_accurate_nodes). A
-/// precision given by a source overrides that of the options. Nodes of `at` get the minimum with
-/// the other sources. If there are none, the only other nodes are the corners, with the size of the
-/// nearest `at`. If gradation is off, a curve of sizes without a radius becomes nodes along it.
+/// Nodes are chosen so that the control space represents the sources (sample_cells,
+/// choose_accurate_nodes, choose_grid_nodes). A precision given by a source overrides that of the
+/// options. Nodes of `at` get the minimum with the other sources. If there are none, the nodes of a
+/// mesh are those of `at` and the corners, with the size of the nearest `at`; a lattice represents
+/// what they give. If gradation is off, a curve of sizes without a radius becomes nodes along it.
 ///
-/// Cost     about 5 µs per node
-/// Throws   InvalidOption; InvalidInput for a source that is out of range or lies outside the
-///          domain, naming its (u,v)
+/// Cost     about 1.5 µs per node of cells, 5 µs per node of a mesh
+/// Throws   Cancelled; InvalidOption; InvalidInput for a source that is out of range or lies outside
+///          the domain, naming its (u,v)
 /// Source   paper, section 3.2
 ControlInput collect_control_input(const Surface& surface, const ResolvedSizing& sizing,
-                                   const PatchSources& sources, const ControlOptions& options);
+                                   const PatchSources& sources, const ControlOptions& options,
+                                   const RunContext& context = RunContext());
 
-/// Make the control space from the collected input; gradation comes last.
-std::unique_ptr<ControlSpace> make_control(const ControlInput& input);
+/// Make the control space from the collected input, with gradation within the patch. Its sizes are
+/// final for queries after finish().
+///
+/// Throws   Cancelled
+std::unique_ptr<ControlSpace> make_control(ControlInput& input,
+                                           const RunContext& context = RunContext());
+
+/// Prepare a control space for queries, once its sizes are final. A mesh always is.
+void finish(ControlSpace& space);
 
 }  // namespace surfmesh

@@ -22,10 +22,10 @@ namespace surfmesh::detail {
 ///
 /// From 20,000 nodes and 16 a unit of metric area on (more by distance with a small precision),
 /// four million at most, no cell is halved any more: elements cannot follow.
-class ControlCells {
+class NodeCells {
  public:
   /// The field must outlive the cells. `by_distance` as in ControlNodeOptions.
-  ControlCells(const SizeField& field, bool by_distance);
+  NodeCells(const SizeField& field, bool by_distance);
 
   /// Halve cells until all of them conform to the precision. Returns whether they do, or are as
   /// fine as elements can follow; false if there were too many.

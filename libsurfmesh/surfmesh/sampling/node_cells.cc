@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surfmesh/sampling/control_cells.hh"
+#include "surfmesh/sampling/node_cells.hh"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +54,7 @@ bool is_long(double squared_length) { return squared_length > kLeastCellLength *
 
 }  // namespace
 
-ControlCells::ControlCells(const SizeField& field, bool by_distance)
+NodeCells::NodeCells(const SizeField& field, bool by_distance)
     : field_(field), domain_(field.surface().domain()), by_distance_(by_distance) {
   for (const Uv uv : field.required_points()) points_.push_back(field.at(uv));
   std::vector<std::size_t> all(points_.size());
@@ -71,7 +71,7 @@ ControlCells::ControlCells(const SizeField& field, bool by_distance)
   }
 }
 
-bool ControlCells::refine(double precision) {
+bool NodeCells::refine(double precision) {
   // First come, first served: where there are too many nodes, all cells are equally fine.
   std::deque<Cell> waiting(std::make_move_iterator(cells_.begin()),
                            std::make_move_iterator(cells_.end()));
@@ -91,7 +91,7 @@ bool ControlCells::refine(double precision) {
   return is_held;
 }
 
-std::vector<ControlNode> ControlCells::nodes() const {
+std::vector<ControlNode> NodeCells::nodes() const {
   std::vector<ControlNode> result = nodes_;
   for (const Cell& cell : cells_) {
     const Uv size = extent(cell);
@@ -104,15 +104,15 @@ std::vector<ControlNode> ControlCells::nodes() const {
   return result;
 }
 
-Uv ControlCells::at(double i, double j) const { return domain_.at(i / kGridSize, j / kGridSize); }
+Uv NodeCells::at(double i, double j) const { return domain_.at(i / kGridSize, j / kGridSize); }
 
-Uv ControlCells::extent(const Cell& cell) const {
+Uv NodeCells::extent(const Cell& cell) const {
   return {(domain_.u1 - domain_.u0) * (cell.i1 - cell.i0) / kGridSize,
           (domain_.v1 - domain_.v0) * (cell.j1 - cell.j0) / kGridSize};
 }
 
 /// The node at a crossing of grid lines, made where there is none.
-std::size_t ControlCells::node(std::uint32_t i, std::uint32_t j) {
+std::size_t NodeCells::node(std::uint32_t i, std::uint32_t j) {
   const std::uint64_t key = std::uint64_t{i} << 32 | j;
   const auto [entry, is_new] = index_.try_emplace(key, nodes_.size());
   if (is_new) {
@@ -123,7 +123,7 @@ std::size_t ControlCells::node(std::uint32_t i, std::uint32_t j) {
   return entry->second;
 }
 
-void ControlCells::examine(Cell& cell) {
+void NodeCells::examine(Cell& cell) {
   const CellSamples samples = sample(cell);
   measure(cell, samples);
   const Halving by_samples = halving_by_samples(cell, samples);
@@ -131,7 +131,7 @@ void ControlCells::examine(Cell& cell) {
   cell.halving = by_samples.error >= by_places.error ? by_samples : by_places;
 }
 
-ControlCells::CellSamples ControlCells::sample(const Cell& cell) const {
+NodeCells::CellSamples NodeCells::sample(const Cell& cell) const {
   CellSamples samples;
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) {
@@ -147,7 +147,7 @@ ControlCells::CellSamples ControlCells::sample(const Cell& cell) const {
 
 /// Metric area of a cell by the mean of its samples, which take the place of what its parent
 /// showed.
-void ControlCells::measure(Cell& cell, const CellSamples& samples) {
+void NodeCells::measure(Cell& cell, const CellSamples& samples) {
   double density = 0;
   for (const auto& row : samples.field) {
     for (const SizeField::Sample& s : row) {
@@ -162,7 +162,7 @@ void ControlCells::measure(Cell& cell, const CellSamples& samples) {
 
 /// Across the direction in which there is most to mend. Where the cell is small along it, halving
 /// along the other one mends no more than what there is along that.
-ControlCells::Halving ControlCells::halving_by_samples(const Cell& cell,
+NodeCells::Halving NodeCells::halving_by_samples(const Cell& cell,
                                                        const CellSamples& samples) const {
   const Uv size = extent(cell);
   Table<double> errors;
@@ -190,7 +190,7 @@ ControlCells::Halving ControlCells::halving_by_samples(const Cell& cell,
 }
 
 /// Across the longer side of the cell in the sizes at the point of a source that it hides most.
-ControlCells::Halving ControlCells::halving_by_points(const Cell& cell) const {
+NodeCells::Halving NodeCells::halving_by_points(const Cell& cell) const {
   const Uv size = extent(cell);
   Halving halving;
   // A cell of few grid lines is left as it is, whatever is asked for in it.
@@ -209,7 +209,7 @@ ControlCells::Halving ControlCells::halving_by_points(const Cell& cell) const {
 
 /// What is missed at a point by the triangle that holds it if the cell is cut along its rising
 /// diagonal.
-double ControlCells::error_at(const Cell& cell, Uv uv, const SizeField::Sample& exact) const {
+double NodeCells::error_at(const Cell& cell, Uv uv, const SizeField::Sample& exact) const {
   const ControlNode& first = nodes_[cell.corners[0]];
   const bool is_below = cross(nodes_[cell.corners[2]].uv - first.uv, uv - first.uv) < 0;
   const ControlNode& second = nodes_[cell.corners[is_below ? 1 : 2]];
@@ -228,7 +228,7 @@ double ControlCells::error_at(const Cell& cell, Uv uv, const SizeField::Sample& 
 /// of what is missed, or how far the middle one is from linear between the others, where that is
 /// more: of a field that turns fast all samples miss the same. By distance, which does not follow
 /// even a linear field, the change of the field from each to the next.
-double ControlCells::change(const Table<double>& errors, const CellSamples& samples,
+double NodeCells::change(const Table<double>& errors, const CellSamples& samples,
                             bool along_u) const {
   double greatest = 0;
   for (std::size_t line = 0; line < 3; ++line) {
@@ -251,7 +251,7 @@ double ControlCells::change(const Table<double>& errors, const CellSamples& samp
   return greatest;
 }
 
-void ControlCells::halve(const Cell& cell, std::deque<Cell>& cells) {
+void NodeCells::halve(const Cell& cell, std::deque<Cell>& cells) {
   Cell first{cell.i0, cell.j0, cell.i1, cell.j1, cell.corners, {}, 0.5 * cell.metric_area, {}};
   Cell second = first;
   const auto& [lower_left, lower_right, upper_right, upper_left] = cell.corners;
@@ -273,7 +273,7 @@ void ControlCells::halve(const Cell& cell, std::deque<Cell>& cells) {
   }
 }
 
-void ControlCells::add_points(Cell& cell, const std::vector<std::size_t>& points) const {
+void NodeCells::add_points(Cell& cell, const std::vector<std::size_t>& points) const {
   const Uv lower = at(cell.i0, cell.j0), upper = at(cell.i1, cell.j1);
   for (const std::size_t point : points) {
     const Uv uv = field_.required_points()[point];
@@ -283,7 +283,7 @@ void ControlCells::add_points(Cell& cell, const std::vector<std::size_t>& points
   }
 }
 
-bool ControlCells::is_full(double precision) const {
+bool NodeCells::is_full(double precision) const {
   const double finer = by_distance_ ? std::max(1.0, std::pow(kUsualPrecision / precision, 2)) : 1.0;
   const double most = std::min(kMostNodes, finer * (kFreeNodes + kMostNodesPerUnit * metric_area_));
   return static_cast<double>(nodes_.size()) > most;

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/control/control_cells.hh"
+
+#include <algorithm>
+#include <utility>
+
+#include "surfmesh/core/error.hh"
+#include "surfmesh/metric/tensor.hh"
+
+namespace surfmesh {
+
+ControlCells::ControlCells(const Domain& domain, CellCount roots, SampleNode sample,
+                           const ControlSpaceOptions& options,
+                           const std::vector<ControlNode>& places)
+    : LatticeSpace(domain, options, places),
+      sample_(std::move(sample)),
+      tree_(domain, roots, make_node()) {}
+
+CellTree::MakeNode ControlCells::make_node() {
+  return [this](Uv uv) { return add_node(sample_(uv)); };
+}
+
+void ControlCells::halve(int leaf, bool along_u) { tree_.halve(leaf, along_u, make_node()); }
+
+LatticeSpace::Support ControlCells::support(int cell, Uv uv) const {
+  const CellTree::Quarter quarter = tree_.quarter(cell, uv);
+  return {quarter.nodes, quarter.weights()};
+}
+
+std::vector<int> ControlCells::nodes_on_side(DomainSide side) const {
+  switch (side) {
+    case DomainSide::LowerU:
+      return tree_.nodes_on_side(false, false);
+    case DomainSide::UpperU:
+      return tree_.nodes_on_side(false, true);
+    case DomainSide::LowerV:
+      return tree_.nodes_on_side(true, false);
+    case DomainSide::UpperV:
+      return tree_.nodes_on_side(true, true);
+    default:
+      return tree_.nodes_on_diagonal();
+  }
+}
+
+std::vector<int> ControlCells::divide_cell(Uv uv, const Metric& metric, double units) {
+  const int leaf = tree_.find(uv);
+  const Uv size = tree_.extent(tree_.cell(leaf));
+  const double along_u = squared_length(metric, {size.u, 0});
+  const double along_v = squared_length(metric, {0, size.v});
+  const bool is_along_u = along_u >= along_v;
+  if (!(std::max(along_u, along_v) > units * units) || !tree_.can_halve(leaf, is_along_u)) {
+    return {};
+  }
+  const int first = node_count();
+  halve(leaf, is_along_u);
+  std::vector<int> added;
+  for (int node = first; node < node_count(); ++node) added.push_back(node);
+  return added;
+}
+
+LatticeSpace::Neighbours ControlCells::neighbours(int node) const {
+  Neighbours result;
+  for (const int leaf : tree_.leaves_of(node)) {
+    if (leaf < 0) continue;
+    const CellTree::Cell& cell = tree_.cell(leaf);
+    const auto at = static_cast<std::size_t>(std::find(cell.nodes.begin(), cell.nodes.end(), node) -
+                                             cell.nodes.begin());
+    const std::size_t column = at % CellTree::kLattice, row = at / CellTree::kLattice;
+    const auto lower = [](std::size_t x) { return x > 0 ? x - 1 : 0; };
+    const auto upper = [](std::size_t x) { return std::min(x + 1, CellTree::kLattice - 1); };
+    for (std::size_t j = lower(row); j <= upper(row); ++j) {
+      for (std::size_t i = lower(column); i <= upper(column); ++i) {
+        const int other = cell.node(i, j);
+        if (other >= 0 && other != node) result.add(other);
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace surfmesh

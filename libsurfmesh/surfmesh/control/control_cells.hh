@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "surfmesh/control/cell_tree.hh"
+#include "surfmesh/control/lattice_space.hh"
+
+namespace surfmesh {
+
+/// A control space of cells, halved where sizes change: bilinear in the quarters between the nodes
+/// of each cell. The cells are its search structure, too.
+///
+/// A query reads the nodes of one cell only, even where a neighbour has further nodes on the common
+/// side: there, sizes jump by less than the precision to which cells are chosen.
+class ControlCells : public LatticeSpace {
+ public:
+  /// Gives a node at a point, with the sizes wanted there.
+  using SampleNode = std::function<ControlNode(Uv)>;
+
+  /// Start with a grid of cells (CellTree), whose nodes are samples, as are those of all halves.
+  ///
+  /// Throws   InvalidOption; what `sample` throws
+  ControlCells(const Domain& domain, CellCount roots, SampleNode sample,
+               const ControlSpaceOptions& options, const std::vector<ControlNode>& places);
+
+  const CellTree& tree() const { return tree_; }
+
+  /// Halve a leaf (CellTree::halve).
+  void halve(int leaf, bool along_u);
+
+  int find_cell(Uv uv, int near) const override { return tree_.find(uv, near); }
+
+  /// Cost     20 ns near the last query, 60 ns elsewhere, both without the rest of a query
+  Support support(int cell, Uv uv) const override;
+
+  std::vector<int> nodes_on_side(DomainSide side) const override;
+  std::vector<int> divide_cell(Uv uv, const Metric& metric, double units) override;
+
+ protected:
+  void announce_loose_node() override { tree_.add_loose_node(); }
+  Neighbours neighbours(int node) const override;
+  FaceList faces() const override { return tree_.faces(); }
+
+ private:
+  CellTree::MakeNode make_node();
+
+  SampleNode sample_;
+  CellTree tree_;
+};
+
+}  // namespace surfmesh

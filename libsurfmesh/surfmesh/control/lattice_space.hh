@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <unordered_map>
+#include <vector>
+
+#include "surfmesh/control/control_space.hh"
+#include "surfmesh/core/mesh_arrays.hh"
+#include "surfmesh/core/properties.hh"
+#include "surfmesh/core/run_context.hh"
+#include "surfmesh/geometry/domain.hh"
+
+namespace surfmesh {
+
+/// A side of a domain: of constant u or v at its lower or upper end, or the diagonal of a triangle.
+enum class DomainSide { LowerU, UpperU, LowerV, UpperV, Diagonal };
+
+/// A control space whose nodes are crossings of grid lines, with bilinear interpolation between
+/// them.
+///
+/// The nodes are the vertices of a polygon mesh, and queries read their surf:size. While the space
+/// is graded, also across contours, nodes may be added and lowered; finish() ends this.
+///
+/// A contour that does not run along a side of the domain has nodes of its own: loose ones, in rows
+/// along the contour. Beside such a row a query also takes its sizes, grown by their distance.
+class LatticeSpace : public ControlSpace {
+ public:
+  /// The nodes that a point is interpolated from, with their shares. A node may be -1, with the
+  /// share 0.
+  struct Support {
+    std::array<int, 4> nodes;
+    std::array<double, 4> weights;
+  };
+
+  /// The vertices of this mesh are the nodes. After finish(), its faces are the parts between them,
+  /// with surf:class, and each node has surf:radius and surf:outer_radius.
+  const PolyMesh& mesh() const override { return mesh_; }
+
+  const Domain& domain() const { return domain_; }
+  int node_count() const { return static_cast<int>(mesh_.n_vertices()); }
+  Uv uv(int node) const { return mesh_.property(uv_, VertexHandle(node)); }
+  const FirstFormFactor& form(int node) const { return forms_[static_cast<std::size_t>(node)]; }
+  const SizeTensor& size(int node) const { return mesh_.property(size_, VertexHandle(node)); }
+  using ControlSpace::size;
+  SurfacePoint surface_point(int node) const;
+
+  void set_size(int node, const SizeTensor& size) {
+    mesh_.property(size_, VertexHandle(node)) = size;
+  }
+
+  /// The cell that contains a point; fast if that is `near`.
+  virtual int find_cell(Uv uv, int near) const = 0;
+
+  /// The nodes of a cell around a point in it.
+  virtual Support support(int cell, Uv uv) const = 0;
+
+  /// Call `visit` for each node that gradation takes the size of a node to.
+  template <class Visit>
+  void for_each_neighbour(int node, Visit visit) const {
+    for (const int other : neighbours(node)) visit(other);
+    const auto row = row_neighbours_.find(node);
+    if (row == row_neighbours_.end()) return;
+    for (const int other : row->second) visit(other);
+  }
+
+  /// The nodes on a side of the domain, in one direction.
+  virtual std::vector<int> nodes_on_side(DomainSide side) const = 0;
+
+  /// Add nodes so that the cell of a point becomes shorter, if it is longer than a number of units
+  /// in a metric. Returns the new nodes; none where it is short, or where cells cannot be divided.
+  virtual std::vector<int> divide_cell(Uv uv, const Metric& metric, double units) = 0;
+
+  /// Add a node of a row. Its sizes reach the nodes of its cell and those before and after it in
+  /// the row.
+  int add_row_node(const ControlNode& node, int before);
+
+  /// The size at a point between the nodes of the lattice, without rows and discs.
+  SizeTensor lattice_size(Uv uv, int& near) const;
+
+  /// Grade from some nodes. Returns the nodes that were lowered.
+  /// Throws   Cancelled
+  std::vector<int> grade(const std::vector<int>& from, const RunContext& context);
+
+  /// Take all sizes as final: build the faces, and prepare for queries.
+  void finish();
+
+ protected:
+  /// A list of nodes that is made anew for each question.
+  struct Neighbours {
+    std::array<int, 32> nodes;
+    std::size_t count = 0;
+
+    void add(int node) { nodes[count++] = node; }
+    const int* begin() const { return nodes.data(); }
+    const int* end() const { return nodes.data() + count; }
+  };
+
+  /// `places` are nodes of extended forms, see ControlSpace.
+  LatticeSpace(const Domain& domain, const ControlSpaceOptions& options,
+               const std::vector<ControlNode>& places);
+
+  SizeTensor interpolate(const SurfacePoint& at, QueryHint& hint) const override;
+
+  int add_node(const ControlNode& node);
+
+  /// Called for a node that belongs to no cell.
+  virtual void announce_loose_node() = 0;
+
+  /// The nodes beside a node in the lattices of its cells.
+  virtual Neighbours neighbours(int node) const = 0;
+
+  virtual FaceList faces() const = 0;
+
+ private:
+  /// A part of a row between two nodes; twice the same node for a row of one.
+  struct RowSegment {
+    int from;
+    int to;
+  };
+
+  SizeTensor weighted(const Support& support) const;
+  SizeTensor limited_by_rows(const SizeTensor& size, const SurfacePoint& at, int cell) const;
+  SizeTensor limited_by(const RowSegment& segment, const SizeTensor& size,
+                        const SurfacePoint& at) const;
+  void link_rows();
+  void assign_rows();
+  void take_logarithms();
+
+  Domain domain_;
+  PolyMesh mesh_;
+  PropertyKey<VertexHandle, Uv>::Handle uv_;
+  PropertyKey<VertexHandle, SizeTensor>::Handle size_;
+  std::vector<FirstFormFactor> forms_;     ///< by node
+  std::vector<SizeTensor> logarithms_;     ///< by node; empty without Blend::Logarithmic
+  std::vector<RowSegment> segments_;
+  std::unordered_map<int, std::vector<int>> segments_of_;     ///< by cell
+  std::unordered_map<int, std::vector<int>> row_neighbours_;  ///< by node, in both directions
+};
+
+}  // namespace surfmesh

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/sampling/sample_cells.hh"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "surfmesh/metric/conformity.hh"
+#include "surfmesh/metric/interpolate.hh"
+#include "surfmesh/metric/tensor.hh"
+#include "surfmesh/sampling/quasirandom.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Units of metric length below which a cell is not halved: its nodes are half of it apart.
+constexpr double kLeastUnits = 2;
+
+/// The precision for which that is enough. Finer ones halve cells further, to a length that goes
+/// with the root of the precision, as the errors of an interpolation of second order do.
+constexpr double kUsualPrecision = 0.1;
+
+/// Share of the bend of three nodes that may be missed between them: a quarter on a smooth field,
+/// more where the bend grows towards a side of the cell.
+constexpr double kMissPerBend = 0.75;
+
+/// Bends that are a smaller share of what is missed tell no direction.
+constexpr double kEvenShare = 0.25;
+
+/// A bend that is a smaller share of the greatest one is not worth a halving in its place.
+constexpr double kLesserBend = 0.25;
+
+/// A point that misses the precision so many times is worth a halving in any direction.
+constexpr double kGrossMiss = 3;
+
+/// Cells along each side of a surface of one cell, unless they are short.
+constexpr double kFirstSide = 4;
+
+/// Shares of the width and height of a cell where it is looked at inside: irrational, so that a
+/// periodic field does not hide, and different in cells beside each other.
+constexpr std::array<std::array<double, 2>, 4> kGuardShares = {
+    {{0.2817, 0.6473}, {0.7236, 0.3191}, {0.3587, 0.2229}, {0.6381, 0.7764}}};
+
+/// Nodes for each unit of metric area, and beside these, from which on no cell is halved. Smooth
+/// fields take less than one a unit, creased patches of a few elements hundreds in all.
+constexpr double kMostNodesPerUnit = 16;
+constexpr double kFreeNodes = 20'000;
+/// Nodes in all: far more than sizes that elements can follow ever need in one patch.
+constexpr double kMostNodes = 4e6;
+
+/// Nodes for each point of the independent sample, and points at least.
+constexpr int kNodesPerPoint = 20;
+constexpr int kLeastPoints = 8;
+
+/// Squared lengths of a cell in units.
+struct Lengths {
+  double u = 0;
+  double v = 0;
+
+  void include(const Metric& metric, Uv extent) {
+    u = std::max(u, metric.m11 * extent.u * extent.u);
+    v = std::max(v, metric.m22 * extent.v * extent.v);
+  }
+};
+
+/// How far the nodes of a cell are from linear.
+struct Bends {
+  double u = 0;
+  double v = 0;
+};
+
+/// A leaf that has not been examined, with the required points in it.
+struct Waiting {
+  int leaf;
+  std::vector<std::size_t> points;
+};
+
+class CellSampler {
+ public:
+  CellSampler(const SizeField& field, ControlCells& cells, double precision)
+      : field_(field),
+        cells_(cells),
+        tree_(cells.tree()),
+        precision_(precision),
+        least_units_(kLeastUnits * std::sqrt(std::min(1.0, precision / kUsualPrecision))),
+        is_one_cell_(field.surface().cells().u * field.surface().cells().v == 1) {}
+
+  CellSampling run(const RunContext& context) {
+    start();
+    for (std::size_t steps = 1; !waiting_.empty(); ++steps) {
+      if (steps % kStepsBetweenCancellation == 0) context.throw_if_cancelled();
+      const Waiting next = std::move(waiting_.front());
+      waiting_.pop_front();
+      if (const auto along_u = halving(next)) halve(next, *along_u);
+    }
+    sampling_.precision = independent_sample();
+    return sampling_;
+  }
+
+ private:
+  void start() {
+    for (const Uv uv : field_.required_points()) points_.push_back({uv, field_.at(uv)});
+    std::vector<std::size_t> all(points_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    std::vector<int> leaves(tree_.size());
+    std::iota(leaves.begin(), leaves.end(), 0);
+    add_waiting(leaves, all);
+  }
+
+  /// Let the leaves wait, each with those of the points that lie in it.
+  void add_waiting(const std::vector<int>& leaves, const std::vector<std::size_t>& points) {
+    std::vector<std::vector<std::size_t>> points_of(leaves.size());
+    for (const std::size_t point : points) {
+      const int leaf = tree_.find(points_[point].uv);
+      const auto at = std::find(leaves.begin(), leaves.end(), leaf);
+      if (at != leaves.end()) {
+        points_of[static_cast<std::size_t>(at - leaves.begin())].push_back(point);
+      }
+    }
+    for (std::size_t k = 0; k < leaves.size(); ++k) {
+      if (tree_.is_empty(tree_.cell(leaves[k]))) continue;
+      waiting_.push_back({leaves[k], std::move(points_of[k])});
+    }
+  }
+
+  void halve(const Waiting& cell, bool along_u) {
+    if (is_full()) {
+      sampling_.is_coarse = true;
+      return;
+    }
+    cells_.halve(cell.leaf, along_u);
+    std::vector<int> leaves;
+    collect_leaves(cell.leaf, leaves);
+    add_waiting(leaves, cell.points);
+  }
+
+  void collect_leaves(int index, std::vector<int>& leaves) const {
+    const CellTree::Cell& cell = tree_.cell(index);
+    if (cell.is_leaf()) {
+      leaves.push_back(index);
+      return;
+    }
+    collect_leaves(cell.first_half, leaves);
+    collect_leaves(cell.first_half + 1, leaves);
+  }
+
+  /// Whether a cell is to be halved, and then if along u.
+  std::optional<bool> halving(const Waiting& waiting) {
+    const CellTree::Cell& cell = tree_.cell(waiting.leaf);
+    Lengths lengths = lengths_of(cell);
+    const Bends bends = bends_of(cell);
+    const double by_bends = kMissPerBend * std::max(bends.u, bends.v);
+    const bool is_more_u = bends.u >= bends.v;
+    if (by_bends > precision_ && is_long(waiting.leaf, lengths, is_more_u)) return is_more_u;
+    const double inside = greatest_miss(waiting, lengths);
+    const double miss = std::max(by_bends, inside);
+    if (miss <= precision_) return first_halving(waiting.leaf, lengths);
+    const bool is_even = std::max(bends.u, bends.v) < kEvenShare * miss;
+    const bool is_first_u = is_even ? lengths.u >= lengths.v : is_more_u;
+    if (is_long(waiting.leaf, lengths, is_first_u)) return is_first_u;
+    const auto [less, more] = std::minmax(bends.u, bends.v);
+    const bool is_worth = less >= kLesserBend * more || inside > kGrossMiss * precision_;
+    if (is_worth && is_long(waiting.leaf, lengths, !is_first_u)) return !is_first_u;
+    return std::nullopt;
+  }
+
+  /// Cells of which nothing is known yet are halved, too.
+  std::optional<bool> first_halving(int leaf, const Lengths& lengths) const {
+    if (!is_one_cell_) return std::nullopt;
+    const Uv extent = tree_.extent(tree_.cell(leaf));
+    const Domain domain = field_.surface().domain();
+    const bool is_wide = kFirstSide * extent.u > domain.u1 - domain.u0;
+    const bool is_high = kFirstSide * extent.v > domain.v1 - domain.v0;
+    if (is_wide && is_long(leaf, lengths, true)) return true;
+    if (is_high && is_long(leaf, lengths, false)) return false;
+    return std::nullopt;
+  }
+
+  bool is_long(int leaf, const Lengths& lengths, bool along_u) const {
+    return (along_u ? lengths.u : lengths.v) > least_units_ * least_units_ &&
+           tree_.can_halve(leaf, along_u);
+  }
+
+  Lengths lengths_of(const CellTree::Cell& cell) {
+    while (std::ssize(metrics_) < cells_.node_count()) {
+      const int node = static_cast<int>(metrics_.size());
+      metrics_.push_back(metric_from_size(cells_.form(node), cells_.size(node)));
+    }
+    Lengths lengths;
+    for (const int node : cell.nodes) {
+      if (node >= 0) lengths.include(metrics_[static_cast<std::size_t>(node)], tree_.extent(cell));
+    }
+    return lengths;
+  }
+
+  double bend(int from, int middle, int to) const {
+    if (from < 0 || middle < 0 || to < 0) return 0;
+    return log_conformity(cells_.size(middle), lerp(cells_.size(from), cells_.size(to), 0.5));
+  }
+
+  Bends bends_of(const CellTree::Cell& cell) const {
+    Bends bends;
+    for (std::size_t k = 0; k < CellTree::kLattice; ++k) {
+      bends.u = std::max(bends.u, bend(cell.node(0, k), cell.node(1, k), cell.node(2, k)));
+      bends.v = std::max(bends.v, bend(cell.node(k, 0), cell.node(k, 1), cell.node(k, 2)));
+    }
+    return bends;
+  }
+
+  /// The greatest miss at the points inside a cell; their units count for its length.
+  double greatest_miss(const Waiting& waiting, Lengths& lengths) const {
+    const CellTree::Cell& cell = tree_.cell(waiting.leaf);
+    double greatest = 0;
+    const auto look_at = [&](Uv uv, const SizeField::Sample& exact) {
+      lengths.include(metric_from_size(exact.form, exact.size), tree_.extent(cell));
+      greatest = std::max(greatest, miss(uv, exact, waiting.leaf));
+    };
+    const Uv guard = guard_of(cell);
+    look_at(guard, field_.at(guard));
+    for (const std::size_t point : waiting.points) {
+      look_at(points_[point].uv, points_[point].field);
+    }
+    return greatest;
+  }
+
+  double miss(Uv uv, const SizeField::Sample& exact, int leaf) const {
+    return log_conformity(exact.size, cells_.lattice_size(uv, leaf));
+  }
+
+  Uv guard_of(const CellTree::Cell& cell) const {
+    const std::uint32_t column = cell.i0 / (cell.i1 - cell.i0), row = cell.j0 / (cell.j1 - cell.j0);
+    auto [s, t] = kGuardShares[(column % 2) + 2 * (row % 2)];
+    // Below the diagonal of a cell that is cut.
+    if (tree_.is_cut(cell) && s + t > 1) s = 1 - s, t = 1 - t;
+    return tree_.at(cell, s, t);
+  }
+
+  /// Metric area is measured anew when nodes have doubled.
+  bool is_full() {
+    const double nodes = cells_.node_count();
+    if (nodes <= most_nodes_) return false;
+    if (nodes < 2 * measured_at_) return true;
+    measured_at_ = nodes;
+    most_nodes_ = std::min(kMostNodes, kFreeNodes + kMostNodesPerUnit * metric_area());
+    return nodes > most_nodes_;
+  }
+
+  double metric_area() {
+    double area = 0;
+    for (int index = 0; index < static_cast<int>(tree_.size()); ++index) {
+      const CellTree::Cell& cell = tree_.cell(index);
+      if (!cell.is_leaf() || tree_.is_empty(cell)) continue;
+      lengths_of(cell);
+      const int middle = cell.node(1, 1) >= 0 ? cell.node(1, 1) : cell.node(0, 0);
+      const Uv extent = tree_.extent(cell);
+      area += extent.u * extent.v *
+              std::sqrt(determinant(metrics_[static_cast<std::size_t>(middle)]));
+    }
+    return area;
+  }
+
+  PrecisionSample independent_sample() const {
+    PrecisionSample sample;
+    sample.asked = precision_;
+    const Domain domain = field_.surface().domain();
+    const int count = std::max(kLeastPoints, cells_.node_count() / kNodesPerPoint);
+    for (int i = 1; i <= count; ++i) {
+      const Uv uv = domain.fold(quasirandom_point(domain, i));
+      const double missed = miss(uv, field_.at(uv), -1);
+      ++sample.points;
+      sample.over += missed > precision_ ? 1 : 0;
+      sample.greatest = std::max(sample.greatest, missed);
+    }
+    return sample;
+  }
+
+  /// A point that cells must represent.
+  struct RequiredPoint {
+    Uv uv;
+    SizeField::Sample field;
+  };
+
+  const SizeField& field_;
+  ControlCells& cells_;
+  const CellTree& tree_;
+  double precision_;
+  double least_units_;
+  bool is_one_cell_;
+  std::vector<RequiredPoint> points_;
+  std::deque<Waiting> waiting_;
+  std::vector<Metric> metrics_;  ///< by node
+  double most_nodes_ = kFreeNodes;
+  double measured_at_ = 0;  ///< nodes
+  CellSampling sampling_;
+};
+
+}  // namespace
+
+PrecisionSample& PrecisionSample::operator+=(const PrecisionSample& other) {
+  asked = points == 0 ? other.asked : std::min(asked, other.asked);
+  points += other.points;
+  over += other.over;
+  greatest = std::max(greatest, other.greatest);
+  return *this;
+}
+
+CellCount first_cells(const Surface& surface) {
+  const CellCount cells = surface.cells();
+  const CellCount first = {std::max(2, cells.u), std::max(2, cells.v)};
+  if (surface.domain().shape == Domain::Shape::Rectangle) return first;
+  return {std::max(first.u, first.v), std::max(first.u, first.v)};
+}
+
+CellSampling sample_cells(const SizeField& field, ControlCells& cells, double precision,
+                          const RunContext& context) {
+  return CellSampler(field, cells, precision).run(context);
+}
+
+}  // namespace surfmesh
