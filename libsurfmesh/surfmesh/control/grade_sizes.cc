@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "surfmesh/metric/conformity.hh"
-#include "surfmesh/metric/gradation.hh"
+#include "surfmesh/metric/minimum.hh"
 #include "surfmesh/metric/size_tensor.hh"
 
 namespace surfmesh {
@@ -37,13 +37,12 @@ class ListedNodes {
 
 }  // namespace
 
-SizeTensor limited_size(const SizeTensor& size, const SizeTensor& from, double length_m,
-                        double grade) {
-  SizeTensor limited = graded(size, from, length_m, grade);
-  const SizeRange now = length_range(size), range = length_range(limited);
-  const double least = std::min(now.least, length_range(from).least);
+SizeTensor limited_size(const SizeTensor& size, const SizeTensor& from, double factor) {
+  SizeTensor limited = minimum(size, scaled(from, factor));
+  const double least = std::min(size_range(size).least, size_range(from).least);
+  const SizeRange range = size_range(limited);
   if (range.least < least) limited = clamp_sizes(limited, least, std::max(least, range.greatest));
-  return log_conformity(size, limited) <= kLeastGradation ? size : limited;
+  return greatest_growth(size, limited) <= kLeastGradation ? size : limited;
 }
 
 void grade_sizes(std::vector<ControlNode>& nodes, const NodeNeighbours& neighbours, double grade,

@@ -35,20 +35,19 @@ struct SizeRange {
   double greatest;
 };
 
-inline SizeRange length_range(const SizeTensor& h) {
+inline SizeRange size_range(const SizeTensor& h) {
   const double mean = 0.5 * (h.h11 + h.h22);
   const double radius = eigenvalue_radius(0.5 * (h.h11 - h.h22), h.h12);
   return {mean - radius, mean + radius};
 }
 
-/// `size` limited to the size `from` grown over a metric length, or `size` itself, bit by bit, if
-/// that lowers it by less than 0.1 %. Never below the least length of both, although the minimum of
-/// two stretched sizes that cross can be: so no chain of such limits goes below the least size it
-/// began with.
+/// `size` limited to `factor` times the size `from`, or `size` itself, bit by bit, if that lowers it
+/// by less than 0.1 %.
 ///
-/// Source   graded()
-SizeTensor limited_size(const SizeTensor& size, const SizeTensor& from, double length_m,
-                        double grade);
+/// Never below the least length of both, although the minimum of two stretched sizes that cross can
+/// be: so no chain of such limits goes below the least size that it began with.
+/// Pre      factor is at least 1
+SizeTensor limited_size(const SizeTensor& size, const SizeTensor& from, double factor = 1);
 
 /// Grades the sizes of nodes: from each node to its neighbours, sizes grow by at most ln(grade) per
 /// unit of length, to within 0.1 %. Sizes that already do are unchanged, bit by bit.
@@ -63,10 +62,10 @@ SizeTensor limited_size(const SizeTensor& size, const SizeTensor& from, double l
 template <class Net>
 class Gradation {
  public:
-  Gradation(Net& net, double grade) : net_(net), grade_(grade), growth_(std::log(grade)) {}
+  Gradation(Net& net, double grade) : net_(net), growth_(std::log(grade)) {}
 
   /// Let the size of a node reach others.
-  void start_from(int node) { queue_.push({length_range(net_.size(node)).least, node}); }
+  void start_from(int node) { queue_.push({size_range(net_.size(node)).least, node}); }
 
   /// Grade from all nodes that were started from. Returns the nodes that were lowered, some of them
   /// more than once.
@@ -78,7 +77,7 @@ class Gradation {
       const auto [least, node] = queue_.top();
       queue_.pop();
       // Lowered since: it is in the queue once more, and was visited then.
-      if (least == length_range(net_.size(node)).least) spread(node, least);
+      if (least == size_range(net_.size(node)).least) spread(node, least);
     }
     return std::move(lowered_);
   }
@@ -93,8 +92,9 @@ class Gradation {
     net_.for_each_neighbour(node, [&](int other) {
       const double length_m = std::sqrt(squared_length(metric, net_.uv(other) - uv));
       const SizeTensor there = net_.size(other);
-      if (length_range(there).greatest <= least * (1 + growth_ * length_m)) return;
-      const SizeTensor limited = limited_size(there, size, length_m, grade_);
+      const double factor = 1 + growth_ * length_m;
+      if (size_range(there).greatest <= least * factor) return;
+      const SizeTensor limited = limited_size(there, size, factor);
       if (limited == there) return;
       net_.set_size(other, limited);
       lowered_.push_back(other);
@@ -103,7 +103,6 @@ class Gradation {
   }
 
   Net& net_;
-  double grade_;
   double growth_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
   std::vector<int> lowered_;

@@ -90,7 +90,7 @@ SizeTensor LatticeSpace::limited_by(const RowSegment& segment, const SizeTensor&
   const SizeTensor there = lerp(this->size(segment.from), this->size(segment.to), share);
   const Metric metric = metric_from_size(at.form, there);
   const double length_m = std::sqrt(squared_length(metric, at.uv - lerp(a, b, share)));
-  return limited_size(size, there, length_m, options().grade);
+  return limited_size(size, there, 1 + std::log(options().grade) * length_m);
 }
 
 SizeTensor LatticeSpace::limited_by_rows(const SizeTensor& size, const SurfacePoint& at,

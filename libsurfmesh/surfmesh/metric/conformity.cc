@@ -13,10 +13,10 @@ SizeTensor difference(const SizeTensor& a, const SizeTensor& b) {
   return {a.h11 - b.h11, a.h12 - b.h12, a.h22 - b.h22};
 }
 
-/// The greatest eigenvalue of A B⁻¹ − 1, at least 0.
-///
-/// From the symmetric matrix L⁻¹ (A − B) L⁻ᵀ with B = L Lᵀ: the discriminant of the characteristic
-/// polynomial would lose half of the digits where both eigenvalues are nearly equal.
+}  // namespace
+
+// From the symmetric matrix L⁻¹ (A − B) L⁻ᵀ with B = L Lᵀ: the discriminant of the characteristic
+// polynomial would lose half of the digits where both eigenvalues are nearly equal.
 double greatest_growth(const SizeTensor& a, const SizeTensor& b) {
   const SizeTensor d = difference(a, b);
   const double det = determinant(b);
@@ -26,8 +26,6 @@ double greatest_growth(const SizeTensor& a, const SizeTensor& b) {
   const double c22 = (d.h22 - 2 * k * d.h12 + k * k * d.h11) * b.h11 / det;
   return std::max(0.0, 0.5 * (c11 + c22) + eigenvalue_radius(0.5 * (c11 - c22), c12));
 }
-
-}  // namespace
 
 double entry_conformity(const SizeTensor& h_o, const SizeTensor& h_t) {
   const SizeTensor d = difference(h_o, h_t);

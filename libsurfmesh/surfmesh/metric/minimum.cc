@@ -24,11 +24,24 @@ struct ColumnTurn {
   double first, second;
 };
 
+struct Direction {
+  double c, s;
+};
+
+/// Half the angle of a vector (x, y), between −π/2 and π/2; 0 for the zero vector.
+Direction half_angle(double x, double y) {
+  const double length = std::sqrt(x * x + y * y);
+  if (!(length > 0)) return {1, 0};
+  const double greater = std::sqrt(0.5 * (1 + std::abs(x) / length));
+  const double other = 0.5 * std::abs(y) / (length * greater);
+  const double c = x >= 0 ? greater : other, s = x >= 0 ? other : greater;
+  return {c, y < 0 ? -s : s};
+}
+
 ColumnTurn orthogonalise_columns(const Matrix2& k) {
   const double n1 = k.a11 * k.a11 + k.a21 * k.a21;
   const double n2 = k.a12 * k.a12 + k.a22 * k.a22;
-  const double angle = 0.5 * std::atan2(2 * (k.a11 * k.a12 + k.a21 * k.a22), n1 - n2);
-  const double c = std::cos(angle), s = std::sin(angle);
+  const auto [c, s] = half_angle(n1 - n2, 2 * (k.a11 * k.a12 + k.a21 * k.a22));
   const double x = k.a11 * c + k.a12 * s, y = k.a21 * c + k.a22 * s;
   const double first = std::sqrt(x * x + y * y);
   // From the determinant, for the second column may cancel.
@@ -49,6 +62,11 @@ SizeTensor left_polar_factor(const Matrix2& g, double det) {
   const double n22 = g.a21 * g.a21 + g.a22 * g.a22;
   const double scale = 1 / std::sqrt(n11 + n22 + 2 * det);
   return {scale * (n11 + det), scale * n12, scale * (n22 + det)};
+}
+
+/// Half the difference of the two lengths of a size tensor.
+double radius_of(const SizeTensor& h) {
+  return eigenvalue_radius(0.5 * (h.h11 - h.h22), h.h12);
 }
 
 /// An order that does not depend on which argument comes first.
@@ -83,6 +101,11 @@ Metric minimum(const Metric& a, const Metric& b) {
 // √(G Gᵀ). The way through the metrics themselves squares the aspect: at 1e6 the larger length is
 // then right to four digits only.
 SizeTensor minimum(const SizeTensor& a, const SizeTensor& b) {
+  // Most pairs: the greater length of one is below the smaller length of the other.
+  const double half_difference = 0.5 * (a.h11 + a.h22 - b.h11 - b.h22);
+  const double radii = radius_of(a) + radius_of(b);
+  if (half_difference <= -radii) return a;
+  if (half_difference >= radii) return b;
   if (is_before(b, a)) return minimum(b, a);
   const ColumnTurn v = orthogonalise_columns(relative(a, b));
   const auto [least, greatest] = std::minmax(v.first, v.second);

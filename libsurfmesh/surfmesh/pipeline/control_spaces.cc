@@ -72,6 +72,7 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
     result.spaces[p] = make_control(inputs[p], context);
   });
   tell_coarse(model, inputs, result.notices);
+  for (const ControlInput& input : inputs) result.precision += input.sampling.precision;
   grade_across_contours(model, inputs, result.spaces, context);
   share_indices(result.spaces.size(), [&](std::size_t p) { finish(*result.spaces[p]); });
   return result;

@@ -65,10 +65,12 @@ class Run {
     ControlSpaces made = make_control_spaces(model_, sources_, sizing_, options_.control, context_);
     append(std::move(made.notices), report_.notices);
     spaces_ = std::move(made.spaces);
+    report_.control.kind = effective_kind(options_.control);
+    report_.control.precision = made.precision;
     for (std::size_t p = 0; p < spaces_.size(); ++p) {
       const PolyMesh& mesh = spaces_[p]->mesh();
       report_.control.nodes += mesh.n_vertices();
-      report_.control.triangles += mesh.n_faces();
+      report_.control.faces += mesh.n_faces();
       count_classes(mesh);
       surface_fields_.push_back(
           std::make_unique<SurfaceMetricField>(*model_.patches[p].surface, *spaces_[p]));
@@ -78,7 +80,7 @@ class Run {
 
   void count_classes(const PolyMesh& mesh) {
     const auto handle = find(mesh, keys::face_class);
-    if (!handle.is_valid()) return;  // a grid has none
+    if (!handle.is_valid()) return;
     Report::Classes& classes = report_.control.classes;
     for (const FaceHandle fh : mesh.faces()) {
       switch (static_cast<Interpolation>(mesh.property(handle, fh))) {

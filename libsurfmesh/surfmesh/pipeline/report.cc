@@ -7,6 +7,7 @@
 #include <string_view>
 #include <variant>
 
+#include "surfmesh/core/option_range.hh"
 #include "surfmesh/pipeline/notice_json.hh"
 #include "surfmesh/pipeline/set_option.hh"
 
@@ -74,9 +75,20 @@ Json answers_json(const QueryCounts& answers) {
           {"reused", answers.reused}};
 }
 
+/// Null where nothing was measured.
+Json precision_json(const PrecisionSample& sample) {
+  if (sample.points == 0) return nullptr;
+  return {{"asked", sample.asked},
+          {"greatest_miss", sample.greatest},
+          {"share_over", sample.share_over()},
+          {"points", sample.points}};
+}
+
 Json control_json(const Report::Control& control) {
-  return {{"nodes", control.nodes},
-          {"triangles", control.triangles},
+  return {{"kind", to_text(ranges::kControl, static_cast<double>(control.kind))},
+          {"nodes", control.nodes},
+          {"faces", control.faces},
+          {"precision", precision_json(control.precision)},
           {"classes",
            {{"s", control.classes.single},
             {"t", control.classes.triangle},
@@ -110,6 +122,11 @@ double Report::triangles_per_second() const {
   return meshing > 0 ? static_cast<double>(mesh.triangles + mesh.quads) / meshing : 0;
 }
 
+double Report::triangles_per_second_in_all() const {
+  const double total = seconds.sum();
+  return total > 0 ? static_cast<double>(mesh.triangles + mesh.quads) / total : 0;
+}
+
 std::string to_json(const Report& report) {
   const Json json = {
       {"input", report.input},
@@ -128,7 +145,8 @@ std::string to_json(const Report& report) {
        {{"asked", length_json(report.sag.asked)}, {"reached", length_json(report.sag.reached)}}},
       {"control", control_json(report.control)},
       {"seconds", seconds_json(report)},
-      {"triangles_per_second", report.triangles_per_second()}};
+      {"triangles_per_second", report.triangles_per_second()},
+      {"triangles_per_second_in_all", report.triangles_per_second_in_all()}};
   // Names in models need not be UTF-8: what is not becomes a replacement character.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -154,11 +172,14 @@ std::string to_text(const Report& report) {
     line("sag",
          fmt::format("{:.4g} reached, {:.4g} asked for", *report.sag.reached, *report.sag.asked));
   }
-  line("control",
-       fmt::format("{} nodes, {} triangles", report.control.nodes, report.control.triangles));
+  const Report::Control& control = report.control;
+  line("control", fmt::format("{}, {} nodes, {} faces",
+                              to_text(ranges::kControl, static_cast<double>(control.kind)),
+                              control.nodes, control.faces));
   line("time", fmt::format("{:.2f} s of processor, {:.2f} s by the clock", report.seconds.sum(),
                            report.wall_seconds));
-  line("", fmt::format("{:.0f} triangles a second", report.triangles_per_second()));
+  line("", fmt::format("{:.0f} triangles a second in all, {:.0f} without control space and files",
+                       report.triangles_per_second_in_all(), report.triangles_per_second()));
   line("notices", fmt::format("{}", report.notices.size()));
   return text;
 }

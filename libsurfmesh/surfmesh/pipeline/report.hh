@@ -25,7 +25,7 @@ struct Report {
     long euler = 0;
   };
 
-  /// Numbers of control triangles by interpolation; a grid has none.
+  /// Numbers of control faces by interpolation.
   struct Classes {
     std::size_t single = 0;
     std::size_t triangle = 0;
@@ -34,9 +34,11 @@ struct Report {
   };
 
   struct Control {
+    ControlKind kind = ControlKind::Cells;  ///< that took effect
     std::size_t nodes = 0;
-    std::size_t triangles = 0;
+    std::size_t faces = 0;
     Classes classes;
+    PrecisionSample precision;  ///< of all patches; without points where nodes are given
     PerStage<QueryCounts> queries;  ///< how the metric queries of each stage were answered
   };
 
@@ -61,6 +63,9 @@ struct Report {
   /// Triangles per second of processor time, without reading, control space, report and writing:
   /// the NT/s of the paper. 0 if no time has passed.
   double triangles_per_second() const;
+
+  /// Triangles per second of processor time of the whole run; 0 if no time has passed.
+  double triangles_per_second_in_all() const;
 };
 
 /// The report as JSON text, with the documented keys.

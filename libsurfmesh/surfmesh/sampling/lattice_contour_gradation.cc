@@ -30,7 +30,8 @@ class LatticeGradation {
   LatticeGradation(const Model& model, const std::vector<std::unique_ptr<ControlSpace>>& spaces)
       : changes_(spaces.size()),
         added_(spaces.size()),
-        is_changed_(spaces.size(), 1) {
+        is_changed_(spaces.size(), 1),
+        is_to_divide_(spaces.size(), 1) {
     for (const auto& space : spaces) spaces_.push_back(dynamic_cast<LatticeSpace*>(space.get()));
     for (std::size_t c = 0; c < model.contours.size(); ++c) {
       const Contour& contour = model.contours[c];
@@ -42,7 +43,9 @@ class LatticeGradation {
     // Rows are added to patches one after the other, for several contours share a patch.
     for (ContourRows& contour : contours_) contour.make_rows();
     do {
-      share_indices(contours_.size(), [this](std::size_t c) { contours_[c].update(); });
+      share_indices(contours_.size(), [this](std::size_t c) {
+        if (touches(contours_[c], is_changed_)) contours_[c].update();
+      });
       settle(context);
     } while (divide(context));
     return report_;
@@ -51,7 +54,6 @@ class LatticeGradation {
  private:
   /// Give the nodes on contours what other patches have, until none comes down.
   void settle(const RunContext& context) {
-    std::fill(is_changed_.begin(), is_changed_.end(), 1);
     while (true) {
       context.throw_if_cancelled();
       std::vector<std::vector<Change>> changes(contours_.size());
@@ -69,16 +71,17 @@ class LatticeGradation {
     SizeTensor size;
   };
 
-  bool is_compared(const ContourRows& contour) const {
+  /// True if a patch of a contour is marked.
+  static bool touches(const ContourRows& contour, const std::vector<char>& is_marked) {
     for (std::size_t use = 0; use < contour.use_count(); ++use) {
-      if (is_changed_[static_cast<std::size_t>(contour.patch(use))]) return true;
+      if (is_marked[static_cast<std::size_t>(contour.patch(use))] != 0) return true;
     }
     return false;
   }
 
   std::vector<Change> find_changes(ContourRows& contour) const {
     std::vector<Change> changes;
-    if (!is_compared(contour)) return changes;
+    if (!touches(contour, is_changed_)) return changes;
     for (std::size_t use = 0; use < contour.use_count(); ++use) {
       for (ContourNode& node : contour.nodes(use)) {
         const SizeTensor& size = contour.space(use).size(node.node);
@@ -98,12 +101,12 @@ class LatticeGradation {
     if (!contour.side(use)) {
       const LatticeSpace& space = contour.space(use);
       const SizeTensor own = space.lattice_size(space.uv(node.node), node.sights[use].cell);
-      least = limited_size(least, own, 0, 1);
+      least = limited_size(least, own);
     }
     for (std::size_t other = 0; other < node.sights.size(); ++other) {
       if (!node.sights[other].is_seen) continue;
       const SizeTensor there = from_contour(contour.size_seen(other, use, node), node.frame);
-      least = limited_size(least, there, 0, 1);
+      least = limited_size(least, there);
     }
     return least;
   }
@@ -116,9 +119,9 @@ class LatticeGradation {
       for (const Change& change : of_contour) {
         const auto p = static_cast<std::size_t>(change.patch);
         LatticeSpace& space = *spaces_[p];
-        space.set_size(change.node, limited_size(space.size(change.node), change.size, 0, 1));
+        space.set_size(change.node, limited_size(space.size(change.node), change.size));
         changes_[p].push_back(change.node);
-        is_changed_[p] = 1;
+        is_changed_[p] = is_to_divide_[p] = 1;
         is_any = true;
       }
       report_.lowered += of_contour.size();
@@ -139,14 +142,17 @@ class LatticeGradation {
   /// whether there were any.
   bool divide(const RunContext& context) {
     for (ContourRows& contour : contours_) {
+      if (!touches(contour, is_to_divide_)) continue;
       for (std::size_t use = 0; use < contour.use_count(); ++use) {
         for (ContourNode& node : contour.nodes(use)) divide_around(contour, use, node);
       }
     }
+    std::fill(is_to_divide_.begin(), is_to_divide_.end(), 0);
     bool is_any = false;
     for (std::size_t p = 0; p < added_.size(); ++p) {
       if (added_[p].empty()) continue;
       is_any = true;
+      is_changed_[p] = is_to_divide_[p] = 1;
       changes_[p] = nodes_around(*spaces_[p], added_[p]);
       report_.added += added_[p].size();
       added_[p].clear();
@@ -179,7 +185,7 @@ class LatticeGradation {
   void divide_cell(const ContourRows& contour, std::size_t use, const Wanted& wanted, int& cell) {
     LatticeSpace& space = contour.space(use);
     const SizeTensor given = space.lattice_size(wanted.at.uv, cell);
-    if (log_conformity(given, limited_size(given, wanted.size, 0, 1)) <= kMissOnContour) return;
+    if (log_conformity(given, limited_size(given, wanted.size)) <= kMissOnContour) return;
     Metric metric = metric_from_size(wanted.at.form, wanted.size);
     // Across a side, what a lattice gives on the side does not depend on its cells.
     const auto side = contour.side(use);
@@ -206,6 +212,7 @@ class LatticeGradation {
   std::vector<std::vector<int>> changes_;  ///< nodes to grade from, by patch
   std::vector<std::vector<int>> added_;    ///< nodes of halved cells, by patch
   std::vector<char> is_changed_;           ///< by patch, since the last comparison
+  std::vector<char> is_to_divide_;         ///< by patch, if it has changed since the last halving
   ContourGradationReport report_;
 };
 

@@ -41,6 +41,11 @@ constexpr double kGrossMiss = 3;
 /// Cells along each side of a surface of one cell, unless they are short.
 constexpr double kFirstSide = 4;
 
+/// Units above which a cell is halved whatever its samples say, and above which they are several:
+/// nodes can fall in step with a periodic field, and more elements follow what is missed.
+constexpr double kLongestCell = 16;
+constexpr double kManySamples = 4;
+
 /// Shares of the width and height of a cell where it is looked at inside: irrational, so that a
 /// periodic field does not hide, and different in cells beside each other.
 constexpr std::array<std::array<double, 2>, 4> kGuardShares = {
@@ -169,8 +174,12 @@ class CellSampler {
     return std::nullopt;
   }
 
-  /// Cells of which nothing is known yet are halved, too.
+  /// Cells of which too little is known are halved, too.
   std::optional<bool> first_halving(int leaf, const Lengths& lengths) const {
+    if (std::max(lengths.u, lengths.v) > kLongestCell * kLongestCell) {
+      const bool is_along_u = lengths.u >= lengths.v;
+      if (tree_.can_halve(leaf, is_along_u)) return is_along_u;
+    }
     if (!is_one_cell_) return std::nullopt;
     const Uv extent = tree_.extent(tree_.cell(leaf));
     const Domain domain = field_.surface().domain();
@@ -220,8 +229,11 @@ class CellSampler {
       lengths.include(metric_from_size(exact.form, exact.size), tree_.extent(cell));
       greatest = std::max(greatest, miss(uv, exact, waiting.leaf));
     };
-    const Uv guard = guard_of(cell);
-    look_at(guard, field_.at(guard));
+    const bool is_sampled_often = std::max(lengths.u, lengths.v) > kManySamples * kManySamples;
+    for (std::size_t k = 0; k < (is_sampled_often ? kGuardShares.size() : 1); ++k) {
+      const Uv guard = guard_of(cell, k);
+      look_at(guard, field_.at(guard));
+    }
     for (const std::size_t point : waiting.points) {
       look_at(points_[point].uv, points_[point].field);
     }
@@ -232,9 +244,9 @@ class CellSampler {
     return log_conformity(exact.size, cells_.lattice_size(uv, leaf));
   }
 
-  Uv guard_of(const CellTree::Cell& cell) const {
+  Uv guard_of(const CellTree::Cell& cell, std::size_t k) const {
     const std::uint32_t column = cell.i0 / (cell.i1 - cell.i0), row = cell.j0 / (cell.j1 - cell.j0);
-    auto [s, t] = kGuardShares[(column % 2) + 2 * (row % 2)];
+    auto [s, t] = kGuardShares[(column % 2 + 2 * (row % 2) + k) % kGuardShares.size()];
     // Below the diagonal of a cell that is cut.
     if (tree_.is_cut(cell) && s + t > 1) s = 1 - s, t = 1 - t;
     return tree_.at(cell, s, t);

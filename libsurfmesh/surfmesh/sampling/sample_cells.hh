@@ -17,6 +17,10 @@ struct PrecisionSample {
   std::size_t over = 0;  ///< points that miss more
   double greatest = 0;   ///< miss of all points
 
+  double share_over() const {
+    return points > 0 ? static_cast<double>(over) / static_cast<double>(points) : 0;
+  }
+
   /// Take in the sample of another patch.
   PrecisionSample& operator+=(const PrecisionSample& other);
   friend bool operator==(const PrecisionSample&, const PrecisionSample&) = default;
