@@ -63,6 +63,25 @@ TEST(Star, IsInvertedWithItsVertexOnOrBeyondTheRing) {
   EXPECT_LT(star.quality({{0.5, 0.5 + 1e-12}, kPlane}), 0);
 }
 
+TEST(Star, HasItsExactQualityOnlyAboveTheBound) {
+  const Star star = star_of(*fan(6));
+  const MetricCorner p{{0.3, 0.1}, kPlane};
+  const double quality = star.quality(p);
+  for (const double enough : {-1.0, 0.0, 0.5 * quality})
+    EXPECT_EQ(star.quality(p, enough), quality);
+  for (const double enough : {quality, 0.5 * (1 + quality), 1.0})
+    EXPECT_LE(star.quality(p, enough), enough);
+}
+
+TEST(Star, BeginsAtTheWorstTriangleWithTheSameTriangles) {
+  Star star = star_of(*fan(6));
+  const MetricCorner p{{0.3, 0.1}, kPlane};
+  const Star before = star;
+  star.begin_at_worst(p);
+  EXPECT_EQ(star.quality(p), before.quality(p));
+  EXPECT_EQ(star.quality(p), triangle_quality(p, star.ring().back(), star.ring().front()));
+}
+
 TEST(Star, IsInvertedWithoutAPlace) { EXPECT_LE(star_of(*fan(6)).quality({Uv(), kPlane}), 0); }
 
 }  // namespace

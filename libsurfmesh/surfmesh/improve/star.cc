@@ -2,6 +2,7 @@
 #include "surfmesh/improve/star.hh"
 
 #include <algorithm>
+#include <cmath>
 
 #include "surfmesh/delaunay/predicates.hh"
 
@@ -29,12 +30,28 @@ bool Star::sees(Uv p) const {
   return true;
 }
 
-double Star::quality(const MetricCorner& p) const {
+void Star::begin_at_worst(const MetricCorner& p) {
+  const MetricCorner* previous = &ring_.back();
+  std::size_t worst = 0;
+  double least = INFINITY;
+  for (std::size_t i = 0; i < ring_.size(); ++i) {
+    const double quality = triangle_quality(p, *previous, ring_[i]);
+    if (quality < least) {
+      least = quality;
+      worst = i;
+    }
+    previous = &ring_[i];
+  }
+  std::rotate(ring_.begin(), ring_.begin() + static_cast<std::ptrdiff_t>(worst), ring_.end());
+}
+
+double Star::quality(const MetricCorner& p, double enough) const {
   double least = 1;
   const MetricCorner* previous = &ring_.back();
   for (const MetricCorner& next : ring_) {
     if (orient2d(p.uv, previous->uv, next.uv) <= 0) return -1;
     least = std::min(least, triangle_quality(p, *previous, next));
+    if (least <= enough) return least;
     previous = &next;
   }
   return least;

@@ -18,9 +18,14 @@ class Star {
   /// True if no triangle is inverted with the vertex at p, by exact orientation.
   bool sees(Uv p) const;
 
+  /// Let the ring begin at the worst triangle with the vertex at p, so that quality() soon falls to
+  /// its bound.
+  void begin_at_worst(const MetricCorner& p);
+
   /// Least quality of the triangles if the vertex is at p; negative if one of them is inverted,
-  /// by exact orientation.
-  double quality(const MetricCorner& p) const;
+  /// by exact orientation. If that is no more than `enough`, any value up to there may be the
+  /// result: the triangles after the first such one are not looked at.
+  double quality(const MetricCorner& p, double enough = -1) const;
 
  private:
   std::vector<MetricCorner> ring_;

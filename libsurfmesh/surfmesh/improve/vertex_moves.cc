@@ -2,6 +2,7 @@
 #include "surfmesh/improve/vertex_moves.hh"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -22,6 +23,22 @@ constexpr double kMetricChange = 0.02;
 
 /// Steps of a search for a better position; four halvings and a few moves are usual.
 constexpr int kMaxSearchRounds = 40;
+
+/// Unit vectors around a circle.
+const std::array<Uv, 8> kDirections = [] {
+  std::array<Uv, 8> directions;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const double angle =
+        2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(directions.size());
+    directions[i] = {std::cos(angle), std::sin(angle)};
+  }
+  return directions;
+}();
+
+/// True for the squares of lengths in the unit range, but for those next to its limits.
+bool is_well_within_unit_range(double squared_length) {
+  return squared_length > 0.501 && squared_length < 1.999;
+}
 
 }  // namespace
 
@@ -71,13 +88,19 @@ void VertexMoves::smooth(VertexHandle vh) {
   }
 }
 
-/// Least quality around the vertex less half the excess of its edges over the unit range.
-double VertexMoves::score(const MetricCorner& p) const {
-  const double least = star_.quality(p);
-  if (least <= 0) return least;
+/// Least quality around the vertex less half the excess of its edges over the unit range. If that
+/// is no more than `enough`, any value up to there may be the result.
+double VertexMoves::score(const MetricCorner& p, double enough) const {
+  const double least = star_.quality(p, enough);
+  if (least <= std::max(enough, 0.0)) return least;
   double excess = 0;
   for (const MetricCorner& neighbour : star_.ring()) {
-    const double length = fast_edge_length(p.uv, p.metric, neighbour.uv, neighbour.metric);
+    const Uv step = neighbour.uv - p.uv;
+    const double squared0 = squared_length(p.metric, step);
+    const double squared1 = squared_length(neighbour.metric, step);
+    // Most edges are: their length lies between those at their ends.
+    if (is_well_within_unit_range(squared0) && is_well_within_unit_range(squared1)) continue;
+    const double length = fast_edge_length(squared0, squared1);
     excess = std::max({excess, kShortestUnit - length, length - kLongestUnit});
   }
   // A valid position never scores below an inverted one.
@@ -86,20 +109,19 @@ double VertexMoves::score(const MetricCorner& p) const {
 
 /// The best of eight points around one, or that itself.
 MetricCorner VertexMoves::best_around(const MetricCorner& from, double step, double& best_score) {
-  constexpr int directions = 8;
   MetricCorner best = from;
   // Unit steps in the metric: the columns of its inverse Cholesky factor.
   const double l11 = std::sqrt(from.metric.m11), l21 = from.metric.m12 / l11;
   const double l22 = std::sqrt(from.metric.m22 - l21 * l21);
   if (!(l22 > 0)) return best;  // singular by rounding
-  for (int i = 0; i < directions; ++i) {
-    const double angle = 2 * std::numbers::pi * i / directions;
-    const double y = step * std::sin(angle) / l22;
-    const Uv uv = from.uv + Uv{(step * std::cos(angle) - l21 * y) / l11, y};
+  for (const Uv direction : kDirections) {
+    const double y = step * direction.v / l22;
+    const Uv uv = from.uv + Uv{(step * direction.u - l21 * y) / l11, y};
     // Most points are worse by far already in the metric of the vertex.
-    if (score({uv, from.metric}) <= best_score - kMetricChange) continue;
+    const double enough = best_score - kMetricChange;
+    if (score({uv, from.metric}, enough) <= enough) continue;
     const MetricCorner p = at(uv);
-    const double value = score(p);
+    const double value = score(p, best_score + kLeastGain);
     if (value > best_score + kLeastGain) {
       best_score = value;
       best = p;
@@ -113,7 +135,8 @@ void VertexMoves::search(VertexHandle vh) {
   if (!star_.collect(delaunay_, vh)) return;
   const MetricCorner old = corner(delaunay_, vh);
   MetricCorner best = old;
-  double best_score = score(best);
+  star_.begin_at_worst(old);
+  double best_score = score(best, -1);
   double step = first_step;
   for (int round = 0; round < kMaxSearchRounds && step >= last_step; ++round) {
     const MetricCorner next = best_around(best, step, best_score);

@@ -38,7 +38,7 @@ class VertexMoves {
  private:
   void move(VertexHandle vh, const MetricCorner& p);
   Uv spring_step(const MetricCorner& centre) const;
-  double score(const MetricCorner& p) const;
+  double score(const MetricCorner& p, double enough) const;
   MetricCorner best_around(const MetricCorner& from, double step, double& best_score);
 
   DelaunayMesh& delaunay_;
