@@ -65,9 +65,12 @@ class Bisection {
 
   const QueryCounts& queries() const { return hint_.answers; }
 
-  void add(const Station& a, const Station& b, int depth) {
+  void add(const Station& a, const Station& b) { add(a, b, piece_length(a, b), kMaxDepth); }
+
+ private:
+  /// `whole` is the length of the piece.
+  void add(const Station& a, const Station& b, double whole, int depth) {
     const Station middle = station((1 - kCut) * a.t + kCut * b.t);
-    const double whole = piece_length(a, b);
     const double first = piece_length(a, middle), second = piece_length(middle, b);
     const double parts = first + second;
     const bool is_good = parts <= kNegligible ||
@@ -77,11 +80,10 @@ class Bisection {
       append(b.t, second);
       return;
     }
-    add(a, middle, depth - 1);
-    add(middle, b, depth - 1);
+    add(a, middle, first, depth - 1);
+    add(middle, b, second, depth - 1);
   }
 
- private:
   void append(double t, double length) {
     if (parameters_.size() > kMaxPieces) {
       const Uv uv = curve_.evaluate(t);
@@ -108,7 +110,7 @@ MetricArc::MetricArc(const Curve& curve, const MetricField& field) : parameters_
   Station from = bisection.station(0);
   for (int i = 1; i <= kFirstPieces; ++i) {
     const Station to = bisection.station(double(i) / kFirstPieces);
-    bisection.add(from, to, kMaxDepth);
+    bisection.add(from, to);
     from = to;
   }
   queries_ = bisection.queries();
