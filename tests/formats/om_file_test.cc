@@ -34,15 +34,14 @@ bool is_same_connectivity(const PolyMesh& a, const PolyMesh& b) {
   return true;
 }
 
-PolyMesh example() {
-  PolyMesh mesh = wavy_grid(20, 2);
+PolyMesh example(int cells = 20) {
+  PolyMesh mesh = wavy_grid(cells, 2);
   attach_result_properties(mesh);
   return mesh;
 }
 
-TEST(OmFile, KeepsEverythingToTheLastBit) {
+void expect_kept(const PolyMesh& mesh) {
   const TestFolder folder;
-  const PolyMesh mesh = example();
   write_mesh(mesh, folder / "a.om");
   const PolyMesh read = read_mesh(folder / "a.om").mesh;
   EXPECT_TRUE(is_same_connectivity(mesh, read));
@@ -52,6 +51,10 @@ TEST(OmFile, KeepsEverythingToTheLastBit) {
   EXPECT_TRUE(is_same_property(mesh, read, keys::corner_uv));
   EXPECT_TRUE(is_same_property(mesh, read, keys::corner_metric));
 }
+
+TEST(OmFile, KeepsEverythingToTheLastBit) { expect_kept(example()); }
+
+TEST(OmFile, KeepsPropertiesThatAreLargerThanAnyBuffer) { expect_kept(example(80)); }
 
 TEST(OmFile, KeepsThePropertiesOfControlMeshes) {
   const TestFolder folder;

@@ -277,8 +277,12 @@ class WithoutEndMark : public std::streambuf {
 
  protected:
   std::streamsize xsputn(const char* text, std::streamsize size) override {
-    held_.append(text, static_cast<std::size_t>(size));
-    if (held_.size() > kPiece) hand_on();
+    std::string_view rest(text, static_cast<std::size_t>(size));
+    if (held_.size() + rest.size() > kPiece) {
+      hand_on();
+      if (rest.size() > kPiece) rest = hand_on_but_end(rest);
+    }
+    held_ += rest;
     return size;
   }
 
@@ -295,6 +299,16 @@ class WithoutEndMark : public std::streambuf {
     const std::size_t size = held_.size() - std::min(held_.size(), sizeof(kEndMark));
     writer_.text(std::string_view(held_).substr(0, size));
     held_.erase(0, size);
+  }
+
+  /// Hand on what is held and all of a text but its last bytes, which are returned: whole
+  /// properties come in one piece, of which no copy is wanted.
+  std::string_view hand_on_but_end(std::string_view text) {
+    writer_.text(held_);
+    held_.clear();
+    const std::size_t size = text.size() - sizeof(kEndMark);
+    writer_.text(text.substr(0, size));
+    return text.substr(size);
   }
 
   FileWriter& writer_;
