@@ -5,8 +5,9 @@
 #include <array>
 #include <bit>
 #include <charconv>
+#include <cstddef>
+#include <memory>
 #include <string_view>
-#include <vector>
 
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/io/output_file.hh"
@@ -19,18 +20,18 @@ class FileWriter {
   explicit FileWriter(OutputFile& file) : file_(file) {}
 
   void text(std::string_view text) {
-    if (text.size() > buffer_.size() - size_) flush();
-    if (text.size() > buffer_.size()) return file_.write(text);
-    std::copy(text.begin(), text.end(), buffer_.begin() + static_cast<std::ptrdiff_t>(size_));
+    if (text.size() > kBufferSize - size_) flush();
+    if (text.size() > kBufferSize) return file_.write(text);
+    std::copy(text.begin(), text.end(), buffer_.get() + size_);
     size_ += text.size();
   }
 
   /// The shortest digits that read back as the same number, with a character before them.
   template <class Number>
   void number(char before, Number value) {
-    if (buffer_.size() - size_ < kLongestNumber) flush();
+    if (kBufferSize - size_ < kLongestNumber) flush();
     buffer_[size_++] = before;
-    char* begin = buffer_.data() + size_;
+    char* begin = buffer_.get() + size_;
     size_ +=
         static_cast<std::size_t>(std::to_chars(begin, begin + kLongestNumber, value).ptr - begin);
   }
@@ -44,7 +45,7 @@ class FileWriter {
   }
 
   void flush() {
-    file_.write({buffer_.data(), size_});
+    file_.write({buffer_.get(), size_});
     size_ = 0;
   }
 
@@ -52,8 +53,11 @@ class FileWriter {
   /// More than the 24 characters of -2.2250738585072014e-308.
   static constexpr std::size_t kLongestNumber = 32;
 
+  static constexpr std::size_t kBufferSize = std::size_t{1} << 18;
+
   OutputFile& file_;
-  std::vector<char> buffer_ = std::vector<char>(std::size_t{1} << 18);
+  /// Not initialised: small files do not touch all of it.
+  std::unique_ptr<char[]> buffer_ = std::make_unique_for_overwrite<char[]>(kBufferSize);
   std::size_t size_ = 0;
 };
 

@@ -34,13 +34,16 @@ bool create_exclusively(const fs::path& path) {
 }  // namespace
 
 OutputFile::OutputFile(fs::path path)
-    : path_(std::move(path)), target_(path_), buffer_(kBufferSize) {
+    : path_(std::move(path)),
+      target_(path_),
+      // Not initialised: small files do not touch all of it.
+      buffer_(std::make_unique_for_overwrite<char[]>(kBufferSize)) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path_, ignored);
   if (fs::is_directory(status) || !path_.has_filename()) fail_for(path_, "it is a folder");
   if (fs::exists(status)) target_ = fs::canonical(path_, ignored);
   if (target_.empty()) target_ = path_;
-  file_.rdbuf()->pubsetbuf(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  file_.rdbuf()->pubsetbuf(buffer_.get(), static_cast<std::streamsize>(kBufferSize));
   errno = 0;
   if (fs::exists(status) && !fs::is_regular_file(status)) {
     file_.open(path_, std::ios::binary);

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string_view>
-#include <vector>
 
 #include "surfmesh/core/language_standard.hh"
 
@@ -42,7 +42,7 @@ class OutputFile {
   std::filesystem::path path_;       ///< as given, for messages
   std::filesystem::path target_;     ///< with links followed
   std::filesystem::path temporary_;  ///< empty if the target is written directly
-  std::vector<char> buffer_;
+  std::unique_ptr<char[]> buffer_;   ///< of the file
   std::ofstream file_;
 };
 
