@@ -47,6 +47,11 @@ TEST(ShareIndices, StaysInTheCallingThreadIfItIsTheOnlyOne) {
   EXPECT_EQ(threads_at_work(1), std::set{std::this_thread::get_id()});
 }
 
+TEST(ShareIndices, StaysThereIfMoreThreadsAreAskedForWithin) {
+  with_threads(1, [] { EXPECT_EQ(threads_at_work(8), std::set{std::this_thread::get_id()}); });
+  EXPECT_GT(threads_at_work(8).size(), 1u);
+}
+
 TEST(ShareIndices, TakesMoreThreadsThanCoresIfAskedFor) {
   const std::size_t count = threads_at_work(8).size();
   EXPECT_GT(count, 1u);

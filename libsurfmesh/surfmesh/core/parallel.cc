@@ -14,6 +14,7 @@
 #include <numeric>
 #include <optional>
 #include <thread>
+#include <utility>
 
 namespace surfmesh {
 namespace {
@@ -28,6 +29,18 @@ thread_local double seconds_of_others = 0;
 
 /// True in a call that is shared.
 thread_local bool is_in_shared_call = false;
+
+/// A call that is shared, for as long as this lives.
+class SharedCall {
+ public:
+  SharedCall() : was_in_one_(std::exchange(is_in_shared_call, true)) {}
+  ~SharedCall() { is_in_shared_call = was_in_one_; }
+  SharedCall(const SharedCall&) = delete;
+  SharedCall& operator=(const SharedCall&) = delete;
+
+ private:
+  bool was_in_one_;
+};
 
 double seconds_of_this_thread() {
   timespec now{};
@@ -59,9 +72,10 @@ class SharedIndices {
  private:
   void work() {
     const double start = seconds_of_this_thread();
-    is_in_shared_call = true;
-    run_remaining();
-    is_in_shared_call = false;
+    {
+      const SharedCall shared;
+      run_remaining();
+    }
     if (std::this_thread::get_id() == caller_) return;
     const std::lock_guard lock(mutex_);
     seconds_ += seconds_of_this_thread() - start;
@@ -93,9 +107,17 @@ class SharedIndices {
   double seconds_ = 0;  ///< of other threads than the caller
 };
 
+/// Run `body` in this thread as if its calls were shared already. No other thread is needed, so
+/// oneTBB is not asked: to start costs it a millisecond.
+void run_alone(const std::function<void()>& body) {
+  const SharedCall alone;
+  body();
+}
+
 }  // namespace
 
 void with_threads(int threads, const std::function<void()>& body) {
+  if (threads == 1) return run_alone(body);
   const int cores = tbb::info::default_concurrency();
   if (threads == 0) threads = cores;
   std::optional<tbb::global_control> more_than_cores;

@@ -12,7 +12,8 @@ namespace surfmesh {
 /// Greatest number of threads; more only get in each other's way.
 inline constexpr int kMostThreads = 256;
 
-/// Run `body` with up to `threads` threads; 0 means one per core. With 1, no thread is started.
+/// Run `body` with up to `threads` threads; 0 means one per core. With 1, no thread is started, not
+/// even where `body` asks for more.
 /// Pre      threads is from 0 to kMostThreads
 void with_threads(int threads, const std::function<void()>& body);
 
