@@ -56,40 +56,36 @@ class MeshRun {
     stop_on_signal();
   }
 
-  void mesh(const std::string& path, Progress& progress) {
-    result_ = mesh_model(input_.model, input_.sources, input_.options, &progress);
-    result_.report.input = path;
-    result_.report.seconds[Stage::Read] = read_seconds_;
+  /// Made where it is returned to: a mesh cannot be moved, and a copy takes time.
+  MeshResult mesh(const std::string& path, Progress& progress) const {
+    MeshResult result = mesh_model(input_.model, input_.sources, input_.options, &progress);
+    result.report.input = path;
+    result.report.seconds[Stage::Read] = read_seconds_;
     stop_on_signal();
+    return result;
   }
 
-  /// Write the mesh, and the report if it has a path. The report's file is made first: where it
-  /// cannot be, there is no mesh either.
-  void write(const std::string& mesh_path, const std::string& report_path) {
+  /// Write the mesh, and the report with its last clocks if it has a path. The report's file is
+  /// made first: where it cannot be, there is no mesh either.
+  void write(MeshResult& result, const std::string& mesh_path,
+             const std::string& report_path) const {
     std::optional<OutputFile> report_file;
     if (!report_path.empty()) report_file.emplace(report_path);
     const double start = processor_seconds();
-    write_mesh(result_, mesh_path);
-    finish_clocks(processor_seconds() - start);
+    write_mesh(result, mesh_path);
+    result.report.seconds[Stage::Write] = processor_seconds() - start;
+    result.report.wall_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     if (!report_file) return;
-    report_file->write(to_json(result_.report));
+    report_file->write(to_json(result.report));
     report_file->commit();
   }
 
-  const Report& report() const { return result_.report; }
-
  private:
-  void finish_clocks(double write_seconds) {
-    result_.report.seconds[Stage::Write] = write_seconds;
-    result_.report.wall_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   CageOptions cage_options_;
   const Settings& settings_;
   ModelInput input_;
-  MeshResult result_;
   double read_seconds_ = 0;
 };
 
@@ -144,12 +140,12 @@ int MeshCommand::run() const {
     check_paths(input_, output_, report_);
     MeshRun run(cage_options(scheme_, settings), settings);
     run.read(input_);
-    run.mesh(input_, progress);
-    run.write(output_, report_);
+    MeshResult result = run.mesh(input_, progress);
+    run.write(result, output_, report_);
     progress.clear();
-    if (!is_quiet_) fmt::print("{}", to_text(run.report()));
-    print_notices(run.report().notices);
-    return has_shortfall(run.report().notices) ? kFellShort : kDone;
+    if (!is_quiet_) fmt::print("{}", to_text(result.report));
+    print_notices(result.report.notices);
+    return has_shortfall(result.report.notices) ? kFellShort : kDone;
   } catch (const std::exception& error) {
     return tell_failure(error, progress);
   }
