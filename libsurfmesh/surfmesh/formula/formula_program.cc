@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <tuple>
@@ -130,6 +131,16 @@ template void FormulaProgram::evaluate<1>(std::span<const JetNumber<1>>,
                                           std::span<JetNumber<1>>) const;
 template void FormulaProgram::evaluate<2>(std::span<const JetNumber<2>>,
                                           std::span<JetNumber<2>>) const;
+
+bool FormulaProgram::uses(std::size_t variable) const {
+  const auto index = static_cast<int>(variable);
+  const auto reads = [index](const Instruction& step) {
+    if (step.operation == Operation::Constant) return false;
+    return step.a == index || (is_binary(step.operation) && step.b == index);
+  };
+  return std::ranges::any_of(instructions_, reads) ||
+         std::ranges::find(results_, index) != results_.end();
+}
 
 bool operator<(const Instruction& x, const Instruction& y) {
   const auto key = [](const Instruction& i) {

@@ -78,6 +78,12 @@ class FormulaProgram {
   std::size_t result_count() const { return results_.size(); }
   const std::vector<Instruction>& instructions() const { return instructions_; }
 
+  /// The registers of the results.
+  const std::vector<int>& results() const { return results_; }
+
+  /// True if a result may depend on this variable.
+  bool uses(std::size_t variable) const;
+
  private:
   friend class FormulaBuilder;
 
