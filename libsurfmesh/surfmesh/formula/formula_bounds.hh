@@ -20,7 +20,8 @@ namespace surfmesh {
 ///
 /// Error    8 roundings at each end for functions other than sqrt and abs; none for arithmetic
 ///          (test FormulaBounds.*)
-/// Cost     about 5 ns for an arithmetic operation, 20 to 40 ns for sin or exp
+/// Cost     about 10 ns for an arithmetic operation, 30 ns for sin or a power
+///          (tests/bench/field_search_bench.cc)
 /// Pre      as many variables and results as the program has; no NaN in the variables
 void bound(const FormulaProgram& program, std::span<const Interval> variables,
            std::span<Interval> results);

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "surfmesh/core/error.hh"
-#include "surfmesh/formula/formula.hh"
 #include "surfmesh/model_file/read_table.hh"
+#include "surfmesh/sizes/formula_field.hh"
 
 namespace surfmesh {
 namespace {
@@ -82,27 +82,15 @@ void read_along(const JsonNode& node, const PatchScope& patch, ModelFile& model)
   model.sources.along.push_back(std::move(source));
 }
 
-std::shared_ptr<const FormulaProgram> read_formulas(const JsonNode& node,
-                                                    const std::vector<std::string>& texts,
-                                                    const Constants& constants) {
+/// A field of one formula or three; faults are those of `node`.
+template <class Formulas>
+FieldSource read_formulas(const JsonNode& node, const Formulas& formulas,
+                          const Constants& constants) {
   try {
-    const std::vector<std::string> variables = {"u", "v", "x", "y", "z"};
-    return std::make_shared<FormulaProgram>(parse_formulas(texts, variables, constants));
+    return formula_field(formulas, constants);
   } catch (const Error& error) {
     node.fail(error.what());
   }
-}
-
-template <std::size_t count>
-std::array<double, count> evaluate(const FormulaProgram& program, Uv uv, const Vec3& p) {
-  const std::array<JetNumber<0>, 5> variables = {JetNumber<0>(uv.u), JetNumber<0>(uv.v),
-                                                 JetNumber<0>(p.x()), JetNumber<0>(p.y()),
-                                                 JetNumber<0>(p.z())};
-  std::array<JetNumber<0>, count> results;
-  program.evaluate<0>(variables, results);
-  std::array<double, count> values;
-  for (std::size_t i = 0; i < count; ++i) values[i] = results[i].value();
-  return values;
 }
 
 void read_field(const JsonNode& node, const PatchScope& patch, Sources& sources) {
@@ -110,22 +98,16 @@ void read_field(const JsonNode& node, const PatchScope& patch, Sources& sources)
   const JsonNode field = node.at("field");
   field.expect_keys({"size", "m11", "m12", "m22"});
   FieldSource source;
-  source.patch = patch.index;
-  source.precision = read_precision(node);
   if (field.has("size")) {
     refuse(field, "a field of one size", {"m11", "m12", "m22"});
-    const auto program =
-        read_formulas(field.at("size"), {field.at("size").text()}, patch.constants);
-    source.size = [program](Uv uv, const Vec3& p) { return evaluate<1>(*program, uv, p)[0]; };
+    source = read_formulas(field.at("size"), field.at("size").text(), patch.constants);
   } else {
-    const auto program = read_formulas(
-        field, {field.at("m11").text(), field.at("m12").text(), field.at("m22").text()},
-        patch.constants);
-    source.metric = [program](Uv uv, const Vec3& p) {
-      const auto [m11, m12, m22] = evaluate<3>(*program, uv, p);
-      return Metric{m11, m12, m22};
-    };
+    const std::array<std::string, 3> metric = {field.at("m11").text(), field.at("m12").text(),
+                                               field.at("m22").text()};
+    source = read_formulas(field, metric, patch.constants);
   }
+  source.patch = patch.index;
+  source.precision = read_precision(node);
   sources.fields.push_back(std::move(source));
 }
 

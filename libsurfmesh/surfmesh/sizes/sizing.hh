@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "surfmesh/core/interval.hh"
 #include "surfmesh/core/values.hh"
 #include "surfmesh/geometry/curve.hh"
 #include "surfmesh/sizes/length.hh"
@@ -108,13 +110,29 @@ struct NearSource {
   LocalSize wish;
 };
 
+/// Bounds of the entries of a metric.
+struct MetricBounds {
+  Interval m11;
+  Interval m12;
+  Interval m22;
+};
+
 /// An area source: sizes as a function of (u,v) and the position in space. One of the two functions
-/// is set; it is called from several threads at once.
+/// is set; it is called from several threads at once, as are those of its bounds.
+///
+/// Bounds hold for all (u,v) in a box whose positions are in the other box. With them, no small
+/// size can hide between samples (sizes/field_search.hh); without them, it is looked for by
+/// samples (sizes/hidden_sizes.hh). Formulas of model files have bounds.
 struct FieldSource {
   int patch = -1;
   std::function<double(Uv, const Vec3&)> size = {};    ///< one length, model units
   std::function<Metric(Uv, const Vec3&)> metric = {};  ///< M in (u,v)
   std::optional<double> precision = {};                ///< overrides that of the options
+  std::function<Interval(const UvBox&, const Eigen::AlignedBox3d&)> size_bounds = {};
+  std::function<MetricBounds(const UvBox&, const Eigen::AlignedBox3d&)> metric_bounds = {};
+  bool uses_position = true;  ///< false: function and bounds do not read the position in space
+
+  bool has_bounds() const { return metric ? bool(metric_bounds) : bool(size_bounds); }
 };
 
 /// A point of a table: a size, or if `metric` is set, the metric in (u,v).

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+
+#include "surfmesh/sizes/sizing.hh"
+
+namespace surfmesh {
+
+/// A field of one size from a formula of u, v, x, y, z, with bounds. Its patch is unset.
+/// Throws   as parse_formula
+FieldSource formula_field(const std::string& size,
+                          const std::map<std::string, double>& constants = {});
+
+/// A field of metrics from the formulas of m11, m12, m22, with bounds. Its patch is unset.
+/// Throws   as parse_formula
+FieldSource formula_field(const std::array<std::string, 3>& metric,
+                          const std::map<std::string, double>& constants = {});
+
+}  // namespace surfmesh
