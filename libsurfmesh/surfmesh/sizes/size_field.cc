@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/sizes/size_field.hh"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "surfmesh/control/node_interpolation.hh"
-#include "surfmesh/core/error.hh"
 #include "surfmesh/core/option_range.hh"
 #include "surfmesh/geometry/beside_pole.hh"
 #include "surfmesh/geometry/curvature.hh"
@@ -16,6 +13,7 @@
 #include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/metric/minimum.hh"
 #include "surfmesh/metric/size_tensor.hh"
+#include "surfmesh/sizes/field_size.hh"
 #include "surfmesh/sizes/place_sources.hh"
 #include "surfmesh/sizes/point_nodes.hh"
 #include "surfmesh/sizes/table_sizes.hh"
@@ -250,32 +248,18 @@ void SizeField::add_curvature(Uv uv, const Jet& jet, Sample& sample) const {
   blend_with_discs(uv, sample);
 }
 
-SizeTensor SizeField::size_of_field(const FieldSource& field, Uv uv, const Sample& sample) const {
-  if (field.metric) {
-    return size_from_metric_at(surface_, uv, sample.form, field.metric(uv, sample.point));
-  }
-  const double size = field.size(uv, sample.point);
-  if (!(size > 0 && std::isfinite(size))) {
-    throw Error(
-        ErrorCode::InvalidInput,
-        fmt::format("the size {} that a field wants at (u,v) = ({}, {}) is not positive and "
-                    "finite",
-                    size, uv.u, uv.v));
-  }
-  return isotropic(size);
-}
-
 void SizeField::add_sources(Uv uv, const Jet& jet, Sample& sample) const {
   SizeTensor& size = sample.size;
   if (everywhere_) size = minimum(size, *everywhere_);
   for (const Area& area : areas_) {
     if (contains(area.polygon, uv)) size = minimum(size, area.size);
   }
+  const SurfacePoint point = {uv, sample.point, sample.form};
   for (const FieldSource& field : fields_) {
-    size = minimum(size, bounds_.clamp(size_of_field(field, uv, sample)));
+    size = minimum(size, bounds_.clamp(size_of_field(field, surface_, point)));
   }
   for (const auto& table : tables_) {
-    size = minimum(size, table->at({uv, sample.point, sample.form}).size);
+    size = minimum(size, table->at(point).size);
   }
   if (!trees_.empty()) {
     const TangentFrame frame = tangent_frame(jet);

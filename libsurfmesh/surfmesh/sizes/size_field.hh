@@ -55,6 +55,9 @@ class SizeField {
 
   const SizeBounds& bounds() const { return bounds_; }
 
+  /// The fields among its sources.
+  const std::vector<FieldSource>& fields() const { return fields_; }
+
   /// Points that sampling must include: those of `at`, points along `along` and the borders of
   /// `inside`, and one in each cell of a surface with several. Sizes there may hold in so small an
   /// area that widely spaced samples would miss them.
@@ -91,7 +94,6 @@ class SizeField {
   void add_curvature(Uv uv, const Jet& jet, Sample& sample) const;
   void add_sources(Uv uv, const Jet& jet, Sample& sample) const;
   void add_rings(Uv uv, Sample& sample) const;
-  SizeTensor size_of_field(const FieldSource& field, Uv uv, const Sample& sample) const;
   SizeTensor size_from_curvature(const Jet& jet) const;
   Disc make_disc(const SingularPoint& singular) const;
   Disc ring_around(Uv at, double distance) const;
