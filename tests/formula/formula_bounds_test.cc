@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "surfmesh/formula/formula.hh"
+#include "surfmesh/formula/formula_slopes.hh"
 
 namespace surfmesh {
 namespace {
@@ -50,6 +51,7 @@ void expect_near(const Interval& found, const Interval& expected) {
 }
 
 using Random = std::mt19937;
+using Bound = void (*)(const FormulaProgram&, std::span<const Interval>, std::span<Interval>);
 
 double uniform(Random& random, double from, double to) {
   return std::uniform_real_distribution<double>(from, to)(random);
@@ -100,9 +102,10 @@ FormulaProgram random_program(Random& random) {
 bool is_plain(double x) { return std::isfinite(x) && !(x == 0 && std::signbit(x)); }
 
 /// Compare bounds with the values at some points of the box, as long as values are plain.
-void expect_inside(const FormulaProgram& program, const UvBox& box, Random& random) {
+void expect_inside(const FormulaProgram& program, const UvBox& box, Random& random,
+                   Bound bound_all = bound) {
   std::vector<Interval> bounds(program.result_count());
-  bound(program, std::array{box.u, box.v}, bounds);
+  bound_all(program, std::array{box.u, box.v}, bounds);
   std::vector<JetNumber<0>> values(program.result_count());
   for (int i = 0; i < 20; ++i) {
     const double u = random_point(random, box.u), v = random_point(random, box.v);
@@ -231,6 +234,47 @@ TEST(FormulaBounds, ConvergeWithTheWidthOfTheBox) {
     }
     last = excess;
   }
+}
+
+TEST(FormulaSlopes, HoldAllValuesOfRandomPrograms) {
+  Random random(3);
+  for (int i = 0; i < 30'000 && !::testing::Test::HasFailure(); ++i) {
+    expect_inside(random_program(random), {random_interval(random), random_interval(random)},
+                  random, bound_by_slopes);
+  }
+}
+
+TEST(FormulaSlopes, AreNoWiderThanBounds) {
+  Random random(4);
+  for (int i = 0; i < 3'000; ++i) {
+    const FormulaProgram program = random_program(random);
+    const std::array box = {random_interval(random), random_interval(random)};
+    std::vector<Interval> simple(program.result_count()), close = simple;
+    bound(program, box, simple);
+    bound_by_slopes(program, box, close);
+    for (std::size_t k = 0; k < simple.size(); ++k) {
+      EXPECT_GE(close[k].lower, simple[k].lower);
+      EXPECT_LE(close[k].upper, simple[k].upper);
+    }
+  }
+}
+
+/// (u − ½)⁴ + 1, written out: simple bounds are 500 times as wide.
+TEST(FormulaSlopes, CancelWhatOccursSeveralTimes) {
+  const FormulaProgram program = program_of("u^4-2*u^3+1.5*u^2-0.5*u+1.0625");
+  const std::array<Interval, 2> box = {Interval{0.5, 0.51}, Interval{0, 1}};
+  Interval result;
+  bound_by_slopes(program, box, std::span(&result, 1));
+  EXPECT_LT(result.width(), 0.001);
+  EXPECT_TRUE(result.contains(1) && result.contains(1 + 1e-8));
+  EXPECT_GT(bounds_of(program, {box[0], box[1]}).width(), 0.01);
+}
+
+TEST(FormulaProgram, KnowsWhetherItReadsEachOnce) {
+  EXPECT_TRUE(program_of("0.002+0.098*min(1,abs(u-0.317)/0.02)").reads_each_once());
+  EXPECT_TRUE(program_of("u^2+v").reads_each_once());
+  EXPECT_FALSE(program_of("u^2+u").reads_each_once());
+  EXPECT_FALSE(program_of("sin(u+v)*exp(u+v)").reads_each_once());
 }
 
 TEST(FormulaProgram, KnowsItsVariables) {

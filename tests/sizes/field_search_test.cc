@@ -169,6 +169,17 @@ TEST(FieldSearch, FindsNothingInSmoothFields) {
   }
 }
 
+/// Simple bounds of these would spend the budget: terms of size 1 cancel to 0.01.
+TEST(FieldSearch, FindsNothingWhereTermsCancel) {
+  for (const std::string text :
+       {"0.01+u^4-2*u^3+1.5*u^2-0.5*u+0.0625", "0.001+0.1*(u^2-2*u*v+v^2)"}) {
+    std::size_t found = 0;
+    const std::size_t evaluations = evaluations_for(formula_field(text), found);
+    EXPECT_EQ(found, 0u) << text;
+    EXPECT_LE(evaluations, 10u * kCells * kCells) << text;
+  }
+}
+
 TEST(FieldSearch, AsksOnceWhereThereIsNoRoom) {
   const SizeField field = field_of(formula_field("0.1+0.01*u"));
   FieldSearch search(field);
@@ -195,7 +206,7 @@ TEST(FieldSearch, FindsNothingBelowHmin) {
   EXPECT_TRUE(FieldSearch(field).find_smaller(kWhole, 0.0002));
 }
 
-/// u − u is 0, but not for bounds, which leave room for small sizes everywhere.
+/// sin² + cos² is 1, but bounds leave room for small sizes everywhere.
 TEST(FieldSearch, EndsWithItsBudget) {
   const SizeField field = field_of(formula_field("0.1+100000*(sin(u)^2+cos(u)^2-1)+1e-9*v"));
   FieldSearch search(field, 1000);

@@ -217,6 +217,21 @@ inline Interval bound_step(const Instruction& step, const Interval& a, const Int
 
 }  // namespace
 
+Interval bound_operation(const Instruction& step, const Interval& a, const Interval& b) {
+  return step.operation == Operation::Constant ? defined(Interval::of(step.constant))
+                                               : bound_step(step, a, b);
+}
+
+void bound_registers(const FormulaProgram& program, std::span<const Interval> variables,
+                     std::span<Interval> registers) {
+  std::ranges::copy(variables, registers.begin());
+  std::size_t next = variables.size();
+  for (const Instruction& step : program.instructions()) {
+    const auto a = static_cast<std::size_t>(step.a), b = static_cast<std::size_t>(step.b);
+    registers[next++] = bound_operation(step, registers[a], registers[b]);
+  }
+}
+
 void bound(const FormulaProgram& program, std::span<const Interval> variables,
            std::span<Interval> results) {
   // Not initialised: each is written before it is read.

@@ -26,4 +26,13 @@ namespace surfmesh {
 void bound(const FormulaProgram& program, std::span<const Interval> variables,
            std::span<Interval> results);
 
+/// The same for all registers: the variables, then the instructions.
+/// Pre      as many registers
+void bound_registers(const FormulaProgram& program, std::span<const Interval> variables,
+                     std::span<Interval> registers);
+
+/// The same for one operation on operands inside intervals. The second one is not read if the
+/// operation has only one.
+Interval bound_operation(const Instruction& step, const Interval& a, const Interval& b);
+
 }  // namespace surfmesh

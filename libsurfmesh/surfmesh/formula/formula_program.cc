@@ -142,6 +142,16 @@ bool FormulaProgram::uses(std::size_t variable) const {
          std::ranges::find(results_, index) != results_.end();
 }
 
+bool FormulaProgram::reads_each_once() const {
+  std::vector<int> reads(variable_count_ + instructions_.size(), 0);
+  for (const Instruction& step : instructions_) {
+    if (step.operation == Operation::Constant) continue;
+    ++reads[static_cast<std::size_t>(step.a)];
+    if (is_binary(step.operation)) ++reads[static_cast<std::size_t>(step.b)];
+  }
+  return std::ranges::all_of(reads, [](int count) { return count <= 1; });
+}
+
 bool operator<(const Instruction& x, const Instruction& y) {
   const auto key = [](const Instruction& i) {
     return std::tuple(i.operation, i.a, i.b, std::bit_cast<std::uint64_t>(i.constant));

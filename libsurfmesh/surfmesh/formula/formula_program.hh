@@ -84,6 +84,9 @@ class FormulaProgram {
   /// True if a result may depend on this variable.
   bool uses(std::size_t variable) const;
 
+  /// True if no variable and no instruction is read by more than one operand.
+  bool reads_each_once() const;
+
  private:
   friend class FormulaBuilder;
 

@@ -7,6 +7,7 @@
 
 #include "surfmesh/formula/formula.hh"
 #include "surfmesh/formula/formula_bounds.hh"
+#include "surfmesh/formula/formula_slopes.hh"
 
 namespace surfmesh {
 namespace {
@@ -40,7 +41,8 @@ std::array<Interval, count> bounds(const FormulaProgram& program, const UvBox& b
   const auto side = [&](int i) { return Interval{positions.min()[i], positions.max()[i]}; };
   const std::array<Interval, 5> variables = {box.u, box.v, side(0), side(1), side(2)};
   std::array<Interval, count> results;
-  bound(program, variables, results);
+  program.reads_each_once() ? bound(program, variables, results)
+                            : bound_by_slopes(program, variables, results);
   return results;
 }
 

@@ -9,12 +9,13 @@
 
 namespace surfmesh {
 
-/// A field of one size from a formula of u, v, x, y, z, with bounds. Its patch is unset.
+/// A field of one size from a formula of u, v, x, y, z, with bounds: those of bound(), or where it
+/// reads something twice, of bound_by_slopes(). Its patch is unset.
 /// Throws   as parse_formula
 FieldSource formula_field(const std::string& size,
                           const std::map<std::string, double>& constants = {});
 
-/// A field of metrics from the formulas of m11, m12, m22, with bounds. Its patch is unset.
+/// A field of metrics from the formulas of m11, m12, m22, with bounds likewise.
 /// Throws   as parse_formula
 FieldSource formula_field(const std::array<std::string, 3>& metric,
                           const std::map<std::string, double>& constants = {});
