@@ -11,8 +11,8 @@ namespace surfmesh {
 
 ControlCells::ControlCells(const Domain& domain, CellCount roots, SampleNode sample,
                            const ControlSpaceOptions& options,
-                           const std::vector<ControlNode>& places)
-    : LatticeSpace(domain, options, places),
+                           const std::vector<ControlNode>& discs)
+    : LatticeSpace(domain, options, discs),
       sample_(std::move(sample)),
       tree_(domain, roots, make_node()) {}
 

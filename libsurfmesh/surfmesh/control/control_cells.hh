@@ -20,10 +20,11 @@ class ControlCells : public LatticeSpace {
   using SampleNode = std::function<ControlNode(Uv)>;
 
   /// Start with a grid of cells (CellTree), whose nodes are samples, as are those of all halves.
+  /// `discs` are nodes of extended forms, see ControlSpace.
   ///
   /// Throws   InvalidOption; what `sample` throws
   ControlCells(const Domain& domain, CellCount roots, SampleNode sample,
-               const ControlSpaceOptions& options, const std::vector<ControlNode>& places);
+               const ControlSpaceOptions& options, const std::vector<ControlNode>& discs);
 
   const CellTree& tree() const { return tree_; }
 
@@ -31,6 +32,7 @@ class ControlCells : public LatticeSpace {
   void halve(int leaf, bool along_u);
 
   int find_cell(Uv uv, int near) const override { return tree_.find(uv, near); }
+  Uv cell_extent(int cell) const override { return tree_.extent(tree_.cell(cell)); }
 
   /// Cost     20 ns near the last query, 60 ns elsewhere, both without the rest of a query
   Support support(int cell, Uv uv) const override;

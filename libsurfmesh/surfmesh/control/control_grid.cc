@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "surfmesh/core/error.hh"
-#include "surfmesh/metric/minimum.hh"
 
 namespace surfmesh {
 namespace {
@@ -26,25 +25,12 @@ int side_of(const std::vector<ControlNode>& regular) {
 }  // namespace
 
 ControlGrid::ControlGrid(const Domain& domain, const std::vector<ControlNode>& regular,
-                         const std::vector<ControlNode>& others, const ControlSpaceOptions& options)
-    : LatticeSpace(domain, options, others),
+                         const ControlSpaceOptions& options, const std::vector<ControlNode>& discs)
+    : LatticeSpace(domain, options, discs),
       side_(side_of(regular)),
       cells_per_u_((side_ - 1) / (domain.u1 - domain.u0)),
       cells_per_v_((side_ - 1) / (domain.v1 - domain.v0)) {
   for (const ControlNode& node : regular) add_node(node);
-  for (const ControlNode& other : others) lower_cell(other);
-}
-
-void ControlGrid::lower_cell(const ControlNode& other) {
-  const Uv uv = other.uv;
-  if (domain().clamp(uv) != uv) {
-    throw Error(
-        ErrorCode::InvalidInput,
-        fmt::format("a control node at (u,v) = ({}, {}) lies outside the domain", uv.u, uv.v));
-  }
-  for (const int node : support(find_cell(uv, -1), uv).nodes) {
-    set_size(node, minimum(size(node), other.size));
-  }
 }
 
 /// A cell has the number of the node at its lower corner.

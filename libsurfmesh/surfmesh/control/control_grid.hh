@@ -12,16 +12,16 @@ namespace surfmesh {
 /// Source   paper, section 1, the regular grid
 class ControlGrid : public LatticeSpace {
  public:
-  /// Take side × side regular nodes, in rows along u from the lower corner. Each further node
-  /// lowers the sizes at the corners of its cell.
+  /// Take side × side regular nodes, in rows along u from the lower corner. `discs` are nodes of
+  /// extended forms, see ControlSpace.
   ///
   /// Cost     about 0.1 µs per node
-  /// Throws   InvalidInput if the number of nodes is not a square of at least 4, or for a node
-  ///          outside the rectangle, naming its (u,v); InvalidOption
+  /// Throws   InvalidInput if the number of nodes is not a square of at least 4; InvalidOption
   ControlGrid(const Domain& domain, const std::vector<ControlNode>& regular,
-              const std::vector<ControlNode>& others, const ControlSpaceOptions& options);
+              const ControlSpaceOptions& options, const std::vector<ControlNode>& discs = {});
 
   int find_cell(Uv uv, int near) const override;
+  Uv cell_extent(int) const override { return {1 / cells_per_u_, 1 / cells_per_v_}; }
 
   /// Cost     below 20 ns with the metric (tests/bench/control_bench.cc)
   Support support(int cell, Uv uv) const override;
@@ -37,8 +37,6 @@ class ControlGrid : public LatticeSpace {
   FaceList faces() const override;
 
  private:
-  void lower_cell(const ControlNode& other);
-
   int side_;
   double cells_per_u_;
   double cells_per_v_;

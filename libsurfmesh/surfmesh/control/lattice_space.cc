@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/control/lattice_space.hh"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "surfmesh/control/grade_sizes.hh"
+#include "surfmesh/core/error.hh"
 #include "surfmesh/core/topology.hh"
 #include "surfmesh/metric/interpolate.hh"
+#include "surfmesh/metric/minimum.hh"
 #include "surfmesh/metric/size_tensor.hh"
 #include "surfmesh/metric/tensor.hh"
 
 namespace surfmesh {
 namespace {
+
+/// Units of a size at a point to which cells are divided around it where sizes are not graded.
+constexpr double kUnitsAroundPoint = 2;
 
 /// Share of the way from a to b of the point nearest to p in a metric.
 double nearest_share(const Metric& metric, Uv a, Uv b, Uv p) {
@@ -23,8 +30,8 @@ double nearest_share(const Metric& metric, Uv a, Uv b, Uv p) {
 }  // namespace
 
 LatticeSpace::LatticeSpace(const Domain& domain, const ControlSpaceOptions& options,
-                           const std::vector<ControlNode>& places)
-    : ControlSpace(options, places),
+                           const std::vector<ControlNode>& discs)
+    : ControlSpace(options, discs),
       domain_(domain),
       uv_(attach(mesh_, keys::vertex_uv)),
       size_(attach(mesh_, keys::vertex_size)) {}
@@ -102,6 +109,32 @@ SizeTensor LatticeSpace::limited_by_rows(const SizeTensor& size, const SurfacePo
     limited = limited_by(segments_[static_cast<std::size_t>(k)], limited, at);
   }
   return limited;
+}
+
+// --- points ---
+
+void LatticeSpace::lower_around(const ControlNode& point) {
+  const Metric metric = metric_from_size(point.form, point.size);
+  while (!divide_cell(point.uv, metric, kUnitsAroundPoint).empty()) {
+  }
+  for (const int node : support(find_cell(point.uv, -1), point.uv).nodes) {
+    if (node >= 0) set_size(node, minimum(size(node), point.size));
+  }
+}
+
+void LatticeSpace::hold_points(const std::vector<ControlNode>& points) {
+  for (const ControlNode& point : points) {
+    if (domain_.clamp(point.uv) != point.uv) {
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("a control node at (u,v) = ({}, {}) lies outside the domain",
+                              point.uv.u, point.uv.v));
+    }
+    if (options().grade > 0) {
+      add_row_node(point, -1);
+    } else {
+      lower_around(point);
+    }
+  }
 }
 
 // --- sizes ---

@@ -52,6 +52,9 @@ class LatticeSpace : public ControlSpace {
   /// The cell that contains a point; fast if that is `near`.
   virtual int find_cell(Uv uv, int near) const = 0;
 
+  /// Width and height of a cell in parameters.
+  virtual Uv cell_extent(int cell) const = 0;
+
   /// The nodes of a cell around a point in it.
   virtual Support support(int cell, Uv uv) const = 0;
 
@@ -75,6 +78,12 @@ class LatticeSpace : public ControlSpace {
   /// the row.
   int add_row_node(const ControlNode& node, int before);
 
+  /// Take in sizes at single points: as nodes of rows of one if sizes are graded, otherwise by the
+  /// nodes around each point, in cells that are at most two of its units long if they can be
+  /// divided.
+  /// Throws   InvalidInput for a point outside the rectangle, naming its (u,v)
+  void hold_points(const std::vector<ControlNode>& points);
+
   /// The size at a point between the nodes of the lattice, without rows and discs.
   SizeTensor lattice_size(Uv uv, int& near) const;
 
@@ -96,9 +105,9 @@ class LatticeSpace : public ControlSpace {
     const int* end() const { return nodes.data() + count; }
   };
 
-  /// `places` are nodes of extended forms, see ControlSpace.
+  /// `discs` are nodes of extended forms, see ControlSpace.
   LatticeSpace(const Domain& domain, const ControlSpaceOptions& options,
-               const std::vector<ControlNode>& places);
+               const std::vector<ControlNode>& discs);
 
   SizeTensor interpolate(const SurfacePoint& at, QueryHint& hint) const override;
 
@@ -119,6 +128,7 @@ class LatticeSpace : public ControlSpace {
     int to;
   };
 
+  void lower_around(const ControlNode& point);
   SizeTensor weighted(const Support& support) const;
   SizeTensor limited_by_rows(const SizeTensor& size, const SurfacePoint& at, int cell) const;
   SizeTensor limited_by(const RowSegment& segment, const SizeTensor& size,

@@ -47,6 +47,11 @@ NodeInterpolation::NodeInterpolation(const Surface& surface, const std::vector<C
     : control_(std::make_shared<ControlMesh>(surface.domain(), with_corners(surface, nodes),
                                              ControlSpaceOptions())) {}
 
+std::vector<Uv> NodeInterpolation::points() const {
+  const PolyMesh& mesh = control_->mesh();
+  return mesh.property(require(mesh, keys::vertex_uv)).data_vector();
+}
+
 NodeInterpolation::Answer NodeInterpolation::at(const SurfacePoint& at) const {
   QueryHint hint;
   const SizeTensor size = control_->size(at, hint);

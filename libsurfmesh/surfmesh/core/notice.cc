@@ -46,6 +46,8 @@ std::string_view name(NoticeKind kind) {
       return "flat_triangles";
     case NoticeKind::CoarseControl:
       return "coarse_control";
+    case NoticeKind::MissedPrecision:
+      return "missed_precision";
     case NoticeKind::GivenUp:
       return "given_up";
     case NoticeKind::TurnedTriangles:

@@ -25,6 +25,7 @@ enum class NoticeKind {
   SplitVertices,        ///< vertices are taken apart, likewise
   FlatTriangles,        ///< triangles of very low quality
   CoarseControl,        ///< a control space does not hold its precision
+  MissedPrecision,      ///< the control space misses its precision on an independent sample
   GivenUp,              ///< refinement was given up
   TurnedTriangles,      ///< triangles against the normal of the surface
   SagNotReached,        ///< mesh and surface are farther apart than asked for

@@ -53,6 +53,15 @@ void tell_coarse(const Model& model, const std::vector<ControlInput>& inputs, No
   if (notice) notices.push_back(std::move(*notice));
 }
 
+void tell_missed(const PrecisionSample& sample, Notices& notices) {
+  if (sample.is_held()) return;
+  notices.push_back(warning(
+      NoticeKind::MissedPrecision,
+      fmt::format("the control space misses its precision of {:.3g} at {:.2g} % of a sample of "
+                  "points, by {:.3g} at most; a smaller precision helps",
+                  sample.asked, 100 * sample.share_over(), sample.greatest)));
+}
+
 }  // namespace
 
 ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
@@ -73,6 +82,7 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
   });
   tell_coarse(model, inputs, result.notices);
   for (const ControlInput& input : inputs) result.precision += input.sampling.precision;
+  tell_missed(result.precision, result.notices);
   grade_across_contours(model, inputs, result.spaces, context);
   share_indices(result.spaces.size(), [&](std::size_t p) { finish(*result.spaces[p]); });
   return result;

@@ -28,9 +28,9 @@ constexpr double kNegligibleArea = 0.05;
 constexpr int kMaxRounds = 6;
 constexpr double kFinerPrecision = 0.6;
 
-/// Nodes along a side of the first grid, and above which no finer one is tried: a million nodes.
+/// Nodes along a side of the first grid, and in all.
 constexpr int kFirstGridSide = 9;
-constexpr int kLastGridSide = 1000;
+constexpr double kMostGridNodes = 1.1e6;
 
 /// Points of the independent sample: as many as nodes, within bounds.
 int sample_count(std::size_t nodes) {
@@ -87,6 +87,15 @@ MetricArea metric_area(EvenSample& sample, const ControlSpace& control, int samp
   return area;
 }
 
+/// Metric area of the rectangle of a domain, by the mean of regular nodes.
+double area_by_nodes(const Surface& surface, const std::vector<ControlNode>& nodes) {
+  const Domain domain = surface.domain();
+  double sum = 0;
+  for (const ControlNode& node : nodes) sum += root_of_determinant(node.form, node.size);
+  return (domain.u1 - domain.u0) * (domain.v1 - domain.v0) * sum /
+         static_cast<double>(nodes.size());
+}
+
 /// True if a grid of control nodes holds the field to the precision at quasi-random points, or is
 /// finer there than the elements.
 bool holds(const ControlGrid& grid, const SizeField& field, int side, double precision) {
@@ -137,13 +146,17 @@ ChosenNodes choose_accurate_nodes(const SizeField& field, const ControlNodeOptio
   return chosen;
 }
 
-ChosenNodes choose_grid_nodes(const SizeField& field, const ControlNodeOptions& options) {
+ChosenNodes choose_grid_nodes(const SizeField& field, const ControlNodeOptions& options,
+                              const RunContext& context) {
   if (options.regular > 0) return choose_control_nodes(field, options);
   for (int side = kFirstGridSide;; side = 2 * side - 1) {
+    context.throw_if_cancelled();
     ChosenNodes chosen = choose_control_nodes(field, {.regular = side * side});
-    const ControlGrid grid(field.surface().domain(), chosen.nodes, {}, {});
+    const ControlGrid grid(field.surface().domain(), chosen.nodes, {});
     if (holds(grid, field, side, options.precision)) return chosen;
-    chosen.is_coarse = side > kLastGridSide;
+    const double next = 4.0 * side * side;
+    chosen.is_coarse =
+        next > std::min(kMostGridNodes, most_nodes(area_by_nodes(field.surface(), chosen.nodes)));
     if (chosen.is_coarse) return chosen;
   }
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "surfmesh/control/control_space.hh"
+#include "surfmesh/core/run_context.hh"
 #include "surfmesh/sampling/control_nodes.hh"
 #include "surfmesh/sizes/size_field.hh"
 
@@ -33,9 +34,12 @@ ChosenNodes choose_accurate_nodes(const SizeField& field, const ControlNodeOptio
 
 /// Regular nodes in rows along u. Either a given number, or doubled along each side until bilinear
 /// interpolation represents the field to the precision on an independent sample or cells are small
-/// compared with elements; at most a million.
+/// compared with elements; but no more than 20,000 nodes and 16 per unit of metric area, a million
+/// at most.
 ///
 /// Cost     about 1 µs per node
-ChosenNodes choose_grid_nodes(const SizeField& field, const ControlNodeOptions& options);
+/// Throws   Cancelled
+ChosenNodes choose_grid_nodes(const SizeField& field, const ControlNodeOptions& options,
+                              const RunContext& context = RunContext());
 
 }  // namespace surfmesh

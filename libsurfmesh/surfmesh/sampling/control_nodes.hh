@@ -12,6 +12,11 @@ namespace surfmesh {
 /// cannot follow finer detail.
 inline constexpr double kLeastCellLength = 0.3;
 
+/// Nodes for sizes of a metric area from which on no finer ones are chosen, for elements cannot
+/// follow: 16 per unit, of which an element takes 0.43, and 20,000 beside these. Smooth fields take
+/// less than one per unit, creased patches of a few elements hundreds in all.
+inline double most_nodes(double metric_area) { return 20'000 + 16 * metric_area; }
+
 /// How control nodes are chosen.
 struct ControlNodeOptions {
   /// Number of regular nodes in the bounding rectangle, as a square (40,000 is 200 × 200). 0: nodes

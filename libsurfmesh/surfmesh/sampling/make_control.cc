@@ -14,17 +14,12 @@
 #include "surfmesh/control/node_interpolation.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/option_range.hh"
-#include "surfmesh/metric/minimum.hh"
-#include "surfmesh/metric/tensor.hh"
 #include "surfmesh/sampling/accurate_nodes.hh"
 #include "surfmesh/sizes/point_nodes.hh"
 #include "surfmesh/sizes/table_sizes.hh"
 
 namespace surfmesh {
 namespace {
-
-/// Units of a size at a point to which cells are halved around it where gradation is off.
-constexpr double kUnitsAroundPoint = 2;
 
 ControlNodeOptions node_options(const ControlOptions& options) {
   return {.regular = options.regular_nodes,
@@ -104,27 +99,25 @@ ControlCells::SampleNode sample_of(std::shared_ptr<const SizeField> field) {
   };
 }
 
-/// Sizes at single points that gradation does not spread reach the nodes around them.
-void lower_around(const std::vector<ControlNode>& places, ControlCells& cells) {
-  for (const ControlNode& place : places) {
-    const Metric metric = metric_from_size(place.form, place.size);
-    while (!cells.divide_cell(place.uv, metric, kUnitsAroundPoint).empty()) {
-    }
-    for (const int node : cells.support(cells.find_cell(place.uv, -1), place.uv).nodes) {
-      if (node >= 0) cells.set_size(node, minimum(cells.size(node), place.size));
-    }
-  }
-}
-
-std::unique_ptr<LatticeSpace> make_cells(const std::shared_ptr<const SizeField>& field,
-                                         double precision, const std::vector<ControlNode>& places,
-                                         ControlInput& input, const RunContext& context) {
+/// A lattice with the sizes of a field and of single points.
+void make_lattice(const std::shared_ptr<const SizeField>& field, const ControlNodeOptions& options,
+                  const std::vector<ControlNode>& points, ControlInput& input,
+                  const RunContext& context) {
   const Surface& surface = field->surface();
-  auto cells = std::make_unique<ControlCells>(surface.domain(), first_cells(surface),
-                                              sample_of(field), input.options, places);
-  input.sampling = sample_cells(*field, *cells, precision, context);
-  if (input.options.grade == 0) lower_around(places, *cells);
-  return cells;
+  if (input.kind == ControlKind::Cells) {
+    auto cells = std::make_unique<ControlCells>(surface.domain(), first_cells(surface),
+                                                sample_of(field), input.options, points);
+    input.sampling = sample_cells(*field, *cells, options.precision, context);
+    input.lattice = std::move(cells);
+  } else {
+    const ChosenNodes chosen = choose_grid_nodes(*field, options, context);
+    auto grid =
+        std::make_unique<ControlGrid>(input.domain, chosen.nodes, input.options, points);
+    input.sampling = {sample_precision(*field, *grid, options.precision, kLeastCellLength),
+                      chosen.is_coarse};
+    input.lattice = std::move(grid);
+  }
+  input.lattice->hold_points(points);
 }
 
 /// The nodes of a mesh: those that sources give, and others by the precision.
@@ -189,12 +182,8 @@ ControlInput collect_control_input(const Surface& surface, const ResolvedSizing&
   input.options.grade = sizing.grade;
   check(input.options);
   input.options.discs_meet_area_sources = has_other_sources(sources, *field) || places.empty();
-  if (input.kind == ControlKind::Cells) {
-    input.lattice = make_cells(field, own.precision, places, input, context);
-  } else if (input.kind == ControlKind::Grid) {
-    ChosenNodes chosen = choose_grid_nodes(*field, own);
-    input.sampling.is_coarse = chosen.is_coarse;
-    input.lattice = std::make_unique<ControlGrid>(input.domain, chosen.nodes, places, input.options);
+  if (input.kind != ControlKind::Mesh) {
+    make_lattice(field, own, places, input, context);
   } else {
     collect_mesh_nodes(*field, sources, own, std::move(places), input);
     if (options.inner_nodes) add_inner_nodes(surface, input.options, input.nodes);

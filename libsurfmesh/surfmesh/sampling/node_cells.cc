@@ -38,13 +38,7 @@ constexpr double kCrossTalk = 0.25;
 /// Changes below this share of what is missed tell no direction.
 constexpr double kEvenShare = 0.1;
 
-/// Nodes for each unit of metric area, of which an element takes 0.43, and beside these, from which
-/// on no cell is halved. Smooth fields take less than one a unit, creased patches of a few elements
-/// hundreds in all.
-constexpr double kMostNodesPerUnit = 16;
-constexpr double kFreeNodes = 20'000;
-
-/// The precision for which these are: inverse distances need nodes as its inverse square.
+/// The precision for which most_nodes() is: inverse distances need nodes as its inverse square.
 constexpr double kUsualPrecision = 0.1;
 
 /// Nodes in all: far more than sizes that elements can follow ever need in one patch.
@@ -285,7 +279,7 @@ void NodeCells::add_points(Cell& cell, const std::vector<std::size_t>& points) c
 
 bool NodeCells::is_full(double precision) const {
   const double finer = by_distance_ ? std::max(1.0, std::pow(kUsualPrecision / precision, 2)) : 1.0;
-  const double most = std::min(kMostNodes, finer * (kFreeNodes + kMostNodesPerUnit * metric_area_));
+  const double most = std::min(kMostNodes, finer * surfmesh::most_nodes(metric_area_));
   return static_cast<double>(nodes_.size()) > most;
 }
 

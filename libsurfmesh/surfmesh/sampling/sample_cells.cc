@@ -5,15 +5,20 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "surfmesh/control/grade_sizes.hh"
 #include "surfmesh/metric/conformity.hh"
 #include "surfmesh/metric/interpolate.hh"
 #include "surfmesh/metric/tensor.hh"
+#include "surfmesh/sampling/control_nodes.hh"
 #include "surfmesh/sampling/quasirandom.hh"
+#include "surfmesh/sizes/field_search.hh"
+#include "surfmesh/sizes/hidden_sizes.hh"
 
 namespace surfmesh {
 namespace {
@@ -51,16 +56,17 @@ constexpr double kManySamples = 4;
 constexpr std::array<std::array<double, 2>, 4> kGuardShares = {
     {{0.2817, 0.6473}, {0.7236, 0.3191}, {0.3587, 0.2229}, {0.6381, 0.7764}}};
 
-/// Nodes for each unit of metric area, and beside these, from which on no cell is halved. Smooth
-/// fields take less than one a unit, creased patches of a few elements hundreds in all.
-constexpr double kMostNodesPerUnit = 16;
-constexpr double kFreeNodes = 20'000;
 /// Nodes in all: far more than sizes that elements can follow ever need in one patch.
 constexpr double kMostNodes = 4e6;
 
 /// Nodes for each point of the independent sample, and points at least.
 constexpr int kNodesPerPoint = 20;
 constexpr int kLeastPoints = 8;
+
+/// Share of the points that may miss the precision, and how many times: kinks of the sizes lie
+/// across cells.
+constexpr double kMostOver = 0.02;
+constexpr double kMostMiss = 3;
 
 /// Squared lengths of a cell in units.
 struct Lengths {
@@ -93,7 +99,10 @@ class CellSampler {
         tree_(cells.tree()),
         precision_(precision),
         least_units_(kLeastUnits * std::sqrt(std::min(1.0, precision / kUsualPrecision))),
-        is_one_cell_(field.surface().cells().u * field.surface().cells().v == 1) {}
+        is_one_cell_(field.surface().cells().u * field.surface().cells().v == 1),
+        search_(field),
+        is_searched_(std::any_of(field.fields().begin(), field.fields().end(),
+                                 [](const FieldSource& f) { return f.has_bounds(); })) {}
 
   CellSampling run(const RunContext& context) {
     start();
@@ -103,13 +112,14 @@ class CellSampler {
       waiting_.pop_front();
       if (const auto along_u = halving(next)) halve(next, *along_u);
     }
-    sampling_.precision = independent_sample();
+    sampling_.precision = sample_precision(field_, cells_, precision_, least_units_);
     return sampling_;
   }
 
  private:
   void start() {
     for (const Uv uv : field_.required_points()) points_.push_back({uv, field_.at(uv)});
+    for (const Uv uv : find_hidden(field_)) points_.push_back({uv, field_.at(uv)});
     std::vector<std::size_t> all(points_.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     std::vector<int> leaves(tree_.size());
@@ -222,11 +232,12 @@ class CellSampler {
   }
 
   /// The greatest miss at the points inside a cell; their units count for its length.
-  double greatest_miss(const Waiting& waiting, Lengths& lengths) const {
+  double greatest_miss(const Waiting& waiting, Lengths& lengths) {
     const CellTree::Cell& cell = tree_.cell(waiting.leaf);
-    double greatest = 0;
+    double greatest = 0, least = least_length(cell);
     const auto look_at = [&](Uv uv, const SizeField::Sample& exact) {
       lengths.include(metric_from_size(exact.form, exact.size), tree_.extent(cell));
+      least = std::min(least, size_range(exact.size).least);
       greatest = std::max(greatest, miss(uv, exact, waiting.leaf));
     };
     const bool is_sampled_often = std::max(lengths.u, lengths.v) > kManySamples * kManySamples;
@@ -237,7 +248,23 @@ class CellSampler {
     for (const std::size_t point : waiting.points) {
       look_at(points_[point].uv, points_[point].field);
     }
+    if (greatest > precision_ || !is_searched_) return greatest;
+    const auto hidden = search_.find_smaller(box_of(cell), std::exp(-precision_) * least);
+    if (hidden) look_at(*hidden, field_.at(*hidden));
     return greatest;
+  }
+
+  double least_length(const CellTree::Cell& cell) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const int node : cell.nodes) {
+      if (node >= 0) least = std::min(least, size_range(cells_.size(node)).least);
+    }
+    return least;
+  }
+
+  UvBox box_of(const CellTree::Cell& cell) const {
+    const Uv lower = tree_.at(cell, 0, 0), upper = tree_.at(cell, 1, 1);
+    return {{lower.u, upper.u}, {lower.v, upper.v}};
   }
 
   double miss(Uv uv, const SizeField::Sample& exact, int leaf) const {
@@ -258,7 +285,7 @@ class CellSampler {
     if (nodes <= most_nodes_) return false;
     if (nodes < 2 * measured_at_) return true;
     measured_at_ = nodes;
-    most_nodes_ = std::min(kMostNodes, kFreeNodes + kMostNodesPerUnit * metric_area());
+    most_nodes_ = std::min(kMostNodes, surfmesh::most_nodes(metric_area()));
     return nodes > most_nodes_;
   }
 
@@ -276,21 +303,6 @@ class CellSampler {
     return area;
   }
 
-  PrecisionSample independent_sample() const {
-    PrecisionSample sample;
-    sample.asked = precision_;
-    const Domain domain = field_.surface().domain();
-    const int count = std::max(kLeastPoints, cells_.node_count() / kNodesPerPoint);
-    for (int i = 1; i <= count; ++i) {
-      const Uv uv = domain.fold(quasirandom_point(domain, i));
-      const double missed = miss(uv, field_.at(uv), -1);
-      ++sample.points;
-      sample.over += missed > precision_ ? 1 : 0;
-      sample.greatest = std::max(sample.greatest, missed);
-    }
-    return sample;
-  }
-
   /// A point that cells must represent.
   struct RequiredPoint {
     Uv uv;
@@ -303,22 +315,51 @@ class CellSampler {
   double precision_;
   double least_units_;
   bool is_one_cell_;
+  FieldSearch search_;
+  bool is_searched_;  ///< false if no field has bounds
   std::vector<RequiredPoint> points_;
   std::deque<Waiting> waiting_;
   std::vector<Metric> metrics_;  ///< by node
-  double most_nodes_ = kFreeNodes;
+  double most_nodes_ = surfmesh::most_nodes(0);
   double measured_at_ = 0;  ///< nodes
   CellSampling sampling_;
 };
 
 }  // namespace
 
+bool PrecisionSample::is_held() const {
+  return static_cast<double>(over) <= kMostOver * static_cast<double>(points) &&
+         greatest <= kMostMiss * asked;
+}
+
 PrecisionSample& PrecisionSample::operator+=(const PrecisionSample& other) {
   asked = points == 0 ? other.asked : std::min(asked, other.asked);
   points += other.points;
   over += other.over;
+  over_in_short_cells += other.over_in_short_cells;
   greatest = std::max(greatest, other.greatest);
   return *this;
+}
+
+PrecisionSample sample_precision(const SizeField& field, const LatticeSpace& space,
+                                 double precision, double short_units) {
+  PrecisionSample sample;
+  sample.asked = precision;
+  const Domain domain = field.surface().domain();
+  const int count = std::max(kLeastPoints, space.node_count() / kNodesPerPoint);
+  for (int i = 1; i <= count; ++i) {
+    const Uv uv = domain.fold(quasirandom_point(domain, i));
+    const SizeField::Sample exact = field.at(uv);
+    int cell = -1;
+    const double miss = log_conformity(exact.size, space.lattice_size(uv, cell));
+    Lengths lengths;
+    lengths.include(metric_from_size(exact.form, exact.size), space.cell_extent(cell));
+    const bool is_short = std::max(lengths.u, lengths.v) <= short_units * short_units;
+    ++sample.points;
+    (is_short ? sample.over_in_short_cells : sample.over) += miss > precision ? 1 : 0;
+    if (!is_short) sample.greatest = std::max(sample.greatest, miss);
+  }
+  return sample;
 }
 
 CellCount first_cells(const Surface& surface) {

@@ -9,22 +9,32 @@
 
 namespace surfmesh {
 
-/// How well a control space represents the sizes of its sources, on a sample of points that played
-/// no part in its choice of nodes.
+/// How well a control space represents the sizes of its sources before gradation, on a sample of
+/// points that played no part in its choice of nodes.
 struct PrecisionSample {
-  double asked = 0;     ///< greatest conformity that is wanted
+  double asked = 0;  ///< greatest conformity that is wanted
   std::size_t points = 0;
-  std::size_t over = 0;  ///< points that miss more
-  double greatest = 0;   ///< miss of all points
+  std::size_t over = 0;  ///< points that miss more, in cells that elements can follow
+  double greatest = 0;   ///< miss of all points in such cells
+  std::size_t over_in_short_cells = 0;  ///< other points that miss more
 
   double share_over() const {
     return points > 0 ? static_cast<double>(over) / static_cast<double>(points) : 0;
   }
 
+  /// True if at most 2 % of the points miss the precision in cells that elements can follow, and
+  /// none by more than three times.
+  bool is_held() const;
+
   /// Take in the sample of another patch.
   PrecisionSample& operator+=(const PrecisionSample& other);
   friend bool operator==(const PrecisionSample&, const PrecisionSample&) = default;
 };
+
+/// Compare a lattice with the field at quasi-random points: one for each twenty nodes, eight at
+/// least. Cells shorter than `short_units` elements are those that elements cannot follow.
+PrecisionSample sample_precision(const SizeField& field, const LatticeSpace& space,
+                                 double precision, double short_units);
 
 struct CellSampling {
   PrecisionSample precision;
@@ -43,8 +53,10 @@ CellCount first_cells(const Surface& surface);
 /// 0.1, than fewer. From 20,000 nodes and 16 per unit of metric area on, four million at most,
 /// elements cannot follow, and no cell is halved any more.
 ///
-/// Error    DECISIONS.md, sampling
-/// Cost     1.5 samples of the field per node, about 1 µs per node besides
+/// Fields of the user are searched beyond these points (FieldSearch, find_hidden).
+///
+/// Error    DECISIONS.md, sampling; test SampleCells.*
+/// Cost     1.5 samples of the field per node and about 1 µs per node, beside the search
 /// Throws   Cancelled; InvalidInput if a field is not positive and finite
 CellSampling sample_cells(const SizeField& field, ControlCells& cells, double precision,
                           const RunContext& context);
