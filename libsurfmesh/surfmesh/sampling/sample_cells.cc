@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -34,8 +35,8 @@ constexpr double kUsualPrecision = 0.1;
 /// more where the bend grows towards a side of the cell.
 constexpr double kMissPerBend = 0.75;
 
-/// Bends that are a smaller share of what is missed tell no direction.
-constexpr double kEvenShare = 0.25;
+/// Smaller bends tell no direction.
+constexpr double kLeastBend = 0.08;
 
 /// A bend that is a smaller share of the greatest one is not worth a halving in its place.
 constexpr double kLesserBend = 0.25;
@@ -63,10 +64,8 @@ constexpr double kMostNodes = 4e6;
 constexpr int kNodesPerPoint = 20;
 constexpr int kLeastPoints = 8;
 
-/// Share of the points that may miss the precision, and how many times: kinks of the sizes lie
-/// across cells.
+/// Share of the points that may miss the precision: kinks of the sizes lie across cells.
 constexpr double kMostOver = 0.02;
-constexpr double kMostMiss = 3;
 
 /// Squared lengths of a cell in units.
 struct Lengths {
@@ -105,41 +104,49 @@ class CellSampler {
                                  [](const FieldSource& f) { return f.has_bounds(); })) {}
 
   CellSampling run(const RunContext& context) {
-    start();
-    for (std::size_t steps = 1; !waiting_.empty(); ++steps) {
-      if (steps % kStepsBetweenCancellation == 0) context.throw_if_cancelled();
-      const Waiting next = std::move(waiting_.front());
-      waiting_.pop_front();
-      if (const auto along_u = halving(next)) halve(next, *along_u);
-    }
+    find_points();
+    // Apart from the second pass, so that a finer precision begins with the same cells.
+    empty_queue(context, [this](const Waiting& next) { return first_halving(next.leaf); });
+    empty_queue(context, [this](const Waiting& next) { return halving(next); });
     sampling_.precision = sample_precision(field_, cells_, precision_, least_units_);
     return sampling_;
   }
 
  private:
-  void start() {
+  void find_points() {
     for (const Uv uv : field_.required_points()) points_.push_back({uv, field_.at(uv)});
     for (const Uv uv : find_hidden(field_)) points_.push_back({uv, field_.at(uv)});
+  }
+
+  /// Examine all leaves, and those that come of them.
+  template <class Halving>
+  void empty_queue(const RunContext& context, Halving halving) {
     std::vector<std::size_t> all(points_.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    std::vector<int> leaves(tree_.size());
-    std::iota(leaves.begin(), leaves.end(), 0);
+    std::vector<int> leaves;
+    for (int index = 0; index < static_cast<int>(tree_.size()); ++index) {
+      if (tree_.cell(index).is_leaf()) leaves.push_back(index);
+    }
     add_waiting(leaves, all);
+    for (std::size_t steps = 1; !waiting_.empty(); ++steps) {
+      if (steps % kStepsBetweenCancellation == 0) context.throw_if_cancelled();
+      const Waiting next = std::move(waiting_.front());
+      waiting_.pop_front();
+      if (const std::optional<bool> along_u = halving(next)) halve(next, *along_u);
+    }
   }
 
   /// Let the leaves wait, each with those of the points that lie in it.
   void add_waiting(const std::vector<int>& leaves, const std::vector<std::size_t>& points) {
-    std::vector<std::vector<std::size_t>> points_of(leaves.size());
+    std::unordered_map<int, std::vector<std::size_t>> points_of;
     for (const std::size_t point : points) {
-      const int leaf = tree_.find(points_[point].uv);
-      const auto at = std::find(leaves.begin(), leaves.end(), leaf);
-      if (at != leaves.end()) {
-        points_of[static_cast<std::size_t>(at - leaves.begin())].push_back(point);
-      }
+      points_of[tree_.find(points_[point].uv)].push_back(point);
     }
-    for (std::size_t k = 0; k < leaves.size(); ++k) {
-      if (tree_.is_empty(tree_.cell(leaves[k]))) continue;
-      waiting_.push_back({leaves[k], std::move(points_of[k])});
+    for (const int leaf : leaves) {
+      if (tree_.is_empty(tree_.cell(leaf))) continue;
+      const auto found = points_of.find(leaf);
+      waiting_.push_back({leaf, found == points_of.end() ? std::vector<std::size_t>()
+                                                         : std::move(found->second)});
     }
   }
 
@@ -173,30 +180,32 @@ class CellSampler {
     const bool is_more_u = bends.u >= bends.v;
     if (by_bends > precision_ && is_long(waiting.leaf, lengths, is_more_u)) return is_more_u;
     const double inside = greatest_miss(waiting, lengths);
-    const double miss = std::max(by_bends, inside);
-    if (miss <= precision_) return first_halving(waiting.leaf, lengths);
-    const bool is_even = std::max(bends.u, bends.v) < kEvenShare * miss;
-    const bool is_first_u = is_even ? lengths.u >= lengths.v : is_more_u;
-    if (is_long(waiting.leaf, lengths, is_first_u)) return is_first_u;
+    if (std::max(by_bends, inside) <= precision_) return std::nullopt;
     const auto [less, more] = std::minmax(bends.u, bends.v);
+    const bool is_first_u = more < kLeastBend ? lengths.u >= lengths.v : is_more_u;
+    if (is_long(waiting.leaf, lengths, is_first_u)) return is_first_u;
     const bool is_worth = less >= kLesserBend * more || inside > kGrossMiss * precision_;
     if (is_worth && is_long(waiting.leaf, lengths, !is_first_u)) return !is_first_u;
     return std::nullopt;
   }
 
-  /// Cells of which too little is known are halved, too.
-  std::optional<bool> first_halving(int leaf, const Lengths& lengths) const {
-    if (std::max(lengths.u, lengths.v) > kLongestCell * kLongestCell) {
-      const bool is_along_u = lengths.u >= lengths.v;
-      if (tree_.can_halve(leaf, is_along_u)) return is_along_u;
-    }
-    if (!is_one_cell_) return std::nullopt;
-    const Uv extent = tree_.extent(tree_.cell(leaf));
+  /// Cells of which too little is known are halved across their longer side.
+  std::optional<bool> first_halving(int leaf) {
+    const CellTree::Cell& cell = tree_.cell(leaf);
+    const Lengths lengths = lengths_of(cell);
     const Domain domain = field_.surface().domain();
-    const bool is_wide = kFirstSide * extent.u > domain.u1 - domain.u0;
-    const bool is_high = kFirstSide * extent.v > domain.v1 - domain.v0;
-    if (is_wide && is_long(leaf, lengths, true)) return true;
-    if (is_high && is_long(leaf, lengths, false)) return false;
+    const auto is_unknown = [&](bool along_u) {
+      const double units = std::sqrt(along_u ? lengths.u : lengths.v);
+      const Uv extent = tree_.extent(cell);
+      const double share = along_u ? extent.u / (domain.u1 - domain.u0)
+                                   : extent.v / (domain.v1 - domain.v0);
+      const bool is_first = is_one_cell_ && kFirstSide * share > 1;
+      return units > (is_first ? kLeastUnits : kLongestCell) &&
+             tree_.can_halve(leaf, along_u);
+    };
+    const bool is_longer_u = lengths.u >= lengths.v;
+    if (is_unknown(is_longer_u)) return is_longer_u;
+    if (is_unknown(!is_longer_u)) return !is_longer_u;
     return std::nullopt;
   }
 
@@ -328,8 +337,7 @@ class CellSampler {
 }  // namespace
 
 bool PrecisionSample::is_held() const {
-  return static_cast<double>(over) <= kMostOver * static_cast<double>(points) &&
-         greatest <= kMostMiss * asked;
+  return share_over() <= kMostOver;
 }
 
 PrecisionSample& PrecisionSample::operator+=(const PrecisionSample& other) {

@@ -22,8 +22,7 @@ struct PrecisionSample {
     return points > 0 ? static_cast<double>(over) / static_cast<double>(points) : 0;
   }
 
-  /// True if at most 2 % of the points miss the precision in cells that elements can follow, and
-  /// none by more than three times.
+  /// True if at most 2 % of the points miss the precision, in cells that elements can follow.
   bool is_held() const;
 
   /// Take in the sample of another patch.
