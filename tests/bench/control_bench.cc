@@ -8,9 +8,11 @@
 #include <random>
 
 #include "support/waves.hh"
+#include "surfmesh/control/control_cells.hh"
 #include "surfmesh/control/control_grid.hh"
 #include "surfmesh/control/control_mesh.hh"
 #include "surfmesh/sampling/make_control.hh"
+#include "surfmesh/sampling/sample_cells.hh"
 
 namespace surfmesh {
 namespace {
@@ -98,13 +100,47 @@ void query_at_random(benchmark::State& state) {
 void query_grid_near_the_last(benchmark::State& state) {
   const SizeField field = fine_field();
   ask(state, near_queries(field),
-      ControlGrid(field.surface().domain(), regular_nodes(field, state.range(0)), {}, {}));
+      ControlGrid(field.surface().domain(), regular_nodes(field, state.range(0)), {}));
 }
 
 void query_grid_at_random(benchmark::State& state) {
   const SizeField field = fine_field();
   ask(state, random_queries(field),
-      ControlGrid(field.surface().domain(), regular_nodes(field, state.range(0)), {}, {}));
+      ControlGrid(field.surface().domain(), regular_nodes(field, state.range(0)), {}));
+}
+
+/// Cells that a fine field is represented by to a precision of 1 over the argument.
+std::unique_ptr<ControlCells> fine_cells(const SizeField& field, std::int64_t fineness) {
+  const auto sample = [&field](Uv uv) {
+    const SizeField::Sample at = field.at(uv);
+    return ControlNode{uv, at.point, at.form, at.size};
+  };
+  auto cells = std::make_unique<ControlCells>(
+      field.surface().domain(), first_cells(field.surface()), sample, ControlSpaceOptions(),
+      std::vector<ControlNode>());
+  sample_cells(field, *cells, 1 / static_cast<double>(fineness), RunContext());
+  return cells;
+}
+
+void query_cells_near_the_last(benchmark::State& state) {
+  const SizeField field = fine_field();
+  const auto cells = fine_cells(field, state.range(0));
+  ask(state, near_queries(field), *cells);
+  state.counters["nodes"] = static_cast<double>(cells->node_count());
+}
+
+void query_cells_at_random(benchmark::State& state) {
+  const SizeField field = fine_field();
+  const auto cells = fine_cells(field, state.range(0));
+  ask(state, random_queries(field), *cells);
+  state.counters["nodes"] = static_cast<double>(cells->node_count());
+}
+
+void halve_cells(benchmark::State& state) {
+  const SizeField field = fine_field();
+  double nodes = 0;
+  for (auto _ : state) nodes = fine_cells(field, state.range(0))->node_count();
+  state.counters["nodes"] = nodes;
 }
 
 void query_chosen_nodes_at_random(benchmark::State& state) {
@@ -137,14 +173,16 @@ void choose_nodes(benchmark::State& state) {
   state.counters["nodes"] = static_cast<double>(count);
 }
 
+template <ControlKind kind>
 void make_whole_control(benchmark::State& state) {
   const auto surface = testing::paper_wave();
   std::size_t count = 0;
   for (auto _ : state) {
-    count =
-        make_control(collect_control_input(*surface, resolve(testing::paper_sizing(), 1), {}, {}))
-            ->mesh()
-            .n_vertices();
+    ControlInput input =
+        collect_control_input(*surface, resolve(testing::paper_sizing(), 1), {}, {.kind = kind});
+    const auto control = make_control(input);
+    finish(*control);
+    count = control->mesh().n_vertices();
   }
   state.counters["nodes"] = static_cast<double>(count);
 }
@@ -166,7 +204,12 @@ BENCHMARK(build_ungraded)->Apply(sizes);
 BENCHMARK(build_graded)->Apply(sizes);
 BENCHMARK(build_classified)->Apply(sizes);
 BENCHMARK(choose_nodes)->Unit(benchmark::kMillisecond);
-BENCHMARK(make_whole_control)->Unit(benchmark::kMillisecond);
+BENCHMARK(query_cells_near_the_last)->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK(query_cells_at_random)->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK(halve_cells)->Arg(10)->Arg(30)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(make_whole_control, ControlKind::Cells)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(make_whole_control, ControlKind::Mesh)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(make_whole_control, ControlKind::Grid)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace surfmesh

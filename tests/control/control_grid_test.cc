@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "support/control_nodes.hh"
 #include "support/errors.hh"
@@ -23,6 +24,12 @@ SizeTensor smooth(Uv uv) {
                      0.5 * uv.u * uv.v);
 }
 
+void grade_all(LatticeSpace& space) {
+  std::vector<int> all(static_cast<std::size_t>(space.node_count()));
+  std::iota(all.begin(), all.end(), 0);
+  space.grade(all, RunContext());
+}
+
 /// The greatest conformity with the smooth field at random points.
 double error_of_control(const ControlSpace& control) {
   double worst = 0;
@@ -34,14 +41,14 @@ double error_of_control(const ControlSpace& control) {
 
 TEST(ControlGrid, ReproducesAConstantFieldExactly) {
   const SizeTensor size = size_tensor(0.3, 0.07, 0.4);
-  const ControlGrid control({}, testing::grid({}, 5, [&](Uv) { return size; }), {}, {});
+  const ControlGrid control({}, testing::grid({}, 5, [&](Uv) { return size; }), {});
   for (const Uv uv : random_points({}, 500)) ASSERT_EQ(query(control, uv), size);
 }
 
 TEST(ControlGrid, ReproducesALinearField) {
   const Domain domain{-1, 2, 0, 5};
   const auto linear = [](Uv uv) { return isotropic(2 + 0.3 * uv.u + 0.1 * uv.v); };
-  const ControlGrid control(domain, testing::grid(domain, 4, linear), {}, {});
+  const ControlGrid control(domain, testing::grid(domain, 4, linear), {});
   for (const Uv uv : random_points(domain, 500)) {
     expect_near(query(control, uv), linear(uv), 1e-14);
   }
@@ -49,8 +56,8 @@ TEST(ControlGrid, ReproducesALinearField) {
 
 TEST(ControlGrid, ConvergesAtSecondOrderAndInverseDistancesAtFirst) {
   const auto coarse = testing::grid({}, 11, smooth), fine = testing::grid({}, 41, smooth);
-  const double grid_order = std::log2(error_of_control(ControlGrid({}, coarse, {}, {})) /
-                                      error_of_control(ControlGrid({}, fine, {}, {}))) /
+  const double grid_order = std::log2(error_of_control(ControlGrid({}, coarse, {})) /
+                                      error_of_control(ControlGrid({}, fine, {}))) /
                             2;
   const ControlSpaceOptions by_distance = {.interpolation = Interpolation::Triangle};
   const double mesh_order = std::log2(error_of_control(ControlMesh({}, coarse, by_distance)) /
@@ -62,21 +69,23 @@ TEST(ControlGrid, ConvergesAtSecondOrderAndInverseDistancesAtFirst) {
 
 TEST(ControlGrid, TakesTheSizesOfItsRimOutside) {
   const auto linear = [](Uv uv) { return isotropic(1 + uv.u); };
-  const ControlGrid control({}, testing::grid({}, 3, linear), {}, {});
+  const ControlGrid control({}, testing::grid({}, 3, linear), {});
   EXPECT_EQ(query(control, {-5, 0.5}), isotropic(1));
   expect_near(query(control, {1e100, 0.5}), isotropic(2), 1e-15);
 }
 
 TEST(ControlGrid, LowersTheCellOfAFurtherNode) {
   const auto regular = testing::grid({}, 5, [](Uv) { return isotropic(1); });
-  const ControlGrid control({}, regular, {testing::node({0.6, 0.6}, isotropic(0.1))}, {});
+  ControlGrid control({}, regular, {});
+  control.hold_points({testing::node({0.6, 0.6}, isotropic(0.1))});
   EXPECT_EQ(query(control, {0.6, 0.6}), isotropic(0.1));
   EXPECT_EQ(query(control, {0.2, 0.2}), isotropic(1));
 }
 
 TEST(ControlGrid, IsGraded) {
   const auto spike = [](Uv uv) { return isotropic(uv == Uv{0.5, 0.5} ? 0.01 : 10); };
-  const ControlGrid control({}, testing::grid({}, 21, spike), {}, {.grade = 1.5});
+  ControlGrid control({}, testing::grid({}, 21, spike), {.grade = 1.5});
+  grade_all(control);
   for (const Uv uv : random_points({}, 300)) {
     const double distance = std::hypot(uv.u - 0.5, uv.v - 0.5);
     // A cell of rounding, and ways along rows and diagonals.
@@ -85,10 +94,11 @@ TEST(ControlGrid, IsGraded) {
 }
 
 TEST(ControlGrid, GivesItsNodesAsAMesh) {
-  const ControlGrid control({}, testing::grid({}, 4, smooth), {}, {});
+  ControlGrid control({}, testing::grid({}, 4, smooth), {});
+  control.finish();
   testing::expect_valid(control.mesh());
   EXPECT_EQ(control.mesh().n_vertices(), 16U);
-  EXPECT_EQ(control.mesh().n_faces(), 18U);
+  EXPECT_EQ(control.mesh().n_faces(), 9U);
   const auto size = require(control.mesh(), keys::vertex_size);
   EXPECT_EQ(control.mesh().property(size, VertexHandle(15)), smooth({1, 1}));
 }
@@ -96,7 +106,7 @@ TEST(ControlGrid, GivesItsNodesAsAMesh) {
 TEST(ControlGrid, RefusesWhatIsNoSquareGrid) {
   auto nodes = testing::grid({}, 3, smooth);
   nodes.pop_back();
-  const std::string error = error_of([&] { ControlGrid({}, nodes, {}, {}); });
+  const std::string error = error_of([&] { ControlGrid({}, nodes, {}); });
   EXPECT_EQ(error.rfind(name(ErrorCode::InvalidInput), 0), 0U) << error;
   EXPECT_NE(error.find("8 nodes"), std::string::npos) << error;
 }
@@ -104,7 +114,7 @@ TEST(ControlGrid, RefusesWhatIsNoSquareGrid) {
 TEST(ControlGrid, RefusesANodeOutsideByItsPlace) {
   const auto nodes = testing::grid({}, 3, smooth);
   const std::string error = error_of([&] {
-    ControlGrid({}, nodes, {testing::node({0.5, 1.25}, isotropic(1))}, {});
+    ControlGrid({}, nodes, {}).hold_points({testing::node({0.5, 1.25}, isotropic(1))});
   });
   EXPECT_NE(error.find("(0.5, 1.25)"), std::string::npos) << error;
 }

@@ -123,7 +123,7 @@ TEST(ExtendedNode, MeetsSmallerSizesOfAreaSources) {
 
 TEST(ExtendedNode, HoldsOnAGridToo) {
   const auto regular = testing::grid({}, 11, [](Uv) { return isotropic(1); });
-  const ControlGrid control({}, regular, {with_disc({0.52, 0.53}, kInner, kRadius)}, {});
+  const ControlGrid control({}, regular, {}, {with_disc({0.52, 0.53}, kInner, kRadius)});
   EXPECT_EQ(query(control, {0.52, 0.7}), kInner);
   EXPECT_EQ(query(control, {0.05, 0.05}), isotropic(1));
 }

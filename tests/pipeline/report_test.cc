@@ -26,7 +26,7 @@ Report example() {
   report.edges.histogram = {{0, 0.25, 7}};
   report.quality.below_0_3 = 0.5;
   report.control.nodes = 10;
-  report.control.triangles = 20;
+  report.control.faces = 20;
   report.control.classes = {3, 10, 7};
   report.control.queries[Stage::Boundary].triangle = 4;
   report.control.queries[Stage::Refine] = {1, 2, 3, 4, 5, 6, 7};
@@ -47,7 +47,8 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
   const Json json = Json::parse(to_json(example()));
   EXPECT_EQ(keys_of(json),
             (Keys{"input", "options", "notices", "mesh", "patches", "edges", "quality", "quads",
-                  "sag", "control", "seconds", "triangles_per_second"}));
+                  "sag", "control", "seconds", "triangles_per_second",
+                  "triangles_per_second_in_all"}));
   EXPECT_EQ(keys_of(json["mesh"]),
             (Keys{"vertices", "triangles", "quads", "patches", "closed", "euler"}));
   EXPECT_EQ(keys_of(json["edges"]),
@@ -57,7 +58,7 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
             (Keys{"fraction", "min_scaled_jacobian", "mean_scaled_jacobian"}));
   EXPECT_EQ(keys_of(json["sag"]), (Keys{"asked", "reached"}));
   EXPECT_EQ(keys_of(json["control"]),
-            (Keys{"nodes", "triangles", "classes", "queries", "answers"}));
+            (Keys{"kind", "nodes", "faces", "precision", "classes", "queries", "answers"}));
   EXPECT_EQ(keys_of(json["seconds"]),
             (Keys{"read", "control", "boundary", "triangulate", "refine", "improve", "quad",
                   "assemble", "write", "total", "wall"}));
@@ -68,7 +69,7 @@ TEST(ReportJson, CountsQuestionsByStageAndAnswersByKind) {
   EXPECT_EQ(control["classes"], Json::parse(R"({"s": 3, "t": 10, "o": 7, "linear": 0})"));
   EXPECT_EQ(control["answers"],
             Json::parse(
-                R"({"s": 1, "t": 6, "o": 3, "linear": 4, "grid": 5, "extended": 6, "reused": 7})"));
+                R"({"s": 1, "t": 6, "o": 3, "linear": 4, "lattice": 5, "extended": 6, "reused": 7})"));
   EXPECT_EQ(control["queries"]["boundary"], 4);
   EXPECT_EQ(control["queries"]["refine"], 28);
   EXPECT_EQ(keys_of(control["queries"]),

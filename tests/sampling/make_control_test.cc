@@ -53,8 +53,13 @@ MetricArea stratified_area(const SizeField& field, const ControlSpace& control, 
 std::unique_ptr<ControlSpace> control_of(const Surface& surface, const Sizing& sizing,
                                          const PatchSources& sources = {},
                                          const ControlOptions& options = {}) {
-  return make_control(collect_control_input(surface, resolve(sizing, 1), sources, options));
+  ControlInput input = collect_control_input(surface, resolve(sizing, 1), sources, options);
+  std::unique_ptr<ControlSpace> control = make_control(input);
+  finish(*control);
+  return control;
 }
+
+constexpr ControlOptions kAsMesh = {.kind = ControlKind::Mesh};
 
 SizeTensor query(const ControlSpace& control, Uv uv) {
   QueryHint hint;
@@ -198,7 +203,7 @@ TEST(MakeControl, HasOnlyCornersAndPointsWithoutAreaSources) {
   const auto surface = plane();
   const PatchSources sources{{}, {{0, {0.1, 0.1}, size_of(0.1)}, {0, {0.8, 0.9}, size_of(0.4)}}};
   const Sizing sizing = sizing_of(0, 0.01, 1, 2);
-  EXPECT_EQ(control_of(surface, sizing, sources)->mesh().n_vertices(), 6U);
+  EXPECT_EQ(control_of(surface, sizing, sources, kAsMesh)->mesh().n_vertices(), 6U);
 }
 
 TEST(MakeControl, InterpolatesBetweenPointsWithoutAreaSources) {

@@ -168,8 +168,9 @@ TEST(FieldSources, TellTheirPrecision) {
 TEST(MakeControl, RepresentsSizesAroundAPlace) {
   PatchSources sources{{{0, size_of(0.3)}}, {{0, {0.5, 0.5}, size_of(0.02), units(0.1)}}};
   const SizeField field = field_of(sources, 1.5);
-  const auto control =
-      make_control(collect_control_input(kPlane, resolve(sizing(1.5), 1), sources, {}));
+  ControlInput input = collect_control_input(kPlane, resolve(sizing(1.5), 1), sources, {});
+  const auto control = make_control(input);
+  finish(*control);
   QueryHint hint;
   for (double u = 0; u <= 1; u += 0.03) {
     const SizeField::Sample exact = field.at({u, 0.4});

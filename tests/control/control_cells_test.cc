@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/control/control_cells.hh"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "support/control_nodes.hh"
+#include "support/errors.hh"
+#include "support/expect_valid.hh"
+#include "surfmesh/core/validate.hh"
+
+namespace surfmesh {
+namespace {
+
+using testing::expect_near;
+using testing::kFlat;
+using testing::query;
+using testing::random_points;
+
+constexpr Domain kTriangle{0, 1, 0, 1, Domain::Shape::Triangle};
+
+/// Cells of a plane, with sizes by a function.
+template <class Size>
+std::unique_ptr<ControlCells> cells_of(const Domain& domain, Size size,
+                                       const ControlSpaceOptions& options = {},
+                                       CellCount roots = {2, 2}) {
+  return std::make_unique<ControlCells>(
+      domain, roots, [size](Uv uv) { return testing::node(uv, size(uv)); }, options,
+      std::vector<ControlNode>());
+}
+
+SizeTensor constant(Uv) { return isotropic(0.3); }
+
+/// Halve the leaf at each of the points, along u and v in turn.
+void halve_at(ControlCells& cells, const std::vector<Uv>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    cells.halve(cells.tree().find(points[i]), i % 2 == 0);
+  }
+}
+
+void grade_all(LatticeSpace& space) {
+  std::vector<int> all(static_cast<std::size_t>(space.node_count()));
+  std::iota(all.begin(), all.end(), 0);
+  space.grade(all, RunContext());
+}
+
+/// Sum of the areas of the faces of a control mesh in parameters.
+double area_of_faces(const PolyMesh& mesh) {
+  const auto uv = require(mesh, keys::vertex_uv);
+  double area = 0;
+  for (const FaceHandle fh : mesh.faces()) {
+    for (const HalfedgeHandle heh : mesh.fh_range(fh)) {
+      area += 0.5 * cross(mesh.property(uv, mesh.from_vertex_handle(heh)),
+                          mesh.property(uv, mesh.to_vertex_handle(heh)));
+    }
+  }
+  return area;
+}
+
+TEST(ControlCells, ReproduceAConstantFieldExactly) {
+  const auto cells = cells_of({}, constant);
+  halve_at(*cells, random_points({}, 40));
+  for (const Uv uv : random_points({}, 500, 2)) ASSERT_EQ(query(*cells, uv), constant(uv));
+}
+
+TEST(ControlCells, ReproduceALinearField) {
+  const Domain domain{-1, 2, 0, 5};
+  const auto linear = [](Uv uv) { return isotropic(2 + 0.3 * uv.u + 0.1 * uv.v); };
+  const auto cells = cells_of(domain, linear);
+  halve_at(*cells, random_points(domain, 40));
+  for (const Uv uv : random_points(domain, 500, 2)) {
+    expect_near(query(*cells, uv), linear(uv), 1e-13);
+  }
+}
+
+TEST(ControlCells, ReproduceALinearFieldBelowADiagonal) {
+  const auto linear = [](Uv uv) { return isotropic(2 + 0.3 * uv.u + 0.1 * uv.v); };
+  const auto cells = cells_of(kTriangle, linear);
+  for (const Uv uv : random_points({}, 40)) halve_at(*cells, {kTriangle.fold(uv)});
+  for (const Uv uv : random_points({}, 500, 2)) {
+    expect_near(query(*cells, kTriangle.fold(uv)), linear(kTriangle.fold(uv)), 1e-13);
+  }
+}
+
+TEST(ControlCells, HaveNoNodeBeyondADiagonal) {
+  const auto cells = cells_of(kTriangle, constant);
+  for (const Uv uv : random_points({}, 40)) halve_at(*cells, {kTriangle.fold(uv)});
+  for (int node = 0; node < cells->node_count(); ++node) {
+    EXPECT_LE(cells->uv(node).u + cells->uv(node).v, 1 + 1e-15);
+  }
+}
+
+TEST(ControlCells, TakeTheSizesOfTheRimOutside) {
+  const auto linear = [](Uv uv) { return isotropic(1 + uv.u); };
+  const auto cells = cells_of({}, linear);
+  EXPECT_EQ(query(*cells, {-5, 0.5}), isotropic(1));
+  expect_near(query(*cells, {1e100, 0.5}), isotropic(2), 1e-15);
+}
+
+TEST(ControlCells, FindEveryLeafFromAnyOther) {
+  const auto cells = cells_of({}, constant);
+  halve_at(*cells, random_points({}, 60));
+  int near = 0;
+  for (const Uv uv : random_points({}, 300, 2)) {
+    near = cells->tree().find(uv, near);
+    EXPECT_TRUE(cells->tree().cell(near).is_leaf());
+    EXPECT_EQ(near, cells->tree().find(uv));
+  }
+}
+
+TEST(ControlCells, ShareNodesWithTheirNeighbours) {
+  const auto cells = cells_of({}, constant);
+  halve_at(*cells, random_points({}, 60));
+  std::set<std::pair<double, double>> places;
+  for (int node = 0; node < cells->node_count(); ++node) {
+    const Uv uv = cells->uv(node);
+    EXPECT_TRUE(places.insert({uv.u, uv.v}).second) << uv.u << ' ' << uv.v;
+  }
+}
+
+class FacesOfCells : public ::testing::TestWithParam<Domain::Shape> {};
+
+TEST_P(FacesOfCells, CoverTheDomainAndConform) {
+  const Domain domain{0, 1, 0, 1, GetParam()};
+  const auto cells = cells_of(domain, constant);
+  for (const Uv uv : random_points({}, 60)) halve_at(*cells, {domain.fold(uv)});
+  cells->finish();
+  testing::expect_valid(cells->mesh());
+  const MeshTopology topology = measure_topology(cells->mesh());
+  EXPECT_EQ(topology.components, 1U);
+  EXPECT_EQ(topology.euler, 1);
+  EXPECT_NEAR(area_of_faces(cells->mesh()), GetParam() == Domain::Shape::Triangle ? 0.5 : 1, 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, FacesOfCells,
+                         ::testing::Values(Domain::Shape::Rectangle, Domain::Shape::Triangle),
+                         [](const auto& test) {
+                           return test.param == Domain::Shape::Triangle ? "Triangle" : "Rectangle";
+                         });
+
+TEST(ControlCells, GiveTheirNodesAsVerticesWithTheirProperties) {
+  const auto cells = cells_of({}, [](Uv uv) { return isotropic(1 + uv.u); });
+  cells->finish();
+  const PolyMesh& mesh = cells->mesh();
+  ASSERT_EQ(mesh.n_vertices(), 25U);
+  EXPECT_EQ(mesh.n_faces(), 16U);
+  for (const VertexHandle vh : mesh.vertices()) {
+    const Uv uv = mesh.property(require(mesh, keys::vertex_uv), vh);
+    EXPECT_EQ(mesh.property(require(mesh, keys::vertex_size), vh), isotropic(1 + uv.u));
+  }
+  EXPECT_TRUE(find(mesh, keys::vertex_radius).is_valid());
+  EXPECT_TRUE(find(mesh, keys::face_class).is_valid());
+}
+
+TEST(ControlCells, AreGraded) {
+  const auto spike = [](Uv uv) { return isotropic(uv == Uv{0.5, 0.5} ? 0.01 : 10); };
+  const auto cells = cells_of({}, spike, {.grade = 1.5}, {16, 16});
+  grade_all(*cells);
+  for (const Uv uv : random_points({}, 300)) {
+    const double distance = std::hypot(uv.u - 0.5, uv.v - 0.5);
+    // A cell of rounding, and ways along rows and diagonals.
+    EXPECT_LE(query(*cells, uv).h11, 0.01 + 1.1 * std::log(1.5) * (distance + 0.05));
+    EXPECT_GE(query(*cells, uv).h11, 0.01 + 0.99 * std::log(1.5) * (distance - 0.05));
+  }
+}
+
+TEST(ControlCells, GradeFromANewNodeAsFromTheBeginning) {
+  const auto peak = [](Uv uv) { return isotropic(uv == Uv{0, 0} ? 0.01 : 5); };
+  const auto whole = cells_of({}, peak, {.grade = 1.5}, {8, 8});
+  const auto later = cells_of({}, [](Uv) { return isotropic(5); }, {.grade = 1.5}, {8, 8});
+  grade_all(*whole);
+  grade_all(*later);
+  later->set_size(0, isotropic(0.01));
+  later->grade({0}, RunContext());
+  for (int node = 0; node < whole->node_count(); ++node) {
+    EXPECT_NEAR(later->size(node).h11, whole->size(node).h11, 2e-3 * whole->size(node).h11);
+  }
+}
+
+TEST(ControlCells, HoldAGradedPointExactly) {
+  const auto cells = cells_of({}, [](Uv) { return isotropic(1); }, {.grade = 1.5});
+  cells->hold_points({testing::node({0.37, 0.61}, isotropic(0.05))});
+  grade_all(*cells);
+  cells->finish();
+  expect_near(query(*cells, {0.37, 0.61}), isotropic(0.05), 1e-12);
+  EXPECT_NEAR(query(*cells, {0.47, 0.61}).h11, 0.05 + std::log(1.5) * 0.1, 1e-3);
+  EXPECT_LE(query(*cells, {1, 1}).h11, 0.05 + 1.1 * std::log(1.5) * std::hypot(0.63, 0.39));
+}
+
+TEST(ControlCells, HoldAPointExactlyWithoutGradation) {
+  const auto cells = cells_of({}, [](Uv) { return isotropic(1); });
+  cells->hold_points({testing::node({0.37, 0.61}, isotropic(0.05))});
+  EXPECT_EQ(query(*cells, {0.37, 0.61}), isotropic(0.05));
+  EXPECT_EQ(query(*cells, {0.9, 0.1}), isotropic(1));
+}
+
+TEST(ControlCells, AverageLengthsGeometricallyIfAskedTo) {
+  const auto two = [](Uv uv) { return isotropic(uv.u < 0.1 ? 0.01 : 1); };
+  const auto cells = cells_of({}, two, {.blend = Blend::Logarithmic});
+  cells->finish();
+  EXPECT_NEAR(query(*cells, {0.125, 0.5}).h11, 0.1, 1e-12);
+}
+
+TEST(ControlCells, RefuseAPointOutsideByItsPlace) {
+  const auto cells = cells_of({}, constant);
+  const std::string error =
+      error_of([&] { cells->hold_points({testing::node({0.5, 1.25}, isotropic(1))}); });
+  EXPECT_NE(error.find("(0.5, 1.25)"), std::string::npos) << error;
+}
+
+TEST(ControlCells, StopDividingAtTheEndOfTheirGrid) {
+  const auto cells = cells_of({}, constant);
+  const Metric tiny{1e40, 0, 1e40};
+  int divided = 0;
+  while (!cells->divide_cell({0.3, 0.3}, tiny, 1).empty()) ++divided;
+  EXPECT_GT(divided, 40);
+  EXPECT_LT(divided, 64);
+}
+
+}  // namespace
+}  // namespace surfmesh
