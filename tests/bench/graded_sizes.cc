@@ -4,36 +4,28 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "bench/contour_stations.hh"
 #include "bench/size_graph.hh"
 #include "surfmesh/core/parallel.hh"
+#include "surfmesh/metric/minimum.hh"
 #include "surfmesh/metric/tensor.hh"
 
 namespace surfmesh::judge {
 namespace {
 
-/// The size of one patch at its nodes, before gradation.
-struct PatchSamples {
-  std::vector<SizedPoint> points;
-  std::vector<double> areas;
-};
-
-PatchSamples sample_patch(const SizeField& field, const PatchGrid& grid) {
-  PatchSamples samples;
-  samples.points.resize(grid.node_count());
-  samples.areas.resize(grid.node_count());
+/// The sizes of one patch at its nodes, before gradation.
+std::vector<SizedPoint> sample_patch(const SizeField& field, const PatchGrid& grid) {
+  std::vector<SizedPoint> points(grid.node_count());
   share_indices(static_cast<std::size_t>(grid.rows()), [&](std::size_t row) {
     for (int column = 0; column < grid.columns(); ++column) {
-      const Uv uv = grid.at(column, static_cast<int>(row));
-      const std::size_t node = grid.node(column, static_cast<int>(row));
-      samples.points[node] = sized_point(field, uv);
-      const FirstFormFactor form = form_at(field.surface(), uv);
-      samples.areas[node] = form.l11 * form.l22;
+      const int j = static_cast<int>(row);
+      points[grid.node(column, j)] = sized_point(field, grid.at(column, j));
     }
   });
-  return samples;
+  return points;
 }
 
 class GraphOfModel {
@@ -41,18 +33,13 @@ class GraphOfModel {
   GraphOfModel(const Model& model, const SizeFields& fields, const std::vector<PatchGrid>& grids)
       : model_(model), fields_(fields), grids_(grids) {}
 
-  /// Returns the areas at the nodes.
-  std::vector<std::vector<double>> build() {
-    std::vector<std::vector<double>> areas;
+  void build() {
     for (std::size_t p = 0; p < grids_.size(); ++p) {
-      PatchSamples samples = sample_patch(*fields_[p], grids_[p]);
-      first_.push_back(
-          graph_.add_grid(grids_[p].columns(), grids_[p].rows(), std::move(samples.points)));
-      areas.push_back(std::move(samples.areas));
+      first_.push_back(graph_.add_grid(grids_[p].columns(), grids_[p].rows(),
+                                       sample_patch(*fields_[p], grids_[p])));
     }
     for (std::size_t p = 0; p < grids_.size(); ++p) add_required(p);
     add_contours();
-    return areas;
   }
 
   SizeGraph& graph() { return graph_; }
@@ -124,9 +111,9 @@ SizeTensor weighted(const std::vector<SizeTensor>& sizes, const PatchGrid::Corne
 
 GradedSizes::GradedSizes(const Model& model, const SizeFields& fields, double grade,
                          std::vector<PatchGrid> grids)
-    : grids_(std::move(grids)), sizes_(grids_.size()) {
+    : fields_(&fields), grids_(std::move(grids)), sizes_(grids_.size()) {
   GraphOfModel builder(model, fields, grids_);
-  areas_ = builder.build();
+  builder.build();
   builder.graph().grade(grade);
   for (std::size_t p = 0; p < grids_.size(); ++p) {
     for (std::size_t i = 0; i < grids_[p].node_count(); ++i) {
@@ -136,15 +123,14 @@ GradedSizes::GradedSizes(const Model& model, const SizeFields& fields, double gr
 }
 
 SizeTensor GradedSizes::at(int patch, Uv uv) const {
-  return weighted(sizes_[static_cast<std::size_t>(patch)], grid(patch).corners_at(uv));
+  const auto p = static_cast<std::size_t>(patch);
+  const SizeTensor graded = weighted(sizes_[p], grids_[p].corners_at(uv));
+  return minimum(graded, sized_point(*(*fields_)[p], uv).size);
 }
 
 double GradedSizes::density(int patch, Uv uv) const {
-  const auto p = static_cast<std::size_t>(patch);
-  const PatchGrid::Corners corners = grids_[p].corners_at(uv);
-  double area = 0;
-  for (std::size_t i = 0; i < 4; ++i) area += corners.weights[i] * areas_[p][corners.nodes[i]];
-  return area / determinant(weighted(sizes_[p], corners));
+  const FirstFormFactor form = form_at((*fields_)[static_cast<std::size_t>(patch)]->surface(), uv);
+  return form.l11 * form.l22 / determinant(at(patch, uv));
 }
 
 /// By Gauss's rule with two points in each direction of each cell of the grid. Beyond the diagonal
@@ -153,16 +139,18 @@ double GradedSizes::metric_area(int patch) const {
   const PatchGrid& g = grid(patch);
   const double offset = 0.5 / std::sqrt(3.0);
   const std::array<double, 2> places = {0.5 - offset, 0.5 + offset};
-  double sum = 0;
-  for (int j = 0; j < g.v_steps; ++j) {
+  std::vector<double> rows(static_cast<std::size_t>(g.v_steps), 0);
+  share_indices(rows.size(), [&](std::size_t row) {
     for (int i = 0; i < g.u_steps; ++i) {
       for (const double t : places) {
         for (const double s : places) {
-          sum += density(patch, g.domain.at((i + s) / g.u_steps, (j + t) / g.v_steps));
+          const double v = (static_cast<double>(row) + t) / g.v_steps;
+          rows[row] += density(patch, g.domain.at((i + s) / g.u_steps, v));
         }
       }
     }
-  }
+  });
+  const double sum = std::accumulate(rows.begin(), rows.end(), 0.0);
   const Domain& d = g.domain;
   const double cell = (d.u1 - d.u0) / g.u_steps * (d.v1 - d.v0) / g.v_steps;
   return 0.25 * cell * sum * (d.shape == Domain::Shape::Triangle ? 0.5 : 1);

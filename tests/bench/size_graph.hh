@@ -27,7 +27,7 @@ struct ContourSide {
   bool is_forward = true;  ///< as ContourUse
 };
 
-/// An orthogonal matrix that takes vectors from one tangent frame to another.
+/// An orthogonal matrix that takes vectors from the tangent frame of one patch to that of another.
 struct Turn {
   double q11 = 1, q12 = 0, q21 = 0, q22 = 1;
 
@@ -60,9 +60,11 @@ class SizeGraph {
   /// Lower the sizes so that along each link they grow by ln(grade) at most per unit of length,
   /// the least ones first.
   ///
-  /// Between two points of one patch a tensor is turned as the normal turns, and the length is that
-  /// of the chord. Does nothing if the grade is 0 (off).
-  /// Cost     about 2 µs per point of a grid
+  /// Within a patch, tensors are compared in the frames along p_u, as everywhere in the library:
+  /// one keeps its angle from p_u on its way. Turned with the tangent plane instead, tensors that
+  /// come round a dome from two sides cross each other, and counts do not settle. The length is
+  /// that of the chord. Does nothing if the grade is 0 (off). Cost     10 to 20 µs per point of a
+  /// grid
   void grade(double grade);
 
   const SizeTensor& size(std::size_t point) const { return points_[point].size; }
