@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "surfmesh/metric/gradation.hh"
 #include "surfmesh/metric/minimum.hh"
 #include "surfmesh/metric/size_tensor.hh"
 #include "surfmesh/metric/tensor.hh"
@@ -32,6 +31,17 @@ Range range_of(const SizeTensor& h) {
   const double mean = 0.5 * (h.h11 + h.h22);
   const double radius = eigenvalue_radius(0.5 * (h.h11 - h.h22), h.h12);
   return {mean - radius, mean + radius};
+}
+
+/// The minimum of two sizes, no shorter in any direction than the least length of both.
+///
+/// The minimum of two stretched sizes that are turned against each other is shorter than both. Each
+/// link from point to point would shorten it further where the directions change, the more links
+/// there are, and links around the tip of a cone without end: counts would never settle.
+SizeTensor bounded_minimum(const SizeTensor& a, const SizeTensor& b) {
+  const SizeTensor both = minimum(a, b);
+  const double least = std::min(range_of(a).least, range_of(b).least);
+  return clamp_sizes(both, least, std::max(least, range_of(both).greatest));
 }
 
 Turn product(const Turn& a, const Turn& b) {
@@ -78,7 +88,6 @@ void SizeGraph::link_across(const ContourSide& a, const ContourSide& b) {
 
 void SizeGraph::grade(double grade) {
   if (grade == 0) return;
-  grade_ = grade;
   growth_ = std::log(grade);
   sort_links();
   is_queued_.assign(points_.size(), 0);
@@ -112,7 +121,8 @@ void SizeGraph::spread(std::size_t from) {
   auto way = std::lower_bound(across_.begin(), across_.end(), index, before);
   for (; way != across_.end() && way->first == index; ++way) {
     const auto& [to, turn] = way->second;
-    lower_across(to, turn(points_[from].size));
+    const SizeTensor carried = turn(points_[from].size);
+    lower(to, bounded_minimum(points_[to].size, carried), kLeastFallAcross);
   }
 }
 
@@ -143,17 +153,7 @@ void SizeGraph::relax(std::size_t from, std::size_t to) {
   if (greatest <= sizes.least * (1 + growth_ * distance / sizes.greatest)) return;
   const double length = length_m(from, step, distance);
   if (greatest <= sizes.least * (1 + growth_ * length)) return;
-  lower(to, graded(end.size, start.size, length, grade_), kLeastFall);
-}
-
-/// Ways across contours have no length, and those around a vertex turn a tensor if the vertex is
-/// the tip of a cone. The minimum of turned tensors may be shorter than each; without a bound, it
-/// would become shorter with each round, without end.
-void SizeGraph::lower_across(std::size_t to, const SizeTensor& carried) {
-  const SizeTensor& own = points_[to].size;
-  const double least = std::min(range_of(own).least, range_of(carried).least);
-  const SizeTensor size = clamp_sizes(minimum(own, carried), least, range_of(own).greatest);
-  lower(to, size, kLeastFallAcross);
+  lower(to, bounded_minimum(end.size, scaled(start.size, 1 + growth_ * length)), kLeastFall);
 }
 
 void SizeGraph::lower(std::size_t point, const SizeTensor& size, double least_fall) {
