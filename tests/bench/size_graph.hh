@@ -61,10 +61,13 @@ class SizeGraph {
   /// the least ones first.
   ///
   /// Within a patch, tensors are compared in the frames along p_u, as everywhere in the library:
-  /// one keeps its angle from p_u on its way. Turned with the tangent plane instead, tensors that
-  /// come round a dome from two sides cross each other, and counts do not settle. The length is
-  /// that of the chord. Does nothing if the grade is 0 (off). Cost     10 to 20 µs per point of a
-  /// grid
+  /// one keeps its angle from p_u on its way. The length is that of the chord. Does nothing if the
+  /// grade is 0 (off).
+  ///
+  /// Differs: no length falls below the least length of both sizes of a link, as that of their
+  ///          minimum may. The least lengths thus obey the law for isotropic sizes, whatever the
+  ///          number of links (test SizeGraph.KeepsTheLeastSize*)
+  /// Cost     10 to 20 µs per point of a grid
   void grade(double grade);
 
   const SizeTensor& size(std::size_t point) const { return points_[point].size; }
@@ -92,7 +95,6 @@ class SizeGraph {
   void spread(std::size_t from);
   void spread_in_grid(std::size_t from);
   void relax(std::size_t from, std::size_t to);
-  void lower_across(std::size_t to, const SizeTensor& carried);
   void lower(std::size_t point, const SizeTensor& size, double least_fall);
   double length_m(std::size_t from, const Vec3& step, double distance) const;
 
@@ -102,7 +104,6 @@ class SizeGraph {
   std::vector<std::pair<Index, Across>> across_;  ///< likewise
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
   std::vector<char> is_queued_;
-  double grade_ = 0;
   double growth_ = 0;
 };
 

@@ -96,6 +96,21 @@ TEST(SizeGraph, KeepsTheLeastSizeAroundTheTipOfACone) {
   for (const std::size_t i : points) EXPECT_NEAR(principal_sizes(graph.size(i)).l_t, 0.1, 1e-9);
 }
 
+TEST(SizeGraph, KeepsTheLeastSizeWhereStretchedSizesTurn) {
+  // Across a circle a hundred times longer than along it, in frames that do not turn.
+  SizeGraph graph;
+  std::vector<SizedPoint> points;
+  for (int i = 0; i < kSide; ++i) {
+    const double angle = 3.0 * i / kSide;
+    points.push_back(plane_point(std::cos(angle), std::sin(angle), size_tensor(10, 0.1, angle)));
+  }
+  graph.add_grid(kSide, 1, points);
+  graph.grade(1.5);
+  for (std::size_t i = 0; i < kSide; ++i) {
+    EXPECT_NEAR(principal_sizes(graph.size(i)).l_t, 0.1, 1e-9);
+  }
+}
+
 TEST(SizeGraph, LeavesSizesWithoutGradation) {
   SizeGraph graph;
   const std::size_t a = graph.add_point(plane_point(0, 0, isotropic(0.1)));
