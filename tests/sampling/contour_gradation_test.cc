@@ -95,12 +95,12 @@ TEST(ContourGradation, GoesOnThroughPatches) {
 
 TEST(ContourGradation, LeavesPatchesThatAgree) {
   const Controls controls = graded_controls(two_squares(), {size_of(0.3, 0.1), size_of(0.3, 0.1)});
-  EXPECT_EQ(controls.report, (ContourGradationReport{0, 0, true}));
+  EXPECT_EQ(controls.report, ContourGradationReport());
 }
 
 TEST(ContourGradation, IsOffWithoutGrade) {
   const Controls controls = graded_controls(two_squares(), {size_of(0.02, 0.02), size_of(1, 1)}, 0);
-  EXPECT_EQ(controls.report, (ContourGradationReport{0, 0, true}));
+  EXPECT_EQ(controls.report, ContourGradationReport());
   EXPECT_EQ(size_at(controls, 1, {1, 0.5}), isotropic(1));
 }
 

@@ -78,11 +78,24 @@ void PrintTo(const AreaCase& area, std::ostream* out) { *out << area.name; }
 
 class MetricAreaOf : public ::testing::TestWithParam<AreaCase> {};
 
-TEST_P(MetricAreaOf, IsHeldByTheControlSpaceToTwoPercent) {
+TEST_P(MetricAreaOf, IsHeldByAMeshToTwoPercent) {
   const AreaCase& c = GetParam();
   const SizeField field(*c.surface, resolve(c.sizing, 1), {});
-  const MetricArea area = stratified_area(field, *control_of(*c.surface, c.sizing), 150);
+  const auto control = control_of(*c.surface, c.sizing, {}, kAsMesh);
+  const MetricArea area = stratified_area(field, *control, 150);
   EXPECT_NEAR(area.control, area.exact, 0.02 * area.exact);
+}
+
+TEST_P(MetricAreaOf, IsHeldByCellsToFourPercentAndWithHalfThePrecisionToTwo) {
+  const AreaCase& c = GetParam();
+  const SizeField field(*c.surface, resolve(c.sizing, 1), {});
+  const auto area_to = [&](double precision) {
+    const auto control = control_of(*c.surface, c.sizing, {}, {.precision = precision});
+    return stratified_area(field, *control, 150);
+  };
+  const MetricArea usual = area_to(0.1), fine = area_to(0.05);
+  EXPECT_NEAR(usual.control, usual.exact, 0.04 * usual.exact);
+  EXPECT_NEAR(fine.control, fine.exact, 0.02 * fine.exact);
 }
 
 TEST_P(MetricAreaOf, IsEstimatedToOnePercent) {

@@ -6,9 +6,11 @@
 #include <unordered_map>
 #include <utility>
 
+#include "surfmesh/control/grade_sizes.hh"
 #include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
 #include "surfmesh/metric/interpolate.hh"
+#include "surfmesh/metric/size_tensor.hh"
 #include "surfmesh/metric/tensor.hh"
 
 namespace surfmesh::detail {
@@ -102,16 +104,18 @@ ContourNode ContourRows::seen(std::size_t index, int node, double t) const {
   const SurfacePoint at = use.space->surface_point(node);
   ContourNode result{node, t};
   const auto frame = frame_at(use, t, at.form);
+  result.frame = frame.value_or(ContourFrame());
   result.sights.resize(uses_.size());
-  if (!frame) return result;
-  result.frame = *frame;
   for (std::size_t other = 0; other < uses_.size(); ++other) {
-    if (other != index) result.sights[other] = sight(use, t, uses_[other], at.point);
+    if (other == index) continue;
+    ContourNode::Sight& sight = result.sights[other];
+    sight = sight_of(use, t, uses_[other], at.point);
+    sight.is_isotropic = sight.is_isotropic || !frame;
   }
   return result;
 }
 
-ContourNode::Sight ContourRows::sight(const Use& from, double t, const Use& to,
+ContourNode::Sight ContourRows::sight_of(const Use& from, double t, const Use& to,
                                       const Vec3& point) const {
   ContourNode::Sight result;
   result.t = t_on(from, t, to, point);
@@ -120,7 +124,8 @@ ContourNode::Sight ContourRows::sight(const Use& from, double t, const Use& to,
   const Jet jet = to.surface->evaluate(uv, Order::First);
   result.at = {uv, jet.point, first_form_factor(jet.du, jet.dv)};
   const auto frame = frame_at(to, result.t, result.at.form);
-  result.is_seen = frame.has_value();
+  result.is_seen = true;
+  result.is_isotropic = !frame;
   result.frame = frame.value_or(ContourFrame());
   return result;
 }
@@ -162,6 +167,7 @@ SizeTensor ContourRows::size_seen(std::size_t from, std::size_t to, ContourNode&
   const SizeTensor along = use.side ? to_contour(use.space->lattice_size(sight.at.uv, sight.cell),
                                                  sight.frame)
                                     : row_size(use, sight.t);
+  if (sight.is_isotropic) return isotropic(size_range(along).least);
   return unfolded(along, is_mirrored(from, to));
 }
 

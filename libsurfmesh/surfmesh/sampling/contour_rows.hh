@@ -15,7 +15,9 @@ namespace surfmesh::detail {
 struct ContourNode {
   /// The same point on another use.
   struct Sight {
-    bool is_seen = false;  ///< false where the other patch has no tangent plane
+    bool is_seen = false;
+    /// True where a patch has no tangent plane, at a pole: sizes are carried without direction.
+    bool is_isotropic = false;
     double t = 0;          ///< on that use
     SurfacePoint at = {};
     ContourFrame frame = {};
@@ -73,7 +75,7 @@ class ContourRows {
   std::optional<double> parameter_on_side(const Use& use, Uv uv) const;
   void update_side(std::size_t use);
   ContourNode seen(std::size_t use, int node, double t) const;
-  ContourNode::Sight sight(const Use& from, double t, const Use& to, const Vec3& point) const;
+  ContourNode::Sight sight_of(const Use& from, double t, const Use& to, const Vec3& point) const;
   std::optional<ContourFrame> frame_at(const Use& use, double t, const FirstFormFactor& form) const;
   double t_on(const Use& from, double t, const Use& to, const Vec3& point) const;
   void add_stations(double from, double to, int halvings, std::vector<double>& stations) const;

@@ -166,7 +166,7 @@ class LatticeGradation {
     const SizeTensor along = to_contour(size, node.frame);
     for (std::size_t other = 0; other < node.sights.size(); ++other) {
       ContourNode::Sight& sight = node.sights[other];
-      if (!sight.is_seen) continue;
+      if (!sight.is_seen || sight.is_isotropic) continue;
       const SizeTensor wanted =
           from_contour(unfolded(along, contour.is_mirrored(use, other)), sight.frame);
       divide_cell(contour, other, {sight.at, wanted}, sight.cell);

@@ -47,6 +47,9 @@ constexpr double kGrossMiss = 3;
 /// Cells along each side of a surface of one cell, unless they are short.
 constexpr double kFirstSide = 4;
 
+/// Where a field has a smaller size than all samples of a cell, one of this share is looked for next.
+constexpr double kNextSearch = 0.7;
+
 /// Units above which a cell is halved whatever its samples say, and above which they are several:
 /// nodes can fall in step with a periodic field, and more elements follow what is missed.
 constexpr double kLongestCell = 16;
@@ -257,9 +260,13 @@ class CellSampler {
     for (const std::size_t point : waiting.points) {
       look_at(points_[point].uv, points_[point].field);
     }
-    if (greatest > precision_ || !is_searched_) return greatest;
-    const auto hidden = search_.find_smaller(box_of(cell), std::exp(-precision_) * least);
-    if (hidden) look_at(*hidden, field_.at(*hidden));
+    if (!is_searched_) return greatest;
+    // Down to the least size, which says how long the cell is.
+    double below = std::exp(-precision_) * least;
+    while (const auto hidden = search_.find_smaller(box_of(cell), below)) {
+      look_at(*hidden, field_.at(*hidden));
+      below = kNextSearch * std::min(below, least);
+    }
     return greatest;
   }
 
