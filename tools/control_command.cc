@@ -20,7 +20,7 @@ namespace surfmesh {
 namespace {
 
 constexpr const char* kFooter =
-    "In a .vtu file points hold uv, the two sizes, the size tensor and the radii; triangles the\n"
+    "In a .vtu file points hold uv, the two sizes, the size tensor and the radii; faces the\n"
     "patch and the class of interpolation. ParaView shows the tensors with its filter Tensor "
     "Glyph.\n"
     "Example:\n  surfmesh control wave.json -o wave.vtu --nodes 2500 --interpolation auto\n";
@@ -74,12 +74,12 @@ int ControlCommand::write_control_meshes(Progress& progress) const {
   const std::vector<ControlPicture> pictures = pictures_of(input.model, control);
   write_control(pictures, output_);
   progress.clear();
-  std::size_t nodes = 0, triangles = 0;
+  std::size_t nodes = 0, faces = 0;
   for (const ControlPicture& picture : pictures) {
     nodes += picture.mesh->n_vertices();
-    triangles += picture.mesh->n_faces();
+    faces += picture.mesh->n_faces();
   }
-  if (!is_quiet_) fmt::print("{}: {} nodes, {} triangles\n", output_, nodes, triangles);
+  if (!is_quiet_) fmt::print("{}: {} nodes, {} faces\n", output_, nodes, faces);
   Notices notices = input.model.notices;
   append(control.notices, notices);
   print_notices(notices);

@@ -115,9 +115,9 @@ std::unique_ptr<ControlCells> fine_cells(const SizeField& field, std::int64_t fi
     const SizeField::Sample at = field.at(uv);
     return ControlNode{uv, at.point, at.form, at.size};
   };
-  auto cells = std::make_unique<ControlCells>(
-      field.surface().domain(), first_cells(field.surface()), sample, ControlSpaceOptions(),
-      std::vector<ControlNode>());
+  auto cells =
+      std::make_unique<ControlCells>(field.surface().domain(), first_cells(field.surface()), sample,
+                                     ControlSpaceOptions(), std::vector<ControlNode>());
   sample_cells(field, *cells, 1 / static_cast<double>(fineness), RunContext());
   return cells;
 }

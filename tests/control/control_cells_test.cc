@@ -206,8 +206,9 @@ TEST(ControlCells, AverageLengthsGeometricallyIfAskedTo) {
 
 TEST(ControlCells, RefuseAPointOutsideByItsPlace) {
   const auto cells = cells_of({}, constant);
-  const std::string error =
-      error_of([&] { cells->hold_points({testing::node({0.5, 1.25}, isotropic(1))}); });
+  const std::string error = error_of([&] {
+    cells->hold_points({testing::node({0.5, 1.25}, isotropic(1))});
+  });
   EXPECT_NE(error.find("(0.5, 1.25)"), std::string::npos) << error;
 }
 

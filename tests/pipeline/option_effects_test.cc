@@ -45,7 +45,7 @@ const std::map<std::string_view, Case> kCases = {
     {"curvature_from", {"differences"}},
     {"nodes", {"100"}},
     {"precision", {"0.5", "wave.json"}},
-    {"control", {"grid"}},
+    {"control", {"grid", "wave.json"}},
     {"interpolation", {"t"}},
     {"epsilon", {"0.9", "wave.json", {{"interpolation", "auto"}}}},
     {"blend", {"log"}},

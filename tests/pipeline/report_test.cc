@@ -45,10 +45,9 @@ using Keys = std::vector<std::string>;
 
 TEST(ReportJson, HasTheKeysOfTheDocumentation) {
   const Json json = Json::parse(to_json(example()));
-  EXPECT_EQ(keys_of(json),
-            (Keys{"input", "options", "notices", "mesh", "patches", "edges", "quality", "quads",
-                  "sag", "control", "seconds", "triangles_per_second",
-                  "triangles_per_second_in_all"}));
+  EXPECT_EQ(keys_of(json), (Keys{"input", "options", "notices", "mesh", "patches", "edges",
+                                 "quality", "quads", "sag", "control", "seconds",
+                                 "triangles_per_second", "triangles_per_second_in_all"}));
   EXPECT_EQ(keys_of(json["mesh"]),
             (Keys{"vertices", "triangles", "quads", "patches", "closed", "euler"}));
   EXPECT_EQ(keys_of(json["edges"]),
@@ -67,9 +66,10 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
 TEST(ReportJson, CountsQuestionsByStageAndAnswersByKind) {
   const Json control = Json::parse(to_json(example()))["control"];
   EXPECT_EQ(control["classes"], Json::parse(R"({"s": 3, "t": 10, "o": 7, "linear": 0})"));
-  EXPECT_EQ(control["answers"],
-            Json::parse(
-                R"({"s": 1, "t": 6, "o": 3, "linear": 4, "lattice": 5, "extended": 6, "reused": 7})"));
+  EXPECT_EQ(
+      control["answers"],
+      Json::parse(
+          R"({"s": 1, "t": 6, "o": 3, "linear": 4, "lattice": 5, "extended": 6, "reused": 7})"));
   EXPECT_EQ(control["queries"]["boundary"], 4);
   EXPECT_EQ(control["queries"]["refine"], 28);
   EXPECT_EQ(keys_of(control["queries"]),

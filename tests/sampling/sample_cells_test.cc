@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
+#include <numeric>
 #include <random>
 
 #include "support/analytic.hh"
@@ -27,15 +27,15 @@ struct Sampled {
   CellSampling report;
 };
 
-Sampled sampled(const SizeField& field, double precision = 0.1) {
+Sampled sampled(const SizeField& field, double precision = 0.1, double grade = 0) {
   const auto sample = [&field](Uv uv) {
     const SizeField::Sample at = field.at(uv);
     return ControlNode{uv, at.point, at.form, at.size};
   };
   Sampled result;
-  result.cells = std::make_unique<ControlCells>(field.surface().domain(),
-                                                first_cells(field.surface()), sample,
-                                                ControlSpaceOptions(), std::vector<ControlNode>());
+  result.cells = std::make_unique<ControlCells>(
+      field.surface().domain(), first_cells(field.surface()), sample,
+      ControlSpaceOptions{.grade = grade}, std::vector<ControlNode>());
   result.report = sample_cells(field, *result.cells, precision, RunContext());
   return result;
 }
@@ -95,10 +95,20 @@ TEST(SampleCells, MeasureThePrecisionTheyReach) {
   EXPECT_FALSE(PrecisionSample({.asked = 0.1, .points = 100, .over = 3}).is_held());
 }
 
-/// The smallest size that random points near a curve of small sizes are given.
-double size_at(const ControlCells& cells, Uv uv) {
-  int near = -1;
-  return cells.lattice_size(uv, near).h11;
+/// The size at a point of the plane.
+double size_at(const ControlSpace& control, Uv uv) {
+  QueryHint hint;
+  return control.size({uv, Vec3(uv.u, uv.v, 0), {1, 0, 1}}, hint).h11;
+}
+
+/// Cells of the plane with gradation, which spreads small sizes.
+std::unique_ptr<ControlCells> graded_cells(const SizeField& field) {
+  Sampled result = sampled(field, 0.1, 1.5);
+  std::vector<int> all(static_cast<std::size_t>(result.cells->node_count()));
+  std::iota(all.begin(), all.end(), 0);
+  result.cells->grade(all, RunContext());
+  result.cells->finish();
+  return std::move(result.cells);
 }
 
 SizeField field_of(const std::string& formula) {
@@ -113,24 +123,21 @@ class NarrowBand : public ::testing::TestWithParam<double> {};
 
 TEST_P(NarrowBand, IsFoundWhereverItLies) {
   const double x = GetParam();
-  const SizeField field =
-      field_of("0.002+0.098*min(1,abs(u-" + std::to_string(x) + ")/0.02)");
-  const Sampled band = sampled(field);
+  const SizeField field = field_of("0.002+0.098*min(1,abs(u-" + std::to_string(x) + ")/0.02)");
+  const auto band = graded_cells(field);
   for (const double v : {0.03, 0.31, 0.5, 0.77, 0.98}) {
-    EXPECT_LT(size_at(*band.cells, {x, v}), 0.004) << v;
+    EXPECT_LT(size_at(*band, {x, v}), 0.0035) << v;
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Places, NarrowBand, ::testing::Values(0.25, 0.317, 0.4, 0.6));
 
 TEST(SampleCells, FindARingAllAround) {
-  const SizeField field =
-      field_of("0.002+0.098*min(1,abs(hypot(u-0.5,v-0.5)-0.3)/0.005)");
-  const Sampled ring = sampled(field);
+  const SizeField field = field_of("0.002+0.098*min(1,abs(hypot(u-0.5,v-0.5)-0.3)/0.005)");
+  const auto ring = graded_cells(field);
   for (int i = 0; i < 40; ++i) {
     const double angle = 0.1 + 0.157 * i;
-    EXPECT_LT(size_at(*ring.cells, {0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle)}),
-              0.008)
+    EXPECT_LT(size_at(*ring, {0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle)}), 0.008)
         << angle;
   }
 }
@@ -144,7 +151,7 @@ TEST(SampleCells, FindTheRowOfATableThatDiffers) {
   PatchSources sources;
   sources.tables.push_back(table);
   const SizeField field(kPlane, resolve(sizing_of(0, 1e-4, 1, 2), 1), sources);
-  EXPECT_LT(size_at(*sampled(field).cells, {0.5, 0.5}), 0.004);
+  EXPECT_LT(size_at(*graded_cells(field), {0.5, 0.5}), 0.0021);
 }
 
 TEST(SampleCells, GiveUpWhereElementsCannotFollow) {

@@ -23,7 +23,7 @@ TEST_F(ControlProgram, TakesTheOptionsOfControlSpaces) {
                 "' -o a.obj --control grid --nodes 100 --set blend=log"),
             0)
       << err_;
-  EXPECT_EQ(out_, "a.obj: 100 nodes, 162 triangles\n");
+  EXPECT_EQ(out_, "a.obj: 100 nodes, 81 faces\n");
 }
 
 TEST_F(ControlProgram, MakesOneMeshForEachPatchOfACage) {

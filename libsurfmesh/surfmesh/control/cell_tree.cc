@@ -156,8 +156,7 @@ int CellTree::find(Uv uv, int near) const {
   int found = is_near ? near : root_at(p);
   while (!cell(found).is_leaf()) {
     const Cell& c = cell(found);
-    const bool is_upper =
-        c.is_halved_along_u ? p.x > middle(c.i0, c.i1) : p.y > middle(c.j0, c.j1);
+    const bool is_upper = c.is_halved_along_u ? p.x > middle(c.i0, c.i1) : p.y > middle(c.j0, c.j1);
     found = c.first_half + (is_upper ? 1 : 0);
   }
   return found;
@@ -222,8 +221,7 @@ void CellTree::add_hanging(std::uint64_t from, std::uint64_t to, std::vector<int
   add_hanging(between, to, corners);
 }
 
-void CellTree::add_face(const Cell& c, std::size_t column, std::size_t row,
-                        FaceList& faces) const {
+void CellTree::add_face(const Cell& c, std::size_t column, std::size_t row, FaceList& faces) const {
   const std::array columns = {c.i0, middle(c.i0, c.i1), c.i1};
   const std::array rows = {c.j0, middle(c.j0, c.j1), c.j1};
   const std::array<std::array<std::size_t, 2>, 4> around = {

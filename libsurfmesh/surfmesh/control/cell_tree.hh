@@ -34,7 +34,7 @@ class CellTree {
     int first_half = -1;  ///< of a halved cell: its lower half; the upper one is the next cell
     bool is_halved_along_u = false;
     /// Rows along u from the lower left corner; -1 for nodes that do not exist.
-    std::array<int, kLattice * kLattice> nodes = {};
+    std::array<int, kLattice* kLattice> nodes = {};
 
     bool is_leaf() const { return first_half < 0; }
     int node(std::size_t column, std::size_t row) const { return nodes[kLattice * row + column]; }
@@ -141,8 +141,8 @@ class CellTree {
   std::uint32_t end_j_;
   bool is_triangle_;
   std::vector<Cell> cells_;
-  std::vector<std::array<int, 4>> leaves_of_;            ///< by node
-  std::unordered_map<std::uint64_t, int> crossings_;     ///< nodes by grid lines
+  std::vector<std::array<int, 4>> leaves_of_;         ///< by node
+  std::unordered_map<std::uint64_t, int> crossings_;  ///< nodes by grid lines
 };
 
 }  // namespace surfmesh

@@ -14,8 +14,8 @@ namespace {
 
 int side_of(const std::vector<ControlNode>& regular) {
   const auto side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(regular.size()))));
-  if (side < 2 || static_cast<std::size_t>(side) * static_cast<std::size_t>(side) !=
-                      regular.size()) {
+  if (side < 2 ||
+      static_cast<std::size_t>(side) * static_cast<std::size_t>(side) != regular.size()) {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("{} nodes are no square grid", regular.size()));
   }
@@ -36,7 +36,9 @@ ControlGrid::ControlGrid(const Domain& domain, const std::vector<ControlNode>& r
 /// A cell has the number of the node at its lower corner.
 int ControlGrid::find_cell(Uv uv, int /*near*/) const {
   const int last = side_ - 2;  // the last node belongs to the last cell
-  const auto index = [last](double x) { return static_cast<int>(std::clamp(x, 0.0, double(last))); };
+  const auto index = [last](double x) {
+    return static_cast<int>(std::clamp(x, 0.0, double(last)));
+  };
   return index((uv.v - domain().v0) * cells_per_v_) * side_ +
          index((uv.u - domain().u0) * cells_per_u_);
 }

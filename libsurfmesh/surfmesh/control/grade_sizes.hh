@@ -41,8 +41,8 @@ inline SizeRange size_range(const SizeTensor& h) {
   return {mean - radius, mean + radius};
 }
 
-/// `size` limited to `factor` times the size `from`, or `size` itself, bit by bit, if that lowers it
-/// by less than 0.1 %.
+/// `size` limited to `factor` times the size `from`, or `size` itself, bit by bit, if that lowers
+/// it by less than 0.1 %.
 ///
 /// Never below the least length of both, although the minimum of two stretched sizes that cross can
 /// be: so no chain of such limits goes below the least size that it began with.
@@ -50,7 +50,8 @@ inline SizeRange size_range(const SizeTensor& h) {
 SizeTensor limited_size(const SizeTensor& size, const SizeTensor& from, double factor = 1);
 
 /// Grades the sizes of nodes: from each node to its neighbours, sizes grow by at most ln(grade) per
-/// unit of length, to within 0.1 %. Sizes that already do are unchanged, bit by bit.
+/// unit of length, to within 0.1 %; to within 5 % where stretched sizes cross, which limited_size
+/// bounds. Sizes that already do are unchanged, bit by bit.
 ///
 /// The node of the least size comes first. Its size is final then, but for its greater length, so
 /// nearly every node is visited once.

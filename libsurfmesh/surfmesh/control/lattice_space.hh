@@ -141,8 +141,8 @@ class LatticeSpace : public ControlSpace {
   PolyMesh mesh_;
   PropertyKey<VertexHandle, Uv>::Handle uv_;
   PropertyKey<VertexHandle, SizeTensor>::Handle size_;
-  std::vector<FirstFormFactor> forms_;     ///< by node
-  std::vector<SizeTensor> logarithms_;     ///< by node; empty without Blend::Logarithmic
+  std::vector<FirstFormFactor> forms_;  ///< by node
+  std::vector<SizeTensor> logarithms_;  ///< by node; empty without Blend::Logarithmic
   std::vector<RowSegment> segments_;
   std::unordered_map<int, std::vector<int>> segments_of_;     ///< by cell
   std::unordered_map<int, std::vector<int>> row_neighbours_;  ///< by node, in both directions

@@ -14,22 +14,22 @@ namespace surfmesh {
 
 /// What a notice is about.
 enum class NoticeKind {
-  IgnoredInput,         ///< a part of a file or cage is ignored, left out or mended
-  UnjoinedSides,        ///< contours run along each other but are not joined
-  TurnedLoop,           ///< a loop was given the wrong way round
-  NarrowGap,            ///< loops nearly meet
-  UnusedContour,        ///< no loop names a contour
-  SurfaceGap,           ///< surfaces of neighbouring faces do not quite meet
-  ClampedSizes,         ///< sizes of sources are brought into the bounds
-  CutEdges,             ///< edges are left open, as a half-edge mesh cannot be so
-  SplitVertices,        ///< vertices are taken apart, likewise
-  FlatTriangles,        ///< triangles of very low quality
-  CoarseControl,        ///< a control space does not hold its precision
-  MissedPrecision,      ///< the control space misses its precision on an independent sample
-  GivenUp,              ///< refinement was given up
-  TurnedTriangles,      ///< triangles against the normal of the surface
-  SagNotReached,        ///< mesh and surface are farther apart than asked for
-  BrokenPromise,        ///< the mesh is not as the model promises
+  IgnoredInput,     ///< a part of a file or cage is ignored, left out or mended
+  UnjoinedSides,    ///< contours run along each other but are not joined
+  TurnedLoop,       ///< a loop was given the wrong way round
+  NarrowGap,        ///< loops nearly meet
+  UnusedContour,    ///< no loop names a contour
+  SurfaceGap,       ///< surfaces of neighbouring faces do not quite meet
+  ClampedSizes,     ///< sizes of sources are brought into the bounds
+  CutEdges,         ///< edges are left open, as a half-edge mesh cannot be so
+  SplitVertices,    ///< vertices are taken apart, likewise
+  FlatTriangles,    ///< triangles of very low quality
+  CoarseControl,    ///< a control space does not hold its precision
+  MissedPrecision,  ///< the control space misses its precision on an independent sample
+  GivenUp,          ///< refinement was given up
+  TurnedTriangles,  ///< triangles against the normal of the surface
+  SagNotReached,    ///< mesh and surface are farther apart than asked for
+  BrokenPromise,    ///< the mesh is not as the model promises
 };
 
 inline constexpr std::size_t kNoticeKinds = 16;

@@ -65,9 +65,7 @@ SizeTensor left_polar_factor(const Matrix2& g, double det) {
 }
 
 /// Half the difference of the two lengths of a size tensor.
-double radius_of(const SizeTensor& h) {
-  return eigenvalue_radius(0.5 * (h.h11 - h.h22), h.h12);
-}
+double radius_of(const SizeTensor& h) { return eigenvalue_radius(0.5 * (h.h11 - h.h22), h.h12); }
 
 /// An order that does not depend on which argument comes first.
 bool is_before(const SizeTensor& a, const SizeTensor& b) {

@@ -92,7 +92,8 @@ constexpr auto kTable = std::to_array<Option>({
     {kControl, true, "", "conformity of the control space with the sizes asked for",
      number(
          ranges::kPrecision, [](auto& o) -> auto& { return o.control.precision; })},
-    {kControl, false, "", "control space: cells, a triangulation of nodes (mesh), or a regular grid; auto is mesh if an "
+    {kControl, false, "",
+     "control space: cells, a triangulation of nodes (mesh), or a regular grid; auto is mesh if an "
      "option of mesh is set, otherwise cells",
      number(
          ranges::kControl, [](auto& o) -> auto& { return o.control.kind; })},

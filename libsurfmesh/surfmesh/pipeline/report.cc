@@ -70,8 +70,8 @@ Json queries_json(const PerStage<QueryCounts>& queries) {
 }
 
 Json answers_json(const QueryCounts& answers) {
-  return {{"s", answers.single},      {"t", answers.triangle}, {"o", answers.circles},
-          {"linear", answers.linear}, {"lattice", answers.lattice},  {"extended", answers.extended},
+  return {{"s", answers.single},      {"t", answers.triangle},      {"o", answers.circles},
+          {"linear", answers.linear}, {"lattice", answers.lattice}, {"extended", answers.extended},
           {"reused", answers.reused}};
 }
 

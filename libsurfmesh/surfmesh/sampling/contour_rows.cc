@@ -116,7 +116,7 @@ ContourNode ContourRows::seen(std::size_t index, int node, double t) const {
 }
 
 ContourNode::Sight ContourRows::sight_of(const Use& from, double t, const Use& to,
-                                      const Vec3& point) const {
+                                         const Vec3& point) const {
   ContourNode::Sight result;
   result.t = t_on(from, t, to, point);
   const Domain domain = to.surface->domain();
@@ -150,9 +150,9 @@ double ContourRows::t_on(const Use& from, double t, const Use& to, const Vec3& p
 
 SizeTensor ContourRows::row_size(const Use& use, double t) const {
   const std::vector<ContourNode>& nodes = use.nodes;
-  const auto after = std::upper_bound(
-      nodes.begin(), nodes.end(), t,
-      [](double value, const ContourNode& node) { return value < node.t; });
+  const auto after =
+      std::upper_bound(nodes.begin(), nodes.end(), t,
+                       [](double value, const ContourNode& node) { return value < node.t; });
   const auto k = static_cast<std::size_t>(
       std::clamp<std::ptrdiff_t>(after - nodes.begin(), 1, std::ssize(nodes) - 1));
   const ContourNode &a = nodes[k - 1], &b = nodes[k];
@@ -164,9 +164,9 @@ SizeTensor ContourRows::row_size(const Use& use, double t) const {
 SizeTensor ContourRows::size_seen(std::size_t from, std::size_t to, ContourNode& node) const {
   const Use& use = uses_[from];
   ContourNode::Sight& sight = node.sights[from];
-  const SizeTensor along = use.side ? to_contour(use.space->lattice_size(sight.at.uv, sight.cell),
-                                                 sight.frame)
-                                    : row_size(use, sight.t);
+  const SizeTensor along =
+      use.side ? to_contour(use.space->lattice_size(sight.at.uv, sight.cell), sight.frame)
+               : row_size(use, sight.t);
   if (sight.is_isotropic) return isotropic(size_range(along).least);
   return unfolded(along, is_mirrored(from, to));
 }
@@ -217,7 +217,8 @@ double ContourRows::units_between(double from, double to) const {
       int near = -1;
       const SizeTensor size =
           use.space->lattice_size(domain.fold(domain.clamp(use.use->curve->evaluate(t))), near);
-      const Jet jet = use.surface->evaluate(domain.clamp(use.use->curve->evaluate(t)), Order::First);
+      const Jet jet =
+          use.surface->evaluate(domain.clamp(use.use->curve->evaluate(t)), Order::First);
       const auto frame = frame_at(use, t, first_form_factor(jet.du, jet.dv));
       if (frame) units = std::max(units, length / to_contour(size, *frame).h11);
     }
@@ -234,8 +235,8 @@ void ContourRows::make_row(Use& use, const std::vector<double>& stations) {
     const Uv uv = domain.fold(domain.clamp(use.use->curve->evaluate(t)));
     const Jet jet = use.surface->evaluate(uv, Order::First);
     const FirstFormFactor form = first_form_factor(jet.du, jet.dv);
-    before = use.space->add_row_node(
-        {uv, jet.point, form, use.space->lattice_size(uv, near)}, before);
+    before =
+        use.space->add_row_node({uv, jet.point, form, use.space->lattice_size(uv, near)}, before);
     use.nodes.push_back({before, t});
   }
   std::sort(use.nodes.begin(), use.nodes.end(),

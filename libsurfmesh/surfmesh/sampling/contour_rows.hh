@@ -18,7 +18,7 @@ struct ContourNode {
     bool is_seen = false;
     /// True where a patch has no tangent plane, at a pole: sizes are carried without direction.
     bool is_isotropic = false;
-    double t = 0;          ///< on that use
+    double t = 0;  ///< on that use
     SurfacePoint at = {};
     ContourFrame frame = {};
     int cell = -1;  ///< where that patch was asked last

@@ -35,7 +35,8 @@ class LatticeGradation {
     for (const auto& space : spaces) spaces_.push_back(dynamic_cast<LatticeSpace*>(space.get()));
     for (std::size_t c = 0; c < model.contours.size(); ++c) {
       const Contour& contour = model.contours[c];
-      if (contour.uses.size() > 1 && !contour.is_degenerate) contours_.emplace_back(model, c, spaces);
+      if (contour.uses.size() > 1 && !contour.is_degenerate)
+        contours_.emplace_back(model, c, spaces);
     }
   }
 
@@ -57,7 +58,8 @@ class LatticeGradation {
     while (true) {
       context.throw_if_cancelled();
       std::vector<std::vector<Change>> changes(contours_.size());
-      share_indices(contours_.size(), [&](std::size_t c) { changes[c] = find_changes(contours_[c]); });
+      share_indices(contours_.size(),
+                    [&](std::size_t c) { changes[c] = find_changes(contours_[c]); });
       if (!apply(changes)) return;
       grade_changed(context);
       ++report_.rounds;

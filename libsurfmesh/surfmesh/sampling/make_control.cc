@@ -111,8 +111,7 @@ void make_lattice(const std::shared_ptr<const SizeField>& field, const ControlNo
     input.lattice = std::move(cells);
   } else {
     const ChosenNodes chosen = choose_grid_nodes(*field, options, context);
-    auto grid =
-        std::make_unique<ControlGrid>(input.domain, chosen.nodes, input.options, points);
+    auto grid = std::make_unique<ControlGrid>(input.domain, chosen.nodes, input.options, points);
     input.sampling = {sample_precision(*field, *grid, options.precision, kLeastCellLength),
                       chosen.is_coarse};
     input.lattice = std::move(grid);
@@ -156,9 +155,10 @@ void check(const ControlOptions& options) {
   check_option(ranges::kControl, options.kind);
   check(node_options(options));
   check(space_options(options));
-  std::string_view unused = options.kind == ControlKind::Mesh || options.kind == ControlKind::Automatic
-                                ? std::string_view()
-                                : option_of_mesh(options);
+  std::string_view unused =
+      options.kind == ControlKind::Mesh || options.kind == ControlKind::Automatic
+          ? std::string_view()
+          : option_of_mesh(options);
   if (options.kind == ControlKind::Cells && options.regular_nodes > 0) unused = ranges::kNodes.name;
   if (unused.empty()) return;
   throw Error(ErrorCode::InvalidOption,

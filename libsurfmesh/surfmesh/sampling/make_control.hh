@@ -40,7 +40,8 @@ struct ControlOptions {
 /// The kind that takes effect: that of the options, unless it is automatic.
 ControlKind effective_kind(const ControlOptions& options);
 
-/// Throws   InvalidOption naming the option, its value and its range, or an option that has no effect
+/// Throws   InvalidOption naming the option, its value and its range, or an option that has no
+/// effect
 ///          on the kind of control space that is asked for
 void check(const ControlOptions& options);
 
@@ -64,7 +65,8 @@ struct ControlInput {
 /// what they give. If gradation is off, a curve of sizes without a radius becomes nodes along it.
 ///
 /// Cost     about 1.5 µs per node of cells, 5 µs per node of a mesh
-/// Throws   Cancelled; InvalidOption; InvalidInput for a source that is out of range or lies outside
+/// Throws   Cancelled; InvalidOption; InvalidInput for a source that is out of range or lies
+/// outside
 ///          the domain, naming its (u,v)
 /// Source   paper, section 3.2
 ControlInput collect_control_input(const Surface& surface, const ResolvedSizing& sizing,

@@ -157,7 +157,7 @@ void NodeCells::measure(Cell& cell, const CellSamples& samples) {
 /// Across the direction in which there is most to mend. Where the cell is small along it, halving
 /// along the other one mends no more than what there is along that.
 NodeCells::Halving NodeCells::halving_by_samples(const Cell& cell,
-                                                       const CellSamples& samples) const {
+                                                 const CellSamples& samples) const {
   const Uv size = extent(cell);
   Table<double> errors;
   double error = 0, along_u = 0, along_v = 0;
@@ -223,7 +223,7 @@ double NodeCells::error_at(const Cell& cell, Uv uv, const SizeField::Sample& exa
 /// more: of a field that turns fast all samples miss the same. By distance, which does not follow
 /// even a linear field, the change of the field from each to the next.
 double NodeCells::change(const Table<double>& errors, const CellSamples& samples,
-                            bool along_u) const {
+                         bool along_u) const {
   double greatest = 0;
   for (std::size_t line = 0; line < 3; ++line) {
     const auto in_line = [&](const auto& table, std::size_t k) -> const auto& {

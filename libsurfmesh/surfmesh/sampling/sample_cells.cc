@@ -47,7 +47,8 @@ constexpr double kGrossMiss = 3;
 /// Cells along each side of a surface of one cell, unless they are short.
 constexpr double kFirstSide = 4;
 
-/// Where a field has a smaller size than all samples of a cell, one of this share is looked for next.
+/// Where a field has a smaller size than all samples of a cell, one of this share is looked for
+/// next.
 constexpr double kNextSearch = 0.7;
 
 /// Units above which a cell is halved whatever its samples say, and above which they are several:
@@ -69,6 +70,8 @@ constexpr int kLeastPoints = 8;
 
 /// Share of the points that may miss the precision: kinks of the sizes lie across cells.
 constexpr double kMostOver = 0.02;
+/// Of a small sample, so many more.
+constexpr double kFewPoints = 2;
 
 /// Squared lengths of a cell in units.
 struct Lengths {
@@ -85,6 +88,18 @@ struct Lengths {
 struct Bends {
   double u = 0;
   double v = 0;
+
+  double greatest() const { return std::max(u, v); }
+};
+
+/// What is known of a cell.
+struct Look {
+  Lengths lengths;
+  Bends bends;
+  double least;  ///< length of all sizes that were seen
+  double miss = 0;
+  /// The point that misses most, of those that are required or hidden; none within the precision.
+  std::optional<Uv> worst_place = {};
 };
 
 /// A leaf that has not been examined, with the required points in it.
@@ -112,6 +127,7 @@ class CellSampler {
     empty_queue(context, [this](const Waiting& next) { return first_halving(next.leaf); });
     empty_queue(context, [this](const Waiting& next) { return halving(next); });
     sampling_.precision = sample_precision(field_, cells_, precision_, least_units_);
+    cells_.hold_points(missed_);
     return sampling_;
   }
 
@@ -148,8 +164,8 @@ class CellSampler {
     for (const int leaf : leaves) {
       if (tree_.is_empty(tree_.cell(leaf))) continue;
       const auto found = points_of.find(leaf);
-      waiting_.push_back({leaf, found == points_of.end() ? std::vector<std::size_t>()
-                                                         : std::move(found->second)});
+      waiting_.push_back(
+          {leaf, found == points_of.end() ? std::vector<std::size_t>() : std::move(found->second)});
     }
   }
 
@@ -177,18 +193,35 @@ class CellSampler {
   /// Whether a cell is to be halved, and then if along u.
   std::optional<bool> halving(const Waiting& waiting) {
     const CellTree::Cell& cell = tree_.cell(waiting.leaf);
-    Lengths lengths = lengths_of(cell);
-    const Bends bends = bends_of(cell);
-    const double by_bends = kMissPerBend * std::max(bends.u, bends.v);
-    const bool is_more_u = bends.u >= bends.v;
-    if (by_bends > precision_ && is_long(waiting.leaf, lengths, is_more_u)) return is_more_u;
-    const double inside = greatest_miss(waiting, lengths);
-    if (std::max(by_bends, inside) <= precision_) return std::nullopt;
-    const auto [less, more] = std::minmax(bends.u, bends.v);
-    const bool is_first_u = more < kLeastBend ? lengths.u >= lengths.v : is_more_u;
-    if (is_long(waiting.leaf, lengths, is_first_u)) return is_first_u;
-    const bool is_worth = less >= kLesserBend * more || inside > kGrossMiss * precision_;
-    if (is_worth && is_long(waiting.leaf, lengths, !is_first_u)) return !is_first_u;
+    Look look{lengths_of(cell), bends_of(cell), least_length(cell)};
+    const bool is_more_u = look.bends.u >= look.bends.v;
+    const bool is_bent = kMissPerBend * look.bends.greatest() > precision_;
+    if (is_bent && is_long(waiting.leaf, look.lengths, is_more_u)) return is_more_u;
+    look_inside(waiting, look);
+    auto along_u = halving_by(waiting.leaf, look);
+    // The search is the last thing to do: only where the cell is not halved for other reasons.
+    double below = std::exp(-precision_) * look.least;
+    while (!along_u && is_searched_) {
+      const auto hidden = search_.find_smaller(box_of(cell), below);
+      if (!hidden) break;
+      look_at(*hidden, field_.at(*hidden), waiting.leaf, look);
+      below = kNextSearch * std::min(below, look.least);
+      along_u = halving_by(waiting.leaf, look);
+    }
+    if (!along_u && look.worst_place) missed_.push_back(node_at(*look.worst_place));
+    return along_u;
+  }
+
+  /// By what is known of a cell that is not long where it bends most.
+  std::optional<bool> halving_by(int leaf, const Look& look) const {
+    const Bends& bends = look.bends;
+    if (std::max(kMissPerBend * bends.greatest(), look.miss) <= precision_) return std::nullopt;
+    const bool is_first_u =
+        bends.greatest() < kLeastBend ? look.lengths.u >= look.lengths.v : bends.u >= bends.v;
+    if (is_long(leaf, look.lengths, is_first_u)) return is_first_u;
+    const bool is_worth = std::min(bends.u, bends.v) >= kLesserBend * bends.greatest() ||
+                          look.miss > kGrossMiss * precision_;
+    if (is_worth && is_long(leaf, look.lengths, !is_first_u)) return !is_first_u;
     return std::nullopt;
   }
 
@@ -200,11 +233,10 @@ class CellSampler {
     const auto is_unknown = [&](bool along_u) {
       const double units = std::sqrt(along_u ? lengths.u : lengths.v);
       const Uv extent = tree_.extent(cell);
-      const double share = along_u ? extent.u / (domain.u1 - domain.u0)
-                                   : extent.v / (domain.v1 - domain.v0);
+      const double share =
+          along_u ? extent.u / (domain.u1 - domain.u0) : extent.v / (domain.v1 - domain.v0);
       const bool is_first = is_one_cell_ && kFirstSide * share > 1;
-      return units > (is_first ? kLeastUnits : kLongestCell) &&
-             tree_.can_halve(leaf, along_u);
+      return units > (is_first ? kLeastUnits : kLongestCell) && tree_.can_halve(leaf, along_u);
     };
     const bool is_longer_u = lengths.u >= lengths.v;
     if (is_unknown(is_longer_u)) return is_longer_u;
@@ -243,31 +275,32 @@ class CellSampler {
     return bends;
   }
 
-  /// The greatest miss at the points inside a cell; their units count for its length.
-  double greatest_miss(const Waiting& waiting, Lengths& lengths) {
+  /// Look at points inside a cell; their units count for its length.
+  void look_inside(const Waiting& waiting, Look& look) const {
     const CellTree::Cell& cell = tree_.cell(waiting.leaf);
-    double greatest = 0, least = least_length(cell);
-    const auto look_at = [&](Uv uv, const SizeField::Sample& exact) {
-      lengths.include(metric_from_size(exact.form, exact.size), tree_.extent(cell));
-      least = std::min(least, size_range(exact.size).least);
-      greatest = std::max(greatest, miss(uv, exact, waiting.leaf));
-    };
-    const bool is_sampled_often = std::max(lengths.u, lengths.v) > kManySamples * kManySamples;
+    const bool is_sampled_often =
+        std::max(look.lengths.u, look.lengths.v) > kManySamples * kManySamples;
     for (std::size_t k = 0; k < (is_sampled_often ? kGuardShares.size() : 1); ++k) {
       const Uv guard = guard_of(cell, k);
-      look_at(guard, field_.at(guard));
+      look_at(guard, field_.at(guard), waiting.leaf, look);
     }
+    look.worst_place.reset();
     for (const std::size_t point : waiting.points) {
-      look_at(points_[point].uv, points_[point].field);
+      look_at(points_[point].uv, points_[point].field, waiting.leaf, look);
     }
-    if (!is_searched_) return greatest;
-    // Down to the least size, which says how long the cell is.
-    double below = std::exp(-precision_) * least;
-    while (const auto hidden = search_.find_smaller(box_of(cell), below)) {
-      look_at(*hidden, field_.at(*hidden));
-      below = kNextSearch * std::min(below, least);
-    }
-    return greatest;
+  }
+
+  void look_at(Uv uv, const SizeField::Sample& exact, int leaf, Look& look) const {
+    look.lengths.include(metric_from_size(exact.form, exact.size), tree_.extent(tree_.cell(leaf)));
+    look.least = std::min(look.least, size_range(exact.size).least);
+    const double missed = miss(uv, exact, leaf);
+    if (missed > std::max(precision_, look.miss)) look.worst_place = uv;
+    look.miss = std::max(look.miss, missed);
+  }
+
+  ControlNode node_at(Uv uv) const {
+    const SizeField::Sample sample = field_.at(uv);
+    return {uv, sample.point, sample.form, sample.size};
   }
 
   double least_length(const CellTree::Cell& cell) const {
@@ -313,8 +346,8 @@ class CellSampler {
       lengths_of(cell);
       const int middle = cell.node(1, 1) >= 0 ? cell.node(1, 1) : cell.node(0, 0);
       const Uv extent = tree_.extent(cell);
-      area += extent.u * extent.v *
-              std::sqrt(determinant(metrics_[static_cast<std::size_t>(middle)]));
+      area +=
+          extent.u * extent.v * std::sqrt(determinant(metrics_[static_cast<std::size_t>(middle)]));
     }
     return area;
   }
@@ -335,7 +368,8 @@ class CellSampler {
   bool is_searched_;  ///< false if no field has bounds
   std::vector<RequiredPoint> points_;
   std::deque<Waiting> waiting_;
-  std::vector<Metric> metrics_;  ///< by node
+  std::vector<ControlNode> missed_;  ///< places that cells of the least length do not give
+  std::vector<Metric> metrics_;      ///< by node
   double most_nodes_ = surfmesh::most_nodes(0);
   double measured_at_ = 0;  ///< nodes
   CellSampling sampling_;
@@ -343,9 +377,7 @@ class CellSampler {
 
 }  // namespace
 
-bool PrecisionSample::is_held() const {
-  return share_over() <= kMostOver;
-}
+bool PrecisionSample::is_held() const { return share_over() <= kMostOver; }
 
 PrecisionSample& PrecisionSample::operator+=(const PrecisionSample& other) {
   asked = points == 0 ? other.asked : std::min(asked, other.asked);

@@ -22,7 +22,8 @@ struct PrecisionSample {
     return points > 0 ? static_cast<double>(over) / static_cast<double>(points) : 0;
   }
 
-  /// True if at most 2 % of the points miss the precision, in cells that elements can follow.
+  /// True if at most 2 % of the points, and two more, miss the precision in cells that elements can
+  /// follow.
   bool is_held() const;
 
   /// Take in the sample of another patch.
@@ -52,7 +53,9 @@ CellCount first_cells(const Surface& surface);
 /// 0.1, than fewer. From 20,000 nodes and 16 per unit of metric area on, four million at most,
 /// elements cannot follow, and no cell is halved any more.
 ///
-/// Fields of the user are searched beyond these points (FieldSearch, find_hidden).
+/// Required points that the cells of the least length do not give become points of their own
+/// (LatticeSpace::hold_points). Fields of the user are searched beyond these points (FieldSearch,
+/// find_hidden).
 ///
 /// Error    DECISIONS.md, sampling; test SampleCells.*
 /// Cost     1.5 samples of the field per node and about 1 µs per node, beside the search

@@ -12,7 +12,7 @@
 namespace surfmesh {
 
 /// Evaluations of bounds that a search may spend on one patch: about 50 ms.
-inline constexpr std::size_t kSearchBudget = 20'000;
+inline constexpr std::size_t kSearchBudget = 100'000;
 
 /// Finds small sizes that samples of a patch's fields miss, however small the area is in which they
 /// are asked for. It needs fields with bounds, such as formulas; find_hidden

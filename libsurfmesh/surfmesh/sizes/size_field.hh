@@ -58,9 +58,9 @@ class SizeField {
   /// The fields among its sources.
   const std::vector<FieldSource>& fields() const { return fields_; }
 
-  /// Points that sampling must include: those of `at`, rows of tables, points along `along` and the borders of
-  /// `inside`, and one in each cell of a surface with several. Sizes there may hold in so small an
-  /// area that widely spaced samples would miss them.
+  /// Points that sampling must include: those of `at`, rows of tables, points along `along` and the
+  /// borders of `inside`, and one in each cell of a surface with several. Sizes there may hold in
+  /// so small an area that widely spaced samples would miss them.
   const std::vector<Uv>& required_points() const { return required_points_; }
 
   /// True if some source has a size at every point.
