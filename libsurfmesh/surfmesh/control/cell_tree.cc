@@ -221,6 +221,23 @@ void CellTree::add_hanging(std::uint64_t from, std::uint64_t to, std::vector<int
   add_hanging(between, to, corners);
 }
 
+std::vector<int> CellTree::hanging_nodes(int leaf, bool along_u) const {
+  const Cell& c = cell(leaf);
+  const std::array columns = {c.i0, middle(c.i0, c.i1), c.i1};
+  const std::array rows = {c.j0, middle(c.j0, c.j1), c.j1};
+  std::vector<int> nodes;
+  for (const std::size_t side : {std::size_t{0}, kLattice - 1}) {
+    for (std::size_t k = 0; k + 1 < kLattice; ++k) {
+      const std::uint64_t from =
+          along_u ? key_of(columns[k], rows[side]) : key_of(columns[side], rows[k]);
+      const std::uint64_t to =
+          along_u ? key_of(columns[k + 1], rows[side]) : key_of(columns[side], rows[k + 1]);
+      add_hanging(from, to, nodes);
+    }
+  }
+  return nodes;
+}
+
 void CellTree::add_face(const Cell& c, std::size_t column, std::size_t row, FaceList& faces) const {
   const std::array columns = {c.i0, middle(c.i0, c.i1), c.i1};
   const std::array rows = {c.j0, middle(c.j0, c.j1), c.j1};

@@ -99,6 +99,9 @@ class CellTree {
   /// The nodes on the diagonal of a triangular domain, from the lower right end.
   std::vector<int> nodes_on_diagonal() const;
 
+  /// The nodes of finer neighbours on the sides of a leaf along u or v that are none of its own.
+  std::vector<int> hanging_nodes(int leaf, bool along_u) const;
+
   /// The quarters of all leaves as polygons, in the order of the leaves. A node of a finer
   /// neighbour on a side is a further corner.
   FaceList faces() const;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/metric/conformity.hh"
 #include "surfmesh/metric/tensor.hh"
 
 namespace surfmesh {
@@ -53,6 +54,37 @@ std::vector<int> ControlCells::divide_cell(Uv uv, const Metric& metric, double u
   }
   const int first = node_count();
   halve(leaf, is_along_u);
+  std::vector<int> added;
+  for (int node = first; node < node_count(); ++node) added.push_back(node);
+  return added;
+}
+
+/// True if a node of a finer neighbour has a smaller size than the leaf gives there, and the leaf
+/// is long along the common side.
+bool ControlCells::misses_finer(int leaf, bool along_u, double miss, double units) const {
+  const Uv extent = tree_.extent(tree_.cell(leaf));
+  for (const int node : tree_.hanging_nodes(leaf, along_u)) {
+    const Metric metric = metric_from_size(form(node), size(node));
+    const double length =
+        along_u ? metric.m11 * extent.u * extent.u : metric.m22 * extent.v * extent.v;
+    if (!(length > units * units)) continue;
+    int cell = leaf;
+    const SizeTensor given = lattice_size(uv(node), cell);
+    if (greatest_growth(given, size(node)) > miss) return true;
+  }
+  return false;
+}
+
+std::vector<int> ControlCells::divide_beside_finer(double miss, double units) {
+  const int first = node_count(), end = static_cast<int>(tree_.size());
+  for (int leaf = 0; leaf < end; ++leaf) {
+    if (!tree_.cell(leaf).is_leaf() || tree_.is_empty(tree_.cell(leaf))) continue;
+    for (const bool along_u : {true, false}) {
+      if (!tree_.can_halve(leaf, along_u) || !misses_finer(leaf, along_u, miss, units)) continue;
+      halve(leaf, along_u);
+      break;
+    }
+  }
   std::vector<int> added;
   for (int node = first; node < node_count(); ++node) added.push_back(node);
   return added;

@@ -13,7 +13,7 @@ namespace surfmesh {
 /// of each cell. The cells are its search structure, too.
 ///
 /// A query reads the nodes of one cell only, even where a neighbour has further nodes on the common
-/// side: there, sizes jump by less than the precision to which cells are chosen.
+/// side. There sizes jump, by less than divide_beside_finer() leaves.
 class ControlCells : public LatticeSpace {
  public:
   /// Gives a node at a point, with the sizes wanted there.
@@ -39,6 +39,7 @@ class ControlCells : public LatticeSpace {
 
   std::vector<int> nodes_on_side(DomainSide side) const override;
   std::vector<int> divide_cell(Uv uv, const Metric& metric, double units) override;
+  std::vector<int> divide_beside_finer(double miss, double units) override;
 
  protected:
   void announce_loose_node() override { tree_.add_loose_node(); }
@@ -47,6 +48,7 @@ class ControlCells : public LatticeSpace {
 
  private:
   CellTree::MakeNode make_node();
+  bool misses_finer(int leaf, bool along_u, double miss, double units) const;
 
   SampleNode sample_;
   CellTree tree_;

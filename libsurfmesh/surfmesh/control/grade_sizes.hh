@@ -68,11 +68,9 @@ class Gradation {
   /// Let the size of a node reach others.
   void start_from(int node) { queue_.push({size_range(net_.size(node)).least, node}); }
 
-  /// Grade from all nodes that were started from. Returns the nodes that were lowered, some of them
-  /// more than once.
+  /// Grade from all nodes that were started from.
   /// Throws   Cancelled
-  std::vector<int> run(const RunContext& context) {
-    lowered_.clear();
+  void run(const RunContext& context) {
     for (std::size_t steps = 1; !queue_.empty(); ++steps) {
       if (steps % kStepsBetweenCancellation == 0) context.throw_if_cancelled();
       const auto [least, node] = queue_.top();
@@ -80,7 +78,6 @@ class Gradation {
       // Lowered since: it is in the queue once more, and was visited then.
       if (least == size_range(net_.size(node)).least) spread(node, least);
     }
-    return std::move(lowered_);
   }
 
  private:
@@ -98,7 +95,6 @@ class Gradation {
       const SizeTensor limited = limited_size(there, size, factor);
       if (limited == there) return;
       net_.set_size(other, limited);
-      lowered_.push_back(other);
       start_from(other);
     });
   }
@@ -106,7 +102,6 @@ class Gradation {
   Net& net_;
   double growth_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
-  std::vector<int> lowered_;
 };
 
 /// Grade the sizes of nodes with given neighbours.

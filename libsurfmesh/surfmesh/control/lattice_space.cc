@@ -20,6 +20,10 @@ namespace {
 /// Units of a size at a point to which cells are divided around it where sizes are not graded.
 constexpr double kUnitsAroundPoint = 2;
 
+/// Units of a size that another node of a row is away at most to be joined to it, and nodes in all.
+constexpr double kLongestJoint = 2;
+constexpr std::size_t kMostJoined = 10'000;
+
 /// Share of the way from a to b of the point nearest to p in a metric.
 double nearest_share(const Metric& metric, Uv a, Uv b, Uv p) {
   const double squared = squared_length(metric, b - a);
@@ -122,7 +126,8 @@ void LatticeSpace::lower_around(const ControlNode& point) {
   }
 }
 
-void LatticeSpace::hold_points(const std::vector<ControlNode>& points) {
+std::vector<int> LatticeSpace::hold_points(const std::vector<ControlNode>& points) {
+  std::vector<int> nodes;
   for (const ControlNode& point : points) {
     if (domain_.clamp(point.uv) != point.uv) {
       throw Error(ErrorCode::InvalidInput,
@@ -130,9 +135,27 @@ void LatticeSpace::hold_points(const std::vector<ControlNode>& points) {
                               point.uv.u, point.uv.v));
     }
     if (options().grade > 0) {
-      add_row_node(point, -1);
+      nodes.push_back(add_row_node(point, -1));
     } else {
       lower_around(point);
+    }
+  }
+  return nodes;
+}
+
+void LatticeSpace::join_row_nodes(std::vector<int> nodes) {
+  if (nodes.size() > kMostJoined) return;
+  std::sort(nodes.begin(), nodes.end(), [this](int a, int b) { return uv(a).u < uv(b).u; });
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Metric metric = metric_from_size(form(nodes[i]), size(nodes[i]));
+    for (std::size_t k = i + 1; k < nodes.size(); ++k) {
+      const Uv step = uv(nodes[k]) - uv(nodes[i]);
+      // By the least length of any step that goes so far along u.
+      const double least = step.u * step.u * determinant(metric) / metric.m22;
+      if (!(least < kLongestJoint * kLongestJoint)) break;
+      if (squared_length(metric, step) < kLongestJoint * kLongestJoint) {
+        segments_.push_back({nodes[i], nodes[k]});
+      }
     }
   }
 }
@@ -169,11 +192,23 @@ SizeTensor LatticeSpace::interpolate(const SurfacePoint& at, QueryHint& hint) co
   return segments_of_.empty() ? size : limited_by_rows(size, at, hint.element);
 }
 
-std::vector<int> LatticeSpace::grade(const std::vector<int>& from, const RunContext& context) {
+std::vector<int> LatticeSpace::with_neighbours(const std::vector<int>& nodes) const {
+  std::vector<int> all = nodes;
+  for (const int node : nodes) {
+    for_each_neighbour(node, [&all](int other) { all.push_back(other); });
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+void LatticeSpace::grade(const std::vector<int>& from, const RunContext& context) {
   if (!segments_.empty()) link_rows();
   Gradation gradation(*this, options().grade);
   for (const int node : from) gradation.start_from(node);
-  return gradation.run(context);
+  // Cells at rows may have new nodes.
+  for (const RowSegment& segment : segments_) gradation.start_from(segment.to);
+  gradation.run(context);
 }
 
 void LatticeSpace::take_logarithms() {

@@ -74,6 +74,14 @@ class LatticeSpace : public ControlSpace {
   /// in a metric. Returns the new nodes; none where it is short, or where cells cannot be divided.
   virtual std::vector<int> divide_cell(Uv uv, const Metric& metric, double units) = 0;
 
+  /// Halve cells that do not give what a finer neighbour has at a node on their common side, but
+  /// more than (1 + miss) times as much, if they are longer along it than a number of its units.
+  /// Returns the new nodes.
+  virtual std::vector<int> divide_beside_finer(double, double) { return {}; }
+
+  /// Some nodes and those beside them, from where sizes reach them.
+  std::vector<int> with_neighbours(const std::vector<int>& nodes) const;
+
   /// Add a node of a row. Its sizes reach the nodes of its cell and those before and after it in
   /// the row.
   int add_row_node(const ControlNode& node, int before);
@@ -81,15 +89,22 @@ class LatticeSpace : public ControlSpace {
   /// Take in sizes at single points: as nodes of rows of one if sizes are graded, otherwise by the
   /// nodes around each point, in cells that are at most two of its units long if they can be
   /// divided.
+  /// Returns  the nodes of the points; none if sizes are not graded
   /// Throws   InvalidInput for a point outside the rectangle, naming its (u,v)
-  void hold_points(const std::vector<ControlNode>& points);
+  std::vector<int> hold_points(const std::vector<ControlNode>& points);
+
+  /// Join nodes of rows that are less than two of their units apart, as points along a band of
+  /// small sizes are: between them, sizes are interpolated.
+  ///
+  /// Cost     O(n²) at most, for n nodes in a band of constant u; more than 10,000 are not joined
+  void join_row_nodes(std::vector<int> nodes);
 
   /// The size at a point between the nodes of the lattice, without rows and discs.
   SizeTensor lattice_size(Uv uv, int& near) const;
 
-  /// Grade from some nodes. Returns the nodes that were lowered.
+  /// Grade from some nodes, and from all rows.
   /// Throws   Cancelled
-  std::vector<int> grade(const std::vector<int>& from, const RunContext& context);
+  void grade(const std::vector<int>& from, const RunContext& context);
 
   /// Take all sizes as final: build the faces, and prepare for queries.
   void finish();

@@ -4,10 +4,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "surfmesh/control/grade_sizes.hh"
 #include "surfmesh/geometry/first_form.hh"
 
 namespace surfmesh {
 namespace {
+
+/// Bounds of the points where a table is looked at along its edges.
+constexpr int kMostPointsOnEdge = 64;
+constexpr std::size_t kMostPoints = 20'000;
 
 bool is_among(Uv uv, const std::vector<ControlNode>& nodes) {
   return std::any_of(nodes.begin(), nodes.end(),
@@ -49,7 +54,22 @@ NodeInterpolation::NodeInterpolation(const Surface& surface, const std::vector<C
 
 std::vector<Uv> NodeInterpolation::points() const {
   const PolyMesh& mesh = control_->mesh();
-  return mesh.property(require(mesh, keys::vertex_uv)).data_vector();
+  const auto uv = require(mesh, keys::vertex_uv);
+  const auto size = require(mesh, keys::vertex_size);
+  std::vector<Uv> points = mesh.property(uv).data_vector();
+  for (const EdgeHandle eh : mesh.edges()) {
+    const HalfedgeHandle heh = mesh.halfedge_handle(eh, 0);
+    const VertexHandle from = mesh.from_vertex_handle(heh), to = mesh.to_vertex_handle(heh);
+    const double least = std::min(size_range(mesh.property(size, from)).least,
+                                  size_range(mesh.property(size, to)).least);
+    const double steps = (mesh.point(to) - mesh.point(from)).norm() / least;
+    const int count = static_cast<int>(std::min(steps, double{kMostPointsOnEdge}));
+    if (points.size() + static_cast<std::size_t>(count) > kMostPoints) break;
+    for (int i = 1; i < count; ++i) {
+      points.push_back(lerp(mesh.property(uv, from), mesh.property(uv, to), double(i) / count));
+    }
+  }
+  return points;
 }
 
 NodeInterpolation::Answer NodeInterpolation::at(const SurfacePoint& at) const {

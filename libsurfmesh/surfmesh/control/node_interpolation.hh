@@ -31,7 +31,9 @@ class NodeInterpolation {
     int triangle = -1;
   };
 
-  /// The nodes and the corners.
+  /// Points where the sizes may be smaller than all around: the nodes, the corners, and points
+  /// along the edges between them, about one of the smaller sizes of an edge apart; at most 64 on
+  /// an edge and 20,000 in all.
   std::vector<Uv> points() const;
 
   /// Cost     60 to 400 ns

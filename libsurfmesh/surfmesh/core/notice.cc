@@ -48,6 +48,8 @@ std::string_view name(NoticeKind kind) {
       return "coarse_control";
     case NoticeKind::MissedPrecision:
       return "missed_precision";
+    case NoticeKind::UnsearchedSizes:
+      return "unsearched_sizes";
     case NoticeKind::GivenUp:
       return "given_up";
     case NoticeKind::TurnedTriangles:

@@ -26,6 +26,7 @@ enum class NoticeKind {
   FlatTriangles,    ///< triangles of very low quality
   CoarseControl,    ///< a control space does not hold its precision
   MissedPrecision,  ///< the control space misses its precision on an independent sample
+  UnsearchedSizes,  ///< the search for small sizes in fields ended at its budget
   GivenUp,          ///< refinement was given up
   TurnedTriangles,  ///< triangles against the normal of the surface
   SagNotReached,    ///< mesh and surface are farther apart than asked for

@@ -62,6 +62,20 @@ void tell_missed(const PrecisionSample& sample, Notices& notices) {
                   sample.asked, 100 * sample.share_over(), sample.greatest)));
 }
 
+void tell_unsearched(const Model& model, const std::vector<ControlInput>& inputs,
+                     Notices& notices) {
+  for (std::size_t p = 0; p < inputs.size(); ++p) {
+    if (!inputs[p].sampling.is_search_incomplete) continue;
+    Notice notice = warning(
+        NoticeKind::UnsearchedSizes,
+        fmt::format("the fields of patch {} were not searched completely for small sizes: their "
+                    "formulas leave wide bounds; a simpler formula helps",
+                    model.patches[p].name));
+    notice.patch = static_cast<int>(p);
+    notices.push_back(std::move(notice));
+  }
+}
+
 }  // namespace
 
 ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
@@ -83,6 +97,7 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
   tell_coarse(model, inputs, result.notices);
   for (const ControlInput& input : inputs) result.precision += input.sampling.precision;
   tell_missed(result.precision, result.notices);
+  tell_unsearched(model, inputs, result.notices);
   grade_across_contours(model, inputs, result.spaces, context);
   share_indices(result.spaces.size(), [&](std::size_t p) { finish(*result.spaces[p]); });
   return result;

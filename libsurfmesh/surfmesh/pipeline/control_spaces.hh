@@ -18,7 +18,7 @@ namespace surfmesh {
 struct ControlSpaces {
   std::vector<std::unique_ptr<ControlSpace>> spaces;  ///< in the order of the patches
   Notices notices;
-  PrecisionSample precision;  ///< of all patches; without points where nodes are given
+  PrecisionSample precision;  ///< of all patches; of cells and of grids with chosen nodes
 };
 
 /// Make the control space of each patch, graded within patches and across their contours.

@@ -81,6 +81,7 @@ Json precision_json(const PrecisionSample& sample) {
   return {{"asked", sample.asked},
           {"greatest_miss", sample.greatest},
           {"share_over", sample.share_over()},
+          {"greatest_miss_in_short_cells", sample.greatest_in_short_cells},
           {"over_in_short_cells", sample.over_in_short_cells},
           {"points", sample.points}};
 }

@@ -38,7 +38,7 @@ struct Report {
     std::size_t nodes = 0;
     std::size_t faces = 0;
     Classes classes;
-    PrecisionSample precision;      ///< of all patches; without points where nodes are given
+    PrecisionSample precision;      ///< of all patches; of cells and of grids with chosen nodes
     PerStage<QueryCounts> queries;  ///< how the metric queries of each stage were answered
   };
 

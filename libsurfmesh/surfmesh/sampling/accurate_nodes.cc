@@ -98,12 +98,14 @@ double area_by_nodes(const Surface& surface, const std::vector<ControlNode>& nod
 
 /// True if a grid of control nodes holds the field to the precision at quasi-random points, or is
 /// finer there than the elements.
-bool holds(const ControlGrid& grid, const SizeField& field, int side, double precision) {
+bool holds(const ControlGrid& grid, const SizeField& field, double precision,
+           const RunContext& context) {
   const Domain domain = field.surface().domain();
-  const Uv u_step{(domain.u1 - domain.u0) / (side - 1), 0};
-  const Uv v_step{0, (domain.v1 - domain.v0) / (side - 1)};
+  const Uv extent = grid.cell_extent(0);
+  const Uv u_step{extent.u, 0}, v_step{0, extent.v};
   QueryHint hint;
-  for (int i = 1; i <= 2 * side * side; ++i) {
+  for (int i = 1; i <= 2 * grid.node_count(); ++i) {
+    if (static_cast<std::size_t>(i) % kStepsBetweenCancellation == 0) context.throw_if_cancelled();
     const Uv uv = quasirandom_point(domain, i);
     if (!is_in(domain, uv)) continue;
     const SizeField::Sample exact = field.at(uv);
@@ -153,7 +155,7 @@ ChosenNodes choose_grid_nodes(const SizeField& field, const ControlNodeOptions& 
     context.throw_if_cancelled();
     ChosenNodes chosen = choose_control_nodes(field, {.regular = side * side});
     const ControlGrid grid(field.surface().domain(), chosen.nodes, {});
-    if (holds(grid, field, side, options.precision)) return chosen;
+    if (holds(grid, field, options.precision, context)) return chosen;
     const double next = 4.0 * side * side;
     chosen.is_coarse =
         next > std::min(kMostGridNodes, most_nodes(area_by_nodes(field.surface(), chosen.nodes)));

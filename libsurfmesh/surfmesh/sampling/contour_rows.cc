@@ -2,6 +2,7 @@
 #include "surfmesh/sampling/contour_rows.hh"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_map>
 #include <utility>
@@ -21,6 +22,9 @@ constexpr double kTangentStep = 1e-4;
 
 /// Share of the width of a domain by which points of a side lie beside it by rounding.
 constexpr double kOnSide = 1e-12;
+
+/// Where a use is looked at to tell if it runs along a side.
+constexpr std::array<double, 3> kShares = {0.2817, 0.5, 0.6473};
 
 /// Greatest distance between nodes of a row, in units of the smaller sizes.
 constexpr double kLongestStep = 1;
@@ -44,13 +48,15 @@ ContourRows::ContourRows(const Model& model, std::size_t contour,
 
 // --- sides ---
 
-/// The side on which both ends and the middle of a use lie, the middle halfway between them.
+/// The side along which a use runs at even speed.
 std::optional<DomainSide> ContourRows::find_side(const Use& use) const {
   const Domain& d = use.space->domain();
   const Uv a = use.use->curve->evaluate(0), b = use.use->curve->evaluate(1);
-  const Uv middle = use.use->curve->evaluate(0.5) - lerp(a, b, 0.5);
   const double width = d.u1 - d.u0, height = d.v1 - d.v0;
-  if (!is_at(middle.u, 0, width) || !is_at(middle.v, 0, height)) return std::nullopt;
+  for (const double t : kShares) {
+    const Uv beside = use.use->curve->evaluate(t) - lerp(a, b, t);
+    if (!is_at(beside.u, 0, width) || !is_at(beside.v, 0, height)) return std::nullopt;
+  }
   const auto both_at_u = [&](double u) { return is_at(a.u, u, width) && is_at(b.u, u, width); };
   const auto both_at_v = [&](double v) { return is_at(a.v, v, height) && is_at(b.v, v, height); };
   if (both_at_u(d.u0)) return DomainSide::LowerU;
@@ -156,7 +162,7 @@ SizeTensor ContourRows::row_size(const Use& use, double t) const {
   const auto k = static_cast<std::size_t>(
       std::clamp<std::ptrdiff_t>(after - nodes.begin(), 1, std::ssize(nodes) - 1));
   const ContourNode &a = nodes[k - 1], &b = nodes[k];
-  const double share = std::clamp((t - a.t) / (b.t - a.t), 0.0, 1.0);
+  const double share = b.t > a.t ? std::clamp((t - a.t) / (b.t - a.t), 0.0, 1.0) : 0;
   return lerp(to_contour(use.space->size(a.node), a.frame),
               to_contour(use.space->size(b.node), b.frame), share);
 }

@@ -33,7 +33,8 @@ struct ContourNode {
 /// The nodes of the patches of one contour along it.
 ///
 /// Where a use runs along a side of its domain, these are the nodes of the lattice there. Elsewhere
-/// the patch gets nodes of a row, at most one unit apart.
+/// the patch gets nodes of a row, at most one unit apart as sizes are
+/// when the row is made.
 class ContourRows {
  public:
   /// Model and spaces must outlive it.

@@ -12,6 +12,7 @@
 #include "surfmesh/metric/minimum.hh"
 #include "surfmesh/metric/tensor.hh"
 #include "surfmesh/sampling/contour_rows.hh"
+#include "surfmesh/sampling/make_control.hh"
 
 namespace surfmesh::detail {
 namespace {
@@ -35,8 +36,8 @@ class LatticeGradation {
     for (const auto& space : spaces) spaces_.push_back(dynamic_cast<LatticeSpace*>(space.get()));
     for (std::size_t c = 0; c < model.contours.size(); ++c) {
       const Contour& contour = model.contours[c];
-      if (contour.uses.size() > 1 && !contour.is_degenerate)
-        contours_.emplace_back(model, c, spaces);
+      if (contour.uses.size() < 2 || contour.is_degenerate) continue;
+      contours_.emplace_back(model, c, spaces);
     }
   }
 
@@ -149,13 +150,18 @@ class LatticeGradation {
         for (ContourNode& node : contour.nodes(use)) divide_around(contour, use, node);
       }
     }
+    share_indices(spaces_.size(), [this](std::size_t p) {
+      if (is_to_divide_[p] == 0) return;
+      const auto nodes = spaces_[p]->divide_beside_finer(kMissBesideFiner, kUnitsBesideFiner);
+      added_[p].insert(added_[p].end(), nodes.begin(), nodes.end());
+    });
     std::fill(is_to_divide_.begin(), is_to_divide_.end(), 0);
     bool is_any = false;
     for (std::size_t p = 0; p < added_.size(); ++p) {
       if (added_[p].empty()) continue;
       is_any = true;
       is_changed_[p] = is_to_divide_[p] = 1;
-      changes_[p] = nodes_around(*spaces_[p], added_[p]);
+      changes_[p] = spaces_[p]->with_neighbours(added_[p]);
       report_.added += added_[p].size();
       added_[p].clear();
     }
@@ -196,17 +202,6 @@ class LatticeGradation {
     const auto nodes = space.divide_cell(wanted.at.uv, metric, kLeastUnits);
     auto& added = added_[static_cast<std::size_t>(contour.patch(use))];
     added.insert(added.end(), nodes.begin(), nodes.end());
-  }
-
-  /// New nodes, and those beside them, from where sizes reach them.
-  static std::vector<int> nodes_around(const LatticeSpace& space, const std::vector<int>& added) {
-    std::vector<int> nodes = added;
-    for (const int node : added) {
-      space.for_each_neighbour(node, [&](int other) { nodes.push_back(other); });
-    }
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    return nodes;
   }
 
   std::vector<LatticeSpace*> spaces_;

@@ -15,8 +15,8 @@ namespace surfmesh::detail {
 ///
 /// Each node of a patch on a contour takes the minimum with what the other patches give at its
 /// place, and the patch is graded from the nodes that came down. This is repeated until no node
-/// comes down by more than 2 %. It ends: sizes only fall, each time by a share, and never below the
-/// least one of all.
+/// comes down by more than 2 %. It ends: both lengths of a size only fall, each time by a share,
+/// and never below the least one of all.
 ///
 /// Then, where a patch cannot give between its nodes what another one has, its cells there are
 /// halved, down to two units, and it is repeated. Cells that are short end this.

@@ -112,8 +112,11 @@ void make_lattice(const std::shared_ptr<const SizeField>& field, const ControlNo
   } else {
     const ChosenNodes chosen = choose_grid_nodes(*field, options, context);
     auto grid = std::make_unique<ControlGrid>(input.domain, chosen.nodes, input.options, points);
-    input.sampling = {sample_precision(*field, *grid, options.precision, kLeastCellLength),
-                      chosen.is_coarse};
+    input.sampling.is_coarse = chosen.is_coarse;
+    if (options.regular == 0) {
+      input.sampling.precision =
+          sample_precision(*field, *grid, options.precision, kLeastCellLength);
+    }
     input.lattice = std::move(grid);
   }
   input.lattice->hold_points(points);
@@ -191,6 +194,14 @@ ControlInput collect_control_input(const Surface& surface, const ResolvedSizing&
   return input;
 }
 
+void grade_beside_finer(LatticeSpace& lattice, const RunContext& context) {
+  while (true) {
+    const std::vector<int> added = lattice.divide_beside_finer(kMissBesideFiner, kUnitsBesideFiner);
+    if (added.empty()) return;
+    lattice.grade(lattice.with_neighbours(added), context);
+  }
+}
+
 std::unique_ptr<ControlSpace> make_control(ControlInput& input, const RunContext& context) {
   if (!input.lattice) {
     return std::make_unique<ControlMesh>(input.domain, input.nodes, input.options);
@@ -199,6 +210,7 @@ std::unique_ptr<ControlSpace> make_control(ControlInput& input, const RunContext
     std::vector<int> all(static_cast<std::size_t>(input.lattice->node_count()));
     std::iota(all.begin(), all.end(), 0);
     input.lattice->grade(all, context);
+    grade_beside_finer(*input.lattice, context);
   }
   return std::move(input.lattice);
 }

@@ -73,6 +73,17 @@ ControlInput collect_control_input(const Surface& surface, const ResolvedSizing&
                                    const PatchSources& sources, const ControlOptions& options,
                                    const RunContext& context = RunContext());
 
+/// Share by which a cell may miss the size of a finer neighbour at a node on their common side, and
+/// units of that size above which it is halved if it misses more.
+inline constexpr double kMissBesideFiner = 0.1;
+inline constexpr double kUnitsBesideFiner = 2;
+
+/// After gradation, halve cells that miss the sizes of finer neighbours, and grade their new nodes,
+/// until there are none: gradation makes sizes bend where those of the sources did not.
+///
+/// Throws   Cancelled
+void grade_beside_finer(LatticeSpace& lattice, const RunContext& context);
+
 /// Make the control space from the collected input, with gradation within the patch. Its sizes are
 /// final for queries after finish().
 ///

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "surfmesh/control/grade_sizes.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
 #include "surfmesh/metric/conformity.hh"
-#include "surfmesh/metric/minimum.hh"
 #include "surfmesh/metric/tensor.hh"
 #include "surfmesh/sampling/contour_frame.hh"
 #include "surfmesh/sizes/placed_size.hh"
@@ -186,7 +186,7 @@ class MeshGradation {
       for (std::size_t from = 0; from < uses.size(); ++from) {
         if (from == to) continue;
         const bool is_mirrored = uses[from].is_forward == uses[to].is_forward;
-        least = minimum(least, carried(sizes[from], sides[from], sides[to], is_mirrored));
+        least = limited_size(least, carried(sizes[from], sides[from], sides[to], is_mirrored));
       }
       if (log_conformity(sizes[to], least) > kAgreement &&
           is_news(compared, to, station.t, least)) {
@@ -201,7 +201,7 @@ class MeshGradation {
     auto& given = given_[compared.index()];
     const auto [entry, is_first] = given.try_emplace({use, t}, size);
     if (is_first) return true;
-    const SizeTensor lowered = minimum(entry->second, size);
+    const SizeTensor lowered = limited_size(entry->second, size);
     if (log_conformity(entry->second, lowered) <= kAgreement) return false;
     entry->second = lowered;
     return true;

@@ -27,6 +27,10 @@ namespace {
 /// Units of metric length below which a cell is not halved: its nodes are half of it apart.
 constexpr double kLeastUnits = 2;
 
+/// The same for a cell with a place that has far smaller sizes than the cell gives it. Such places
+/// become points of their own, and along a band they are to be near each other.
+constexpr double kUnitsAtPlaces = 1.25;
+
 /// The precision for which that is enough. Finer ones halve cells further, to a length that goes
 /// with the root of the precision, as the errors of an interpolation of second order do.
 constexpr double kUsualPrecision = 0.1;
@@ -70,8 +74,8 @@ constexpr int kLeastPoints = 8;
 
 /// Share of the points that may miss the precision: kinks of the sizes lie across cells.
 constexpr double kMostOver = 0.02;
-/// Of a small sample, so many more.
-constexpr double kFewPoints = 2;
+/// Points below which a share tells nothing.
+constexpr std::size_t kLeastTold = 50;
 
 /// Squared lengths of a cell in units.
 struct Lengths {
@@ -98,8 +102,7 @@ struct Look {
   Bends bends;
   double least;  ///< length of all sizes that were seen
   double miss = 0;
-  /// The point that misses most, of those that are required or hidden; none within the precision.
-  std::optional<Uv> worst_place = {};
+  std::vector<Uv> missed_places = {};  ///< required and hidden points that miss the precision
 };
 
 /// A leaf that has not been examined, with the required points in it.
@@ -126,8 +129,9 @@ class CellSampler {
     // Apart from the second pass, so that a finer precision begins with the same cells.
     empty_queue(context, [this](const Waiting& next) { return first_halving(next.leaf); });
     empty_queue(context, [this](const Waiting& next) { return halving(next); });
+    sampling_.is_search_incomplete = is_searched_ && search_.is_exhausted();
     sampling_.precision = sample_precision(field_, cells_, precision_, least_units_);
-    cells_.hold_points(missed_);
+    cells_.join_row_nodes(cells_.hold_points(missed_));
     return sampling_;
   }
 
@@ -208,7 +212,7 @@ class CellSampler {
       below = kNextSearch * std::min(below, look.least);
       along_u = halving_by(waiting.leaf, look);
     }
-    if (!along_u && look.worst_place) missed_.push_back(node_at(*look.worst_place));
+    if (!along_u) hold(look.missed_places);
     return along_u;
   }
 
@@ -218,11 +222,14 @@ class CellSampler {
     if (std::max(kMissPerBend * bends.greatest(), look.miss) <= precision_) return std::nullopt;
     const bool is_first_u =
         bends.greatest() < kLeastBend ? look.lengths.u >= look.lengths.v : bends.u >= bends.v;
+    const bool is_gross = look.miss > kGrossMiss * precision_;
     if (is_long(leaf, look.lengths, is_first_u)) return is_first_u;
-    const bool is_worth = std::min(bends.u, bends.v) >= kLesserBend * bends.greatest() ||
-                          look.miss > kGrossMiss * precision_;
+    const bool is_worth = is_gross || std::min(bends.u, bends.v) >= kLesserBend * bends.greatest();
     if (is_worth && is_long(leaf, look.lengths, !is_first_u)) return !is_first_u;
-    return std::nullopt;
+    if (!is_gross || look.missed_places.empty()) return std::nullopt;
+    const bool is_longer_u = look.lengths.u >= look.lengths.v;
+    const bool is_long_here = is_longer(leaf, look.lengths, is_longer_u, kUnitsAtPlaces);
+    return is_long_here ? std::optional(is_longer_u) : std::nullopt;
   }
 
   /// Cells of which too little is known are halved across their longer side.
@@ -245,8 +252,11 @@ class CellSampler {
   }
 
   bool is_long(int leaf, const Lengths& lengths, bool along_u) const {
-    return (along_u ? lengths.u : lengths.v) > least_units_ * least_units_ &&
-           tree_.can_halve(leaf, along_u);
+    return is_longer(leaf, lengths, along_u, least_units_);
+  }
+
+  bool is_longer(int leaf, const Lengths& lengths, bool along_u, double units) const {
+    return (along_u ? lengths.u : lengths.v) > units * units && tree_.can_halve(leaf, along_u);
   }
 
   Lengths lengths_of(const CellTree::Cell& cell) {
@@ -284,7 +294,7 @@ class CellSampler {
       const Uv guard = guard_of(cell, k);
       look_at(guard, field_.at(guard), waiting.leaf, look);
     }
-    look.worst_place.reset();
+    look.missed_places.clear();  // no places yet
     for (const std::size_t point : waiting.points) {
       look_at(points_[point].uv, points_[point].field, waiting.leaf, look);
     }
@@ -294,13 +304,15 @@ class CellSampler {
     look.lengths.include(metric_from_size(exact.form, exact.size), tree_.extent(tree_.cell(leaf)));
     look.least = std::min(look.least, size_range(exact.size).least);
     const double missed = miss(uv, exact, leaf);
-    if (missed > std::max(precision_, look.miss)) look.worst_place = uv;
+    if (missed > precision_) look.missed_places.push_back(uv);
     look.miss = std::max(look.miss, missed);
   }
 
-  ControlNode node_at(Uv uv) const {
-    const SizeField::Sample sample = field_.at(uv);
-    return {uv, sample.point, sample.form, sample.size};
+  void hold(const std::vector<Uv>& places) {
+    for (const Uv uv : places) {
+      const SizeField::Sample sample = field_.at(uv);
+      missed_.push_back({uv, sample.point, sample.form, sample.size});
+    }
   }
 
   double least_length(const CellTree::Cell& cell) const {
@@ -385,6 +397,7 @@ PrecisionSample& PrecisionSample::operator+=(const PrecisionSample& other) {
   over += other.over;
   over_in_short_cells += other.over_in_short_cells;
   greatest = std::max(greatest, other.greatest);
+  greatest_in_short_cells = std::max(greatest_in_short_cells, other.greatest_in_short_cells);
   return *this;
 }
 
@@ -404,7 +417,8 @@ PrecisionSample sample_precision(const SizeField& field, const LatticeSpace& spa
     const bool is_short = std::max(lengths.u, lengths.v) <= short_units * short_units;
     ++sample.points;
     (is_short ? sample.over_in_short_cells : sample.over) += miss > precision ? 1 : 0;
-    if (!is_short) sample.greatest = std::max(sample.greatest, miss);
+    double& greatest = is_short ? sample.greatest_in_short_cells : sample.greatest;
+    greatest = std::max(greatest, miss);
   }
   return sample;
 }

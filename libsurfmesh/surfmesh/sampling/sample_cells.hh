@@ -17,13 +17,14 @@ struct PrecisionSample {
   std::size_t over = 0;  ///< points that miss more, in cells that elements can follow
   double greatest = 0;   ///< miss of all points in such cells
   std::size_t over_in_short_cells = 0;  ///< other points that miss more
+  double greatest_in_short_cells = 0;
 
   double share_over() const {
     return points > 0 ? static_cast<double>(over) / static_cast<double>(points) : 0;
   }
 
-  /// True if at most 2 % of the points, and two more, miss the precision in cells that elements can
-  /// follow.
+  /// True if at most 2 % of the points miss the precision, in cells that elements can follow, or if
+  /// there are fewer than 50.
   bool is_held() const;
 
   /// Take in the sample of another patch.
@@ -40,6 +41,7 @@ struct CellSampling {
   PrecisionSample precision;
   /// True if the field changes so fast that cells were no longer halved.
   bool is_coarse = false;
+  bool is_search_incomplete = false;  ///< the budget of FieldSearch was spent
 };
 
 /// Cells that a field starts with: those of the surface, at least two along each side.
