@@ -92,7 +92,8 @@ TEST(SampleCells, MeasureThePrecisionTheyReach) {
   EXPECT_GT(at_usual.report.precision.points, 100U);
   EXPECT_TRUE(at_usual.report.precision.is_held());
   EXPECT_LT(at_usual.report.precision.greatest, 0.3);
-  EXPECT_FALSE(PrecisionSample({.asked = 0.1, .points = 100, .over = 3}).is_held());
+  EXPECT_FALSE(PrecisionSample({.asked = 0.1, .points = 100, .over = 7}).is_held());
+  EXPECT_TRUE(PrecisionSample({.asked = 0.1, .points = 100, .over = 3}).is_held());
 }
 
 /// The size at a point of the plane.

@@ -33,7 +33,7 @@ enum class NoticeKind {
   BrokenPromise,    ///< the mesh is not as the model promises
 };
 
-inline constexpr std::size_t kNoticeKinds = 16;
+inline constexpr std::size_t kNoticeKinds = 17;
 
 /// The name of a kind in reports: "ignored_input", "turned_triangles", ...
 std::string_view name(NoticeKind kind);

@@ -74,8 +74,8 @@ constexpr int kLeastPoints = 8;
 
 /// Share of the points that may miss the precision: kinks of the sizes lie across cells.
 constexpr double kMostOver = 0.02;
-/// Points below which a share tells nothing.
-constexpr std::size_t kLeastTold = 50;
+/// Standard deviations by which a sample of points may have more by chance.
+constexpr double kDeviations = 3;
 
 /// Squared lengths of a cell in units.
 struct Lengths {

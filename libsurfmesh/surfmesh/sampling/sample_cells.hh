@@ -23,8 +23,8 @@ struct PrecisionSample {
     return points > 0 ? static_cast<double>(over) / static_cast<double>(points) : 0;
   }
 
-  /// True if at most 2 % of the points miss the precision, in cells that elements can follow, or if
-  /// there are fewer than 50.
+  /// True if 2 % of the points or fewer miss the precision, in cells that elements can follow, or
+  /// as many more as chance explains.
   bool is_held() const;
 
   /// Take in the sample of another patch.
