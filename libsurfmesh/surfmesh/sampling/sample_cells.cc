@@ -389,7 +389,10 @@ class CellSampler {
 
 }  // namespace
 
-bool PrecisionSample::is_held() const { return share_over() <= kMostOver; }
+bool PrecisionSample::is_held() const {
+  const double expected = kMostOver * static_cast<double>(points);
+  return static_cast<double>(over) <= expected + kDeviations * std::sqrt(expected);
+}
 
 PrecisionSample& PrecisionSample::operator+=(const PrecisionSample& other) {
   asked = points == 0 ? other.asked : std::min(asked, other.asked);
