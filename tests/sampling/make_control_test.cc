@@ -273,6 +273,28 @@ TEST(MakeControl, TakesRegularNodes) {
   EXPECT_EQ(control->mesh().n_vertices(), 2500U);
 }
 
+TEST(ControlOptions, SelectAMeshByWhatBelongsToItAlone) {
+  EXPECT_EQ(effective_kind({}), ControlKind::Cells);
+  EXPECT_EQ(effective_kind({.regular_nodes = 100}), ControlKind::Mesh);
+  EXPECT_EQ(effective_kind({.inner_nodes = true}), ControlKind::Mesh);
+  EXPECT_EQ(effective_kind({.interpolation = Interpolation::Circles}), ControlKind::Mesh);
+  EXPECT_EQ(effective_kind({.lookup = DiscLookup::Vertices}), ControlKind::Mesh);
+  EXPECT_EQ(effective_kind({.reuse = 0.5}), ControlKind::Mesh);
+  EXPECT_EQ(effective_kind({.kind = ControlKind::Grid, .regular_nodes = 100}), ControlKind::Grid);
+}
+
+TEST(ControlOptions, RefuseWhatHasNoEffectOnTheKindAskedFor) {
+  const auto error = [](const ControlOptions& options) {
+    return error_of([&] { check(options); });
+  };
+  EXPECT_NE(error({.kind = ControlKind::Cells, .regular_nodes = 100}).find("nodes belongs to"),
+            std::string::npos);
+  EXPECT_NE(error({.kind = ControlKind::Grid, .reuse = 0.5}).find("reuse belongs to"),
+            std::string::npos);
+  EXPECT_EQ(error({.kind = ControlKind::Grid, .regular_nodes = 100}), "no error");
+  EXPECT_EQ(error({.kind = ControlKind::Mesh, .reuse = 0.5}), "no error");
+}
+
 TEST(MakeControl, ChecksItsOptionsAlsoWithoutAreaSources) {
   const auto surface = plane();
   const PatchSources sources{{}, {{0, {0.5, 0.5}, size_of(0.1)}}};

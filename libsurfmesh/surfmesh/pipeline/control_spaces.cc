@@ -81,6 +81,7 @@ void tell_unsearched(const Model& model, const std::vector<ControlInput>& inputs
 ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
                                   const ResolvedSizing& sizing, const ControlOptions& options,
                                   const RunContext& context) {
+  check(options);
   check_patches(model, sources);
   ControlSpaces result;
   if (auto notice = clamp_notice(model, sources, sizing.bounds)) {
