@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "surfmesh/core/mesh.hh"
@@ -44,7 +45,8 @@ inline void attach_result_properties(PolyMesh& mesh) {
   const auto metric = attach(mesh, keys::corner_metric);
   for (const FaceHandle fh : mesh.faces()) mesh.property(patch, fh) = 2 - fh.idx() % 3;
   for (const EdgeHandle eh : mesh.edges()) {
-    if (mesh.is_boundary(eh)) mesh.property(contour, eh) = eh.idx() * 1000003;
+    if (mesh.is_boundary(eh))
+      mesh.property(contour, eh) = std::numeric_limits<int>::max() - eh.idx();
   }
   for (const HalfedgeHandle heh : mesh.halfedges()) {
     if (mesh.is_boundary(heh)) continue;
