@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 #include <set>
 
 #include "support/control_nodes.hh"
@@ -39,12 +38,6 @@ void halve_at(ControlCells& cells, const std::vector<Uv>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     cells.halve(cells.tree().find(points[i]), i % 2 == 0);
   }
-}
-
-void grade_all(LatticeSpace& space) {
-  std::vector<int> all(static_cast<std::size_t>(space.node_count()));
-  std::iota(all.begin(), all.end(), 0);
-  space.grade(all, RunContext());
 }
 
 /// Sum of the areas of the faces of a control mesh in parameters.
@@ -156,7 +149,7 @@ TEST(ControlCells, GiveTheirNodesAsVerticesWithTheirProperties) {
 TEST(ControlCells, AreGraded) {
   const auto spike = [](Uv uv) { return isotropic(uv == Uv{0.5, 0.5} ? 0.01 : 10); };
   const auto cells = cells_of({}, spike, {.grade = 1.5}, {16, 16});
-  grade_all(*cells);
+  cells->grade_all(RunContext());
   for (const Uv uv : random_points({}, 300)) {
     const double distance = std::hypot(uv.u - 0.5, uv.v - 0.5);
     // A cell of rounding, and ways along rows and diagonals.
@@ -165,12 +158,27 @@ TEST(ControlCells, AreGraded) {
   }
 }
 
+TEST(ControlCells, AreHalvedBesideFinerOnesThatTheyMiss) {
+  // A small size between the nodes of a wide cell, on its side, where only a fine neighbour has
+  // one.
+  const auto cells = cells_of({},
+                              [](Uv uv) {
+                                return isotropic(uv == Uv{0.5, 0.3125} ? 0.01 : 1);
+                              },
+                              {.grade = 1.5});
+  halve_at(*cells, {{0.4, 0.3}, {0.4, 0.3}, {0.4, 0.3}, {0.45, 0.3}, {0.45, 0.3}, {0.45, 0.3}});
+  cells->grade_all(RunContext());
+  int left = cells->tree().find({0.499, 0.3125}), right = cells->tree().find({0.501, 0.3125});
+  EXPECT_NEAR(cells->lattice_size({0.499, 0.3125}, left).h11, 0.01, 0.001);
+  EXPECT_NEAR(cells->lattice_size({0.501, 0.3125}, right).h11, 0.01, 0.001);
+}
+
 TEST(ControlCells, GradeFromANewNodeAsFromTheBeginning) {
   const auto peak = [](Uv uv) { return isotropic(uv == Uv{0, 0} ? 0.01 : 5); };
   const auto whole = cells_of({}, peak, {.grade = 1.5}, {8, 8});
   const auto later = cells_of({}, [](Uv) { return isotropic(5); }, {.grade = 1.5}, {8, 8});
-  grade_all(*whole);
-  grade_all(*later);
+  whole->grade_all(RunContext());
+  later->grade_all(RunContext());
   later->set_size(0, isotropic(0.01));
   later->grade({0}, RunContext());
   for (int node = 0; node < whole->node_count(); ++node) {
@@ -181,11 +189,35 @@ TEST(ControlCells, GradeFromANewNodeAsFromTheBeginning) {
 TEST(ControlCells, HoldAGradedPointExactly) {
   const auto cells = cells_of({}, [](Uv) { return isotropic(1); }, {.grade = 1.5});
   cells->hold_points({testing::node({0.37, 0.61}, isotropic(0.05))});
-  grade_all(*cells);
+  cells->grade_all(RunContext());
   cells->finish();
   expect_near(query(*cells, {0.37, 0.61}), isotropic(0.05), 1e-12);
   EXPECT_NEAR(query(*cells, {0.47, 0.61}).h11, 0.05 + std::log(1.5) * 0.1, 1e-3);
   EXPECT_LE(query(*cells, {1, 1}).h11, 0.05 + 1.1 * std::log(1.5) * std::hypot(0.63, 0.39));
+}
+
+TEST(ControlCells, PassTheSizesOfAPointToCellsThatAreHalvedLater) {
+  const auto cells = cells_of({}, [](Uv) { return isotropic(1); }, {.grade = 1.5});
+  cells->hold_points({testing::node({0.37, 0.61}, isotropic(0.05))});
+  cells->grade_all(RunContext());
+  const std::vector<int> added = cells->divide_cell({0.37, 0.61}, {400, 0, 400}, 1);
+  ASSERT_FALSE(added.empty());
+  cells->grade(cells->with_neighbours(added), RunContext());
+  for (const int node : added) {
+    const double distance = std::hypot(cells->uv(node).u - 0.37, cells->uv(node).v - 0.61);
+    EXPECT_LE(cells->size(node).h11, 0.05 + 1.2 * std::log(1.5) * distance);
+  }
+}
+
+TEST(ControlCells, JoinPointsAlongABand) {
+  const auto cells = cells_of({}, [](Uv) { return isotropic(1); }, {.grade = 1.5});
+  cells->join_row_nodes(cells->hold_points({testing::node({0.40, 0.6}, isotropic(0.1)),
+                                            testing::node({0.52, 0.6}, isotropic(0.1)),
+                                            testing::node({0.95, 0.1}, isotropic(0.1))}));
+  cells->grade_all(RunContext());
+  cells->finish();
+  expect_near(query(*cells, {0.46, 0.6}), isotropic(0.1), 1e-12);
+  EXPECT_GT(query(*cells, {0.73, 0.35}).h11, 0.15);
 }
 
 TEST(ControlCells, HoldAPointExactlyWithoutGradation) {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 
 #include "support/control_nodes.hh"
 #include "support/errors.hh"
@@ -22,12 +21,6 @@ using testing::random_points;
 SizeTensor smooth(Uv uv) {
   return size_tensor(0.02 + 0.01 * std::sin(3 * uv.u), 0.01 + 0.005 * std::cos(2 * uv.v),
                      0.5 * uv.u * uv.v);
-}
-
-void grade_all(LatticeSpace& space) {
-  std::vector<int> all(static_cast<std::size_t>(space.node_count()));
-  std::iota(all.begin(), all.end(), 0);
-  space.grade(all, RunContext());
 }
 
 /// The greatest conformity with the smooth field at random points.
@@ -85,7 +78,7 @@ TEST(ControlGrid, LowersTheCellOfAFurtherNode) {
 TEST(ControlGrid, IsGraded) {
   const auto spike = [](Uv uv) { return isotropic(uv == Uv{0.5, 0.5} ? 0.01 : 10); };
   ControlGrid control({}, testing::grid({}, 21, spike), {.grade = 1.5});
-  grade_all(control);
+  control.grade_all(RunContext());
   for (const Uv uv : random_points({}, 300)) {
     const double distance = std::hypot(uv.u - 0.5, uv.v - 0.5);
     // A cell of rounding, and ways along rows and diagonals.

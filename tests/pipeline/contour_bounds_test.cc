@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -12,6 +14,7 @@
 #include "surfmesh/boundary/contour_nodes.hh"
 #include "surfmesh/boundary/metric_arc.hh"
 #include "surfmesh/control/surface_metric_field.hh"
+#include "surfmesh/metric/tensor.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/load_model.hh"
 
@@ -26,6 +29,12 @@ constexpr double kLengthError = 0.02;
 
 /// Segments may be so many times the number that the finest patch wants.
 constexpr double kMostSegments = 1.25;
+
+/// A step of t that is short for every contour.
+constexpr double kStep = 1e-5;
+
+/// Between nodes of cells of two elements, sizes differ by as much as they grow in half an element.
+constexpr double kDisagreement = 0.25;
 
 struct Case {
   std::string name;  ///< of the model's file
@@ -84,6 +93,14 @@ class ContourBounds : public ::testing::TestWithParam<Case> {
     return length;
   }
 
+  /// The metric length of a short step along a contour in the patch of a use.
+  double step_length(const ContourUse& use, double t) const {
+    const Uv from = use.curve->evaluate(t), to = use.curve->evaluate(t + kStep);
+    QueryHint hint;
+    const Metric metric = pointers_[static_cast<std::size_t>(use.patch)]->at(from, hint);
+    return std::sqrt(squared_length(metric, to - from));
+  }
+
   ModelInput input_;
   std::vector<std::unique_ptr<ControlSpace>> spaces_;
   std::vector<std::unique_ptr<SurfaceMetricField>> fields_;
@@ -104,6 +121,22 @@ TEST_P(ContourBounds, AreHeldByAllNodes) {
     }
     // Closed contours, and those at poles, have at least 3.
     EXPECT_LE(nodes[c].segment_count(), std::max(3.0, kMostSegments * wanted + 1));
+  }
+}
+
+TEST_P(ContourBounds, AreWantedAlikeByAllPatches) {
+  if (GetParam().grade == 0) return;  // only gradation goes on across contours
+  for (const Contour& contour : input_.model.contours) {
+    if (contour.is_degenerate || contour.uses.size() < 2) continue;
+    for (double t = 0.013; t < 0.99; t += 0.041) {
+      double least = std::numeric_limits<double>::infinity(), most = 0;
+      for (const ContourUse& use : contour.uses) {
+        if (!use.is_same_speed) continue;
+        least = std::min(least, step_length(use, t));
+        most = std::max(most, step_length(use, t));
+      }
+      EXPECT_LE(most, (1 + kDisagreement) * least) << contour.name << " at " << t;
+    }
   }
 }
 

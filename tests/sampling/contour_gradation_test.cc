@@ -93,6 +93,33 @@ TEST(ContourGradation, GoesOnThroughPatches) {
   EXPECT_LT(size_at(controls, 2, {0.3, 0.5}).h11, 1.6 * (0.02 + std::log(kGrade) * 0.2));
 }
 
+TEST(ContourGradation, HoldsOnAPartOfASideToItsEnds) {
+  // The second square touches a part of the first one's side, which ends between its nodes.
+  const Model model =
+      testing::model_of({testing::rectangle(0, 0, 1, 1), testing::rectangle(1, 0.31, 1.42, 0.73)});
+  const Controls controls = graded_controls(model, {size_of(1, 1), size_of(0.02, 0.02)});
+  for (const double v : {0.31, 0.33, 0.52, 0.71, 0.73}) {
+    EXPECT_NEAR(size_at(controls, 0, {1, v}).h11, 0.02, 0.02 * 0.02) << v;
+  }
+  EXPECT_GT(size_at(controls, 0, {1, 0.2}).h11, 0.02 + 0.8 * std::log(kGrade) * 0.11);
+}
+
+TEST(ContourGradation, FollowsSizesThatCameDownAlongARow) {
+  // A small third square behind a narrow one: sizes on the part of the side come down in one place,
+  // after its row was made for large ones.
+  const Model model =
+      testing::model_of({testing::rectangle(0, 0, 1, 1), testing::rectangle(1, 0.31, 1.02, 0.73),
+                         testing::rectangle(1.02, 0.46, 1.04, 0.47)});
+  const Controls controls =
+      graded_controls(model, {size_of(1, 1), size_of(1, 1), size_of(0.005, 0.005)});
+  const double least = size_at(controls, 1, {1, 0.465}).h22;
+  EXPECT_LT(least, 0.02);
+  for (const double v : {0.44, 0.465, 0.48}) {
+    EXPECT_NEAR(size_at(controls, 0, {1, v}).h22, size_at(controls, 1, {1, v}).h22, 0.15 * least)
+        << v;
+  }
+}
+
 TEST(ContourGradation, LeavesPatchesThatAgree) {
   const Controls controls = graded_controls(two_squares(), {size_of(0.3, 0.1), size_of(0.3, 0.1)});
   EXPECT_EQ(controls.report, ContourGradationReport());

@@ -287,9 +287,11 @@ TEST(ControlOptions, RefuseWhatHasNoEffectOnTheKindAskedFor) {
   const auto error = [](const ControlOptions& options) {
     return error_of([&] { check(options); });
   };
-  EXPECT_NE(error({.kind = ControlKind::Cells, .regular_nodes = 100}).find("nodes belongs to"),
+  EXPECT_NE(error({.kind = ControlKind::Cells, .regular_nodes = 100})
+                .find("nodes has no effect with control = cells"),
             std::string::npos);
-  EXPECT_NE(error({.kind = ControlKind::Grid, .reuse = 0.5}).find("reuse belongs to"),
+  EXPECT_NE(error({.kind = ControlKind::Grid, .reuse = 0.5})
+                .find("reuse has no effect with control = grid"),
             std::string::npos);
   EXPECT_EQ(error({.kind = ControlKind::Grid, .regular_nodes = 100}), "no error");
   EXPECT_EQ(error({.kind = ControlKind::Mesh, .reuse = 0.5}), "no error");

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/sampling/sample_cells.hh"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 #include <random>
 
 #include "support/analytic.hh"
 #include "support/tensors.hh"
 #include "support/waves.hh"
+#include "surfmesh/formula/formula_surface.hh"
 #include "surfmesh/metric/conformity.hh"
 #include "surfmesh/sizes/formula_field.hh"
 
@@ -73,14 +74,31 @@ TEST(SampleCells, HoldAFieldWithKinksAtMostPoints) {
   EXPECT_LE(thrice, 0.001);
 }
 
-TEST(SampleCells, TakeMoreNodesForAFinerPrecision) {
-  const auto wave = testing::paper_wave();
-  const SizeField field(*wave, resolve(testing::paper_sizing(), 1), {});
+void expect_more_nodes_for_a_finer_precision(const SizeField& field) {
   int last = 0;
   for (const double precision : {1.0, 0.5, 0.2, 0.1, 0.05, 0.02}) {
     const int nodes = sampled(field, precision).cells->node_count();
     EXPECT_GE(nodes, last) << precision;
     last = nodes;
+  }
+}
+
+TEST(SampleCells, TakeMoreNodesForAFinerPrecision) {
+  const auto wave = testing::paper_wave(), sheet = testing::half_bent_sheet();
+  expect_more_nodes_for_a_finer_precision(
+      SizeField(*wave, resolve(testing::paper_sizing(), 1), {}));
+  expect_more_nodes_for_a_finer_precision(
+      SizeField(*sheet, resolve(sizing_of(0.1, 0.001, 0.3, 5), 1), {}));
+}
+
+TEST(SampleCells, FindABumpOfAFifthOfThePatch) {
+  for (const Uv at : {Uv{0.21, 0.34}, Uv{0.5, 0.5}, Uv{0.613, 0.287}, Uv{0.83, 0.71}}) {
+    const std::string distance = fmt::format("((u-{})^2+(v-{})^2)/{}", at.u, at.v, 0.2 * 0.2 / 16);
+    const FormulaSurface bump({"u", "v", "0.05*exp(-" + distance + ")"}, Domain());
+    const SizeField field(bump, resolve(sizing_of(0.25, 1e-4, 0.2, 2), 1), {});
+    int near = -1;
+    const double given = sampled(field).cells->lattice_size(at, near).h11;
+    EXPECT_LT(given, 1.5 * field.at(at).size.h11) << at.u;
   }
 }
 
@@ -105,9 +123,7 @@ double size_at(const ControlSpace& control, Uv uv) {
 /// Cells of the plane with gradation, which spreads small sizes.
 std::unique_ptr<ControlCells> graded_cells(const SizeField& field) {
   Sampled result = sampled(field, 0.1, 1.5);
-  std::vector<int> all(static_cast<std::size_t>(result.cells->node_count()));
-  std::iota(all.begin(), all.end(), 0);
-  result.cells->grade(all, RunContext());
+  result.cells->grade_all(RunContext());
   result.cells->finish();
   return std::move(result.cells);
 }

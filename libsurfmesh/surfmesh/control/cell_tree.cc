@@ -92,15 +92,18 @@ void CellTree::split(int index, bool along_u) {
   cells_.push_back(second);
 }
 
+CellTree::Lines CellTree::lines_of(const Cell& c) {
+  return {{c.i0, middle(c.i0, c.i1), c.i1}, {c.j0, middle(c.j0, c.j1), c.j1}};
+}
+
 void CellTree::make_lattice(int index, const MakeNode& make_node) {
   Cell& c = cells_[static_cast<std::size_t>(index)];
   c.nodes.fill(-1);
   // Nodes on the diagonal belong to the cells that have an area in the domain.
   if (is_triangle_ && c.i0 + c.j0 >= end_i_) return;
-  const std::array columns = {c.i0, middle(c.i0, c.i1), c.i1};
-  const std::array rows = {c.j0, middle(c.j0, c.j1), c.j1};
+  const Lines lines = lines_of(c);
   for (std::size_t k = 0; k < c.nodes.size(); ++k) {
-    const std::uint32_t i = columns[k % kLattice], j = rows[k / kLattice];
+    const std::uint32_t i = lines.i[k % kLattice], j = lines.j[k / kLattice];
     if (is_beyond_diagonal(i, j)) continue;
     c.nodes[k] = make_crossing(i, j, make_node);
     replace_leaf(c.nodes[k], -1, index);
@@ -149,8 +152,7 @@ int CellTree::root_at(GridPoint p) const {
   return index(p.y, roots_.v) * roots_.u + index(p.x, roots_.u);
 }
 
-int CellTree::find(Uv uv, int near) const {
-  const GridPoint p = to_grid(uv);
+int CellTree::find(GridPoint p, int near) const {
   const bool is_near = static_cast<std::size_t>(near) < cells_.size() && contains(cell(near), p) &&
                        !is_empty(cell(near));
   int found = is_near ? near : root_at(p);
@@ -162,13 +164,15 @@ int CellTree::find(Uv uv, int near) const {
   return found;
 }
 
-CellTree::Quarter CellTree::quarter(int leaf, Uv uv) const {
+CellTree::Quarter CellTree::quarter(Uv uv, int near) const {
   const GridPoint p = to_grid(uv);
+  const int leaf = find(p, near);
   const Cell& c = cell(leaf);
   const double x = 2 * (p.x - c.i0) / (c.i1 - c.i0), y = 2 * (p.y - c.j0) / (c.j1 - c.j0);
   const std::size_t column = x > 1 ? 1 : 0, row = y > 1 ? 1 : 0;
   const std::size_t first = kLattice * row + column;
-  return {{c.nodes[first], c.nodes[first + 1], c.nodes[first + 4], c.nodes[first + 3]},
+  return {leaf,
+          {c.nodes[first], c.nodes[first + 1], c.nodes[first + 4], c.nodes[first + 3]},
           std::clamp(x - static_cast<double>(column), 0.0, 1.0),
           std::clamp(y - static_cast<double>(row), 0.0, 1.0)};
 }
@@ -223,24 +227,21 @@ void CellTree::add_hanging(std::uint64_t from, std::uint64_t to, std::vector<int
 
 std::vector<int> CellTree::hanging_nodes(int leaf, bool along_u) const {
   const Cell& c = cell(leaf);
-  const std::array columns = {c.i0, middle(c.i0, c.i1), c.i1};
-  const std::array rows = {c.j0, middle(c.j0, c.j1), c.j1};
+  const Lines lines = lines_of(c);
   std::vector<int> nodes;
   for (const std::size_t side : {std::size_t{0}, kLattice - 1}) {
     for (std::size_t k = 0; k + 1 < kLattice; ++k) {
-      const std::uint64_t from =
-          along_u ? key_of(columns[k], rows[side]) : key_of(columns[side], rows[k]);
-      const std::uint64_t to =
-          along_u ? key_of(columns[k + 1], rows[side]) : key_of(columns[side], rows[k + 1]);
-      add_hanging(from, to, nodes);
+      const auto crossing = [&](std::size_t along) {
+        return along_u ? lines.crossing(along, side) : lines.crossing(side, along);
+      };
+      add_hanging(crossing(k), crossing(k + 1), nodes);
     }
   }
   return nodes;
 }
 
 void CellTree::add_face(const Cell& c, std::size_t column, std::size_t row, FaceList& faces) const {
-  const std::array columns = {c.i0, middle(c.i0, c.i1), c.i1};
-  const std::array rows = {c.j0, middle(c.j0, c.j1), c.j1};
+  const Lines lines = lines_of(c);
   const std::array<std::array<std::size_t, 2>, 4> around = {
       {{column, row}, {column + 1, row}, {column + 1, row + 1}, {column, row + 1}}};
   std::vector<int> corners;
@@ -248,7 +249,7 @@ void CellTree::add_face(const Cell& c, std::size_t column, std::size_t row, Face
   for (std::size_t k = 0; k <= around.size(); ++k) {
     const auto [x, y] = around[k % around.size()];
     if (c.node(x, y) < 0) continue;
-    const std::uint64_t here = key_of(columns[x], rows[y]);
+    const std::uint64_t here = lines.crossing(x, y);
     if (!corners.empty()) add_hanging(last, here, corners);
     if (k < around.size()) corners.push_back(c.node(x, y));
     last = here;

@@ -4,11 +4,18 @@
 #include <algorithm>
 #include <utility>
 
-#include "surfmesh/core/error.hh"
 #include "surfmesh/metric/conformity.hh"
 #include "surfmesh/metric/tensor.hh"
 
 namespace surfmesh {
+namespace {
+
+/// Share by which a cell may miss the size of a finer neighbour at a node on their common side, and
+/// units of that size along it above which it is halved if it misses more.
+constexpr double kMissBesideFiner = 0.1;
+constexpr double kUnitsBesideFiner = 2;
+
+}  // namespace
 
 ControlCells::ControlCells(const Domain& domain, CellCount roots, SampleNode sample,
                            const ControlSpaceOptions& options,
@@ -23,9 +30,9 @@ CellTree::MakeNode ControlCells::make_node() {
 
 void ControlCells::halve(int leaf, bool along_u) { tree_.halve(leaf, along_u, make_node()); }
 
-LatticeSpace::Support ControlCells::support(int cell, Uv uv) const {
-  const CellTree::Quarter quarter = tree_.quarter(cell, uv);
-  return {quarter.nodes, quarter.weights()};
+LatticeSpace::Support ControlCells::support(Uv uv, int near) const {
+  const CellTree::Quarter quarter = tree_.quarter(uv, near);
+  return {quarter.leaf, quarter.nodes, quarter.weights()};
 }
 
 std::vector<int> ControlCells::nodes_on_side(DomainSide side) const {
@@ -54,40 +61,36 @@ std::vector<int> ControlCells::divide_cell(Uv uv, const Metric& metric, double u
   }
   const int first = node_count();
   halve(leaf, is_along_u);
-  std::vector<int> added;
-  for (int node = first; node < node_count(); ++node) added.push_back(node);
-  return added;
+  return nodes_from(first);
 }
 
 /// True if a node of a finer neighbour has a smaller size than the leaf gives there, and the leaf
 /// is long along the common side.
-bool ControlCells::misses_finer(int leaf, bool along_u, double miss, double units) const {
+bool ControlCells::misses_finer(int leaf, bool along_u) const {
   const Uv extent = tree_.extent(tree_.cell(leaf));
   for (const int node : tree_.hanging_nodes(leaf, along_u)) {
     const Metric metric = metric_from_size(form(node), size(node));
     const double length =
         along_u ? metric.m11 * extent.u * extent.u : metric.m22 * extent.v * extent.v;
-    if (!(length > units * units)) continue;
+    if (!(length > kUnitsBesideFiner * kUnitsBesideFiner)) continue;
     int cell = leaf;
     const SizeTensor given = lattice_size(uv(node), cell);
-    if (greatest_growth(given, size(node)) > miss) return true;
+    if (greatest_growth(given, size(node)) > kMissBesideFiner) return true;
   }
   return false;
 }
 
-std::vector<int> ControlCells::divide_beside_finer(double miss, double units) {
+std::vector<int> ControlCells::divide_beside_finer() {
   const int first = node_count(), end = static_cast<int>(tree_.size());
   for (int leaf = 0; leaf < end; ++leaf) {
     if (!tree_.cell(leaf).is_leaf() || tree_.is_empty(tree_.cell(leaf))) continue;
     for (const bool along_u : {true, false}) {
-      if (!tree_.can_halve(leaf, along_u) || !misses_finer(leaf, along_u, miss, units)) continue;
+      if (!tree_.can_halve(leaf, along_u) || !misses_finer(leaf, along_u)) continue;
       halve(leaf, along_u);
       break;
     }
   }
-  std::vector<int> added;
-  for (int node = first; node < node_count(); ++node) added.push_back(node);
-  return added;
+  return nodes_from(first);
 }
 
 LatticeSpace::Neighbours ControlCells::neighbours(int node) const {

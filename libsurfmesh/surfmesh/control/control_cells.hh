@@ -31,15 +31,15 @@ class ControlCells : public LatticeSpace {
   /// Halve a leaf (CellTree::halve).
   void halve(int leaf, bool along_u);
 
-  int find_cell(Uv uv, int near) const override { return tree_.find(uv, near); }
   Uv cell_extent(int cell) const override { return tree_.extent(tree_.cell(cell)); }
 
-  /// Cost     20 ns near the last query, 60 ns elsewhere, both without the rest of a query
-  Support support(int cell, Uv uv) const override;
+  /// Cost     a query with its metric 60 ns near the last one, 120 ns elsewhere
+  ///          (query_cells in tests/bench/control_bench.cc)
+  Support support(Uv uv, int near) const override;
 
   std::vector<int> nodes_on_side(DomainSide side) const override;
   std::vector<int> divide_cell(Uv uv, const Metric& metric, double units) override;
-  std::vector<int> divide_beside_finer(double miss, double units) override;
+  std::vector<int> divide_beside_finer() override;
 
  protected:
   void announce_loose_node() override { tree_.add_loose_node(); }
@@ -48,7 +48,7 @@ class ControlCells : public LatticeSpace {
 
  private:
   CellTree::MakeNode make_node();
-  bool misses_finer(int leaf, bool along_u, double miss, double units) const;
+  bool misses_finer(int leaf, bool along_u) const;
 
   SampleNode sample_;
   CellTree tree_;

@@ -33,21 +33,16 @@ ControlGrid::ControlGrid(const Domain& domain, const std::vector<ControlNode>& r
   for (const ControlNode& node : regular) add_node(node);
 }
 
-/// A cell has the number of the node at its lower corner.
-int ControlGrid::find_cell(Uv uv, int /*near*/) const {
-  const int last = side_ - 2;  // the last node belongs to the last cell
-  const auto index = [last](double x) {
-    return static_cast<int>(std::clamp(x, 0.0, double(last)));
-  };
-  return index((uv.v - domain().v0) * cells_per_v_) * side_ +
-         index((uv.u - domain().u0) * cells_per_u_);
-}
-
-LatticeSpace::Support ControlGrid::support(int cell, Uv uv) const {
-  const double x = (uv.u - domain().u0) * cells_per_u_ - cell % side_;
-  const double y = (uv.v - domain().v0) * cells_per_v_ - cell / side_;
-  const double s = std::clamp(x, 0.0, 1.0), t = std::clamp(y, 0.0, 1.0);
-  return {{cell, cell + 1, cell + side_ + 1, cell + side_},
+LatticeSpace::Support ControlGrid::support(Uv uv, int /*near*/) const {
+  const double last = side_ - 2;  // the last node belongs to the last cell
+  const double x = std::clamp((uv.u - domain().u0) * cells_per_u_, 0.0, last + 1);
+  const double y = std::clamp((uv.v - domain().v0) * cells_per_v_, 0.0, last + 1);
+  const double column = std::min(std::trunc(x), last), row = std::min(std::trunc(y), last);
+  const double s = x - column, t = y - row;
+  // A cell has the number of the node at its lower corner.
+  const int cell = static_cast<int>(row) * side_ + static_cast<int>(column);
+  return {cell,
+          {cell, cell + 1, cell + side_ + 1, cell + side_},
           {(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t}};
 }
 

@@ -15,16 +15,14 @@ class ControlGrid : public LatticeSpace {
   /// Take side × side regular nodes, in rows along u from the lower corner. `discs` are nodes of
   /// extended forms, see ControlSpace.
   ///
-  /// Cost     about 0.1 µs per node
   /// Throws   InvalidInput if the number of nodes is not a square of at least 4; InvalidOption
   ControlGrid(const Domain& domain, const std::vector<ControlNode>& regular,
               const ControlSpaceOptions& options, const std::vector<ControlNode>& discs = {});
 
-  int find_cell(Uv uv, int near) const override;
   Uv cell_extent(int) const override { return {1 / cells_per_u_, 1 / cells_per_v_}; }
 
-  /// Cost     below 20 ns with the metric (tests/bench/control_bench.cc)
-  Support support(int cell, Uv uv) const override;
+  /// Cost     a query with its metric 35 ns (query_grid in tests/bench/control_bench.cc)
+  Support support(Uv uv, int near) const override;
 
   std::vector<int> nodes_on_side(DomainSide side) const override;
 

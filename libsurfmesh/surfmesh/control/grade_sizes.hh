@@ -9,6 +9,7 @@
 
 #include "surfmesh/control/control_node.hh"
 #include "surfmesh/core/run_context.hh"
+#include "surfmesh/metric/size_tensor.hh"
 #include "surfmesh/metric/tensor.hh"
 
 namespace surfmesh {
@@ -29,18 +30,6 @@ class NodeNeighbours {
   std::vector<int> others_;
 };
 
-/// The smaller and the greater length of a size tensor.
-struct SizeRange {
-  double least;
-  double greatest;
-};
-
-inline SizeRange size_range(const SizeTensor& h) {
-  const double mean = 0.5 * (h.h11 + h.h22);
-  const double radius = eigenvalue_radius(0.5 * (h.h11 - h.h22), h.h12);
-  return {mean - radius, mean + radius};
-}
-
 /// `size` limited to `factor` times the size `from`, or `size` itself, bit by bit, if that lowers
 /// it by less than 0.1 %.
 ///
@@ -58,7 +47,7 @@ SizeTensor limited_size(const SizeTensor& size, const SizeTensor& from, double f
 ///
 /// `Net` gives the nodes: uv(i), form(i), size(i), set_size(i, size), and
 /// for_each_neighbour(i, visit).
-/// Cost     about 0.6 µs per node with eight neighbours
+/// Cost     O(n log n); in sampling/make_control.hh, a third of the cost of cells
 /// Pre      grade is at least 1
 template <class Net>
 class Gradation {

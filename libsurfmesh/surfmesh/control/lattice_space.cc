@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "surfmesh/control/grade_sizes.hh"
 #include "surfmesh/core/error.hh"
@@ -48,6 +49,12 @@ int LatticeSpace::add_node(const ControlNode& node) {
   return vh.idx();
 }
 
+std::vector<int> LatticeSpace::nodes_from(int first) const {
+  std::vector<int> nodes(static_cast<std::size_t>(node_count() - first));
+  std::iota(nodes.begin(), nodes.end(), first);
+  return nodes;
+}
+
 SurfacePoint LatticeSpace::surface_point(int node) const {
   return {uv(node), to_eigen(mesh_.point(VertexHandle(node))), form(node)};
 }
@@ -58,6 +65,15 @@ int LatticeSpace::add_row_node(const ControlNode& node, int before) {
   const int added = add_node(node);
   announce_loose_node();
   segments_.push_back({before < 0 ? added : before, added});
+  return added;
+}
+
+int LatticeSpace::insert_row_node(const ControlNode& node, int from, int to) {
+  const int added = add_row_node(node, from);
+  const auto split = std::find_if(
+      segments_.begin(), segments_.end(),
+      [=](const RowSegment& segment) { return segment.from == from && segment.to == to; });
+  split->from = added;
   return added;
 }
 
@@ -72,8 +88,9 @@ void LatticeSpace::link_rows() {
   int near = -1;
   for (const RowSegment& segment : segments_) {
     if (segment.from != segment.to) link(segment.from, segment.to);
-    near = find_cell(uv(segment.to), near);
-    for (const int node : support(near, uv(segment.to)).nodes) {
+    const Support around = support(uv(segment.to), near);
+    near = around.cell;
+    for (const int node : around.nodes) {
       if (node >= 0) link(segment.to, node);
     }
   }
@@ -86,7 +103,8 @@ void LatticeSpace::assign_rows() {
   int near = -1;
   for (std::size_t k = 0; k < segments_.size(); ++k) {
     for (int i = 0; i <= kSteps; ++i) {
-      near = find_cell(lerp(uv(segments_[k].from), uv(segments_[k].to), double(i) / kSteps), near);
+      const Uv at = lerp(uv(segments_[k].from), uv(segments_[k].to), double(i) / kSteps);
+      near = support(at, near).cell;
       std::vector<int>& here = segments_of_[near];
       if (here.empty() || here.back() != static_cast<int>(k)) here.push_back(static_cast<int>(k));
     }
@@ -121,7 +139,7 @@ void LatticeSpace::lower_around(const ControlNode& point) {
   const Metric metric = metric_from_size(point.form, point.size);
   while (!divide_cell(point.uv, metric, kUnitsAroundPoint).empty()) {
   }
-  for (const int node : support(find_cell(point.uv, -1), point.uv).nodes) {
+  for (const int node : support(point.uv, -1).nodes) {
     if (node >= 0) set_size(node, minimum(size(node), point.size));
   }
 }
@@ -164,15 +182,14 @@ void LatticeSpace::join_row_nodes(std::vector<int> nodes) {
 
 SizeTensor LatticeSpace::weighted(const Support& support) const {
   const bool is_logarithmic = !logarithms_.empty();
-  const auto value = [&](int node) -> const SizeTensor& {
-    return is_logarithmic ? logarithms_[static_cast<std::size_t>(node)] : size(node);
-  };
+  const std::vector<SizeTensor>& values =
+      is_logarithmic ? logarithms_ : mesh_.property(size_).data_vector();
   // Differences from the first node: exact where all are equal.
-  const SizeTensor& first = value(support.nodes[0]);
+  const SizeTensor& first = values[static_cast<std::size_t>(support.nodes[0])];
   SizeTensor sum = first;
   for (std::size_t k = 1; k < support.nodes.size(); ++k) {
     if (support.nodes[k] < 0) continue;
-    const SizeTensor& other = value(support.nodes[k]);
+    const SizeTensor& other = values[static_cast<std::size_t>(support.nodes[k])];
     const double weight = support.weights[k];
     sum.h11 += weight * (other.h11 - first.h11);
     sum.h12 += weight * (other.h12 - first.h12);
@@ -182,8 +199,9 @@ SizeTensor LatticeSpace::weighted(const Support& support) const {
 }
 
 SizeTensor LatticeSpace::lattice_size(Uv uv, int& near) const {
-  near = find_cell(uv, near);
-  return weighted(support(near, uv));
+  const Support around = support(uv, near);
+  near = around.cell;
+  return weighted(around);
 }
 
 SizeTensor LatticeSpace::interpolate(const SurfacePoint& at, QueryHint& hint) const {
@@ -209,6 +227,13 @@ void LatticeSpace::grade(const std::vector<int>& from, const RunContext& context
   // Cells at rows may have new nodes.
   for (const RowSegment& segment : segments_) gradation.start_from(segment.to);
   gradation.run(context);
+}
+
+void LatticeSpace::grade_all(const RunContext& context) {
+  grade(nodes_from(0), context);
+  for (auto added = divide_beside_finer(); !added.empty(); added = divide_beside_finer()) {
+    grade(with_neighbours(added), context);
+  }
 }
 
 void LatticeSpace::take_logarithms() {

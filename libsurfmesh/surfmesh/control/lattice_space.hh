@@ -26,9 +26,10 @@ enum class DomainSide { LowerU, UpperU, LowerV, UpperV, Diagonal };
 /// along the contour. Beside such a row a query also takes its sizes, grown by their distance.
 class LatticeSpace : public ControlSpace {
  public:
-  /// The nodes that a point is interpolated from, with their shares. A node may be -1, with the
-  /// share 0.
+  /// The cell that contains a point, and the nodes in it that the point is interpolated from, with
+  /// their shares. A node may be -1, with the share 0.
   struct Support {
+    int cell;
     std::array<int, 4> nodes;
     std::array<double, 4> weights;
   };
@@ -40,8 +41,9 @@ class LatticeSpace : public ControlSpace {
   const Domain& domain() const { return domain_; }
   int node_count() const { return static_cast<int>(mesh_.n_vertices()); }
   Uv uv(int node) const { return mesh_.property(uv_, VertexHandle(node)); }
-  const FirstFormFactor& form(int node) const { return forms_[static_cast<std::size_t>(node)]; }
-  const SizeTensor& size(int node) const { return mesh_.property(size_, VertexHandle(node)); }
+  // By value: nodes may be added while a caller holds the result.
+  FirstFormFactor form(int node) const { return forms_[static_cast<std::size_t>(node)]; }
+  SizeTensor size(int node) const { return mesh_.property(size_, VertexHandle(node)); }
   using ControlSpace::size;
   SurfacePoint surface_point(int node) const;
 
@@ -49,14 +51,11 @@ class LatticeSpace : public ControlSpace {
     mesh_.property(size_, VertexHandle(node)) = size;
   }
 
-  /// The cell that contains a point; fast if that is `near`.
-  virtual int find_cell(Uv uv, int near) const = 0;
+  /// Find what a point is interpolated from; fast if its cell is `near`.
+  virtual Support support(Uv uv, int near) const = 0;
 
   /// Width and height of a cell in parameters.
   virtual Uv cell_extent(int cell) const = 0;
-
-  /// The nodes of a cell around a point in it.
-  virtual Support support(int cell, Uv uv) const = 0;
 
   /// Call `visit` for each node that gradation takes the size of a node to.
   template <class Visit>
@@ -74,17 +73,19 @@ class LatticeSpace : public ControlSpace {
   /// in a metric. Returns the new nodes; none where it is short, or where cells cannot be divided.
   virtual std::vector<int> divide_cell(Uv uv, const Metric& metric, double units) = 0;
 
-  /// Halve cells that do not give what a finer neighbour has at a node on their common side, but
-  /// more than (1 + miss) times as much, if they are longer along it than a number of its units.
-  /// Returns the new nodes.
-  virtual std::vector<int> divide_beside_finer(double, double) { return {}; }
+  /// Halve cells that give more than 1.1 times the size of a finer neighbour at a node on their
+  /// common side, if they are longer along it than two of its units. Returns the new nodes.
+  virtual std::vector<int> divide_beside_finer() { return {}; }
 
   /// Some nodes and those beside them, from where sizes reach them.
   std::vector<int> with_neighbours(const std::vector<int>& nodes) const;
 
-  /// Add a node of a row. Its sizes reach the nodes of its cell and those before and after it in
-  /// the row.
+  /// Add a node at the end of a row, after the node `before`, or -1 for a new row. Its sizes reach
+  /// the nodes of its cell and those beside it in the row.
   int add_row_node(const ControlNode& node, int before);
+
+  /// Add a node of a row between two neighbours in it.
+  int insert_row_node(const ControlNode& node, int from, int to);
 
   /// Take in sizes at single points: as nodes of rows of one if sizes are graded, otherwise by the
   /// nodes around each point, in cells that are at most two of its units long if they can be
@@ -105,6 +106,11 @@ class LatticeSpace : public ControlSpace {
   /// Grade from some nodes, and from all rows.
   /// Throws   Cancelled
   void grade(const std::vector<int>& from, const RunContext& context);
+
+  /// Grade from all nodes. Gradation makes sizes bend where those of the sources did not, so cells
+  /// are halved beside finer ones (divide_beside_finer) until none is left that misses them.
+  /// Throws   Cancelled
+  void grade_all(const RunContext& context);
 
   /// Take all sizes as final: build the faces, and prepare for queries.
   void finish();
@@ -127,6 +133,9 @@ class LatticeSpace : public ControlSpace {
   SizeTensor interpolate(const SurfacePoint& at, QueryHint& hint) const override;
 
   int add_node(const ControlNode& node);
+
+  /// The nodes from a number on.
+  std::vector<int> nodes_from(int first) const;
 
   /// Called for a node that belongs to no cell.
   virtual void announce_loose_node() = 0;

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "surfmesh/control/grade_sizes.hh"
 #include "surfmesh/geometry/first_form.hh"
+#include "surfmesh/metric/size_tensor.hh"
 
 namespace surfmesh {
 namespace {

@@ -9,6 +9,7 @@
 #include "surfmesh/pipeline/patch_names.hh"
 #include "surfmesh/sampling/contour_gradation.hh"
 #include "surfmesh/sampling/make_control.hh"
+#include "surfmesh/sizes/field_search.hh"
 #include "surfmesh/sizes/model_sources.hh"
 
 namespace surfmesh {
@@ -57,9 +58,9 @@ void tell_missed(const PrecisionSample& sample, Notices& notices) {
   if (sample.is_held()) return;
   notices.push_back(warning(
       NoticeKind::MissedPrecision,
-      fmt::format("the control space misses its precision of {:.3g} at {:.2g} % of a sample of "
-                  "points, by {:.3g} at most; a smaller precision helps",
-                  sample.asked, 100 * sample.share_over(), sample.greatest)));
+      fmt::format("the control space misses its precision ({:.3g}) at {:.2g} % of a sample of "
+                  "points, by up to {:.3g}; precision = {:.3g} helps",
+                  sample.asked, 100 * sample.share_over(), sample.greatest, 0.5 * sample.asked)));
 }
 
 void tell_unsearched(const Model& model, const std::vector<ControlInput>& inputs,
@@ -68,9 +69,9 @@ void tell_unsearched(const Model& model, const std::vector<ControlInput>& inputs
     if (!inputs[p].sampling.is_search_incomplete) continue;
     Notice notice = warning(
         NoticeKind::UnsearchedSizes,
-        fmt::format("the fields of patch {} were not searched completely for small sizes: their "
-                    "formulas leave wide bounds; a simpler formula helps",
-                    model.patches[p].name));
+        fmt::format("patch {}: the search for small sizes in its fields ended at {} evaluations; "
+                    "formulas that use each variable fewer times take fewer",
+                    model.patches[p].name, kSearchBudget));
     notice.patch = static_cast<int>(p);
     notices.push_back(std::move(notice));
   }

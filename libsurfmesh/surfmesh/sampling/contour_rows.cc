@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -17,20 +18,20 @@
 namespace surfmesh::detail {
 namespace {
 
-/// Step of t for the direction of a contour: its error is of second order in the step.
-constexpr double kTangentStep = 1e-4;
-
 /// Share of the width of a domain by which points of a side lie beside it by rounding.
 constexpr double kOnSide = 1e-12;
 
 /// Where a use is looked at to tell if it runs along a side.
 constexpr std::array<double, 3> kShares = {0.2817, 0.5, 0.6473};
 
-/// Greatest distance between nodes of a row, in units of the smaller sizes.
+/// Greatest distance between nodes of a row when it is made, in units of the smaller sizes, and
+/// later in those of its own.
 constexpr double kLongestStep = 1;
+constexpr double kLongestLaterStep = 2;
 constexpr int kFirstSteps = 4;
 /// 4 × 2^12 nodes: more than sizes differ along one contour.
 constexpr int kMaxHalvings = 12;
+constexpr double kLeastStep = 1.0 / (kFirstSteps << kMaxHalvings);
 
 bool is_at(double x, double line, double width) { return std::abs(x - line) <= kOnSide * width; }
 
@@ -48,8 +49,26 @@ ContourRows::ContourRows(const Model& model, std::size_t contour,
 
 // --- sides ---
 
-/// The side along which a use runs at even speed.
+/// The side along which a use runs from node to node.
 std::optional<DomainSide> ContourRows::find_side(const Use& use) const {
+  const auto side = side_along(use);
+  return side && ends_at_nodes(use, *side) ? side : std::nullopt;
+}
+
+bool ContourRows::ends_at_nodes(const Use& use, DomainSide side) const {
+  const Domain& d = use.space->domain();
+  const std::vector<int> nodes = use.space->nodes_on_side(side);
+  const auto is_node = [&](Uv end) {
+    return std::any_of(nodes.begin(), nodes.end(), [&](int node) {
+      const Uv uv = use.space->uv(node);
+      return is_at(uv.u, end.u, d.u1 - d.u0) && is_at(uv.v, end.v, d.v1 - d.v0);
+    });
+  };
+  return is_node(use.use->curve->evaluate(0)) && is_node(use.use->curve->evaluate(1));
+}
+
+/// The side along which a use runs at even speed.
+std::optional<DomainSide> ContourRows::side_along(const Use& use) const {
   const Domain& d = use.space->domain();
   const Uv a = use.use->curve->evaluate(0), b = use.use->curve->evaluate(1);
   const double width = d.u1 - d.u0, height = d.v1 - d.v0;
@@ -84,7 +103,13 @@ std::optional<double> ContourRows::parameter_on_side(const Use& use, Uv uv) cons
 
 void ContourRows::update() {
   for (std::size_t use = 0; use < uses_.size(); ++use) {
-    if (uses_[use].side) update_side(use);
+    if (uses_[use].side) {
+      update_side(use);
+      continue;
+    }
+    for (ContourNode& node : uses_[use].nodes) {
+      if (node.sights.empty()) node = seen(use, node.node, node.t);
+    }
   }
 }
 
@@ -109,7 +134,7 @@ ContourNode ContourRows::seen(std::size_t index, int node, double t) const {
   const Use& use = uses_[index];
   const SurfacePoint at = use.space->surface_point(node);
   ContourNode result{node, t};
-  const auto frame = frame_at(use, t, at.form);
+  const auto frame = contour_frame(*use.use->curve, t, at.form);
   result.frame = frame.value_or(ContourFrame());
   result.sights.resize(uses_.size());
   for (std::size_t other = 0; other < uses_.size(); ++other) {
@@ -129,24 +154,10 @@ ContourNode::Sight ContourRows::sight_of(const Use& from, double t, const Use& t
   const Uv uv = domain.fold(domain.clamp(to.use->curve->evaluate(result.t)));
   const Jet jet = to.surface->evaluate(uv, Order::First);
   result.at = {uv, jet.point, first_form_factor(jet.du, jet.dv)};
-  const auto frame = frame_at(to, result.t, result.at.form);
-  result.is_seen = true;
+  const auto frame = contour_frame(*to.use->curve, result.t, result.at.form);
   result.is_isotropic = !frame;
   result.frame = frame.value_or(ContourFrame());
   return result;
-}
-
-/// The direction of a use in the tangent frame; nothing where there is none.
-std::optional<ContourFrame> ContourRows::frame_at(const Use& use, double t,
-                                                  const FirstFormFactor& form) const {
-  if (!is_regular(form)) return std::nullopt;
-  const Curve& curve = *use.use->curve;
-  const Uv step = curve.evaluate(std::min(1.0, t + kTangentStep)) -
-                  curve.evaluate(std::max(0.0, t - kTangentStep));
-  const double x = form.l11 * step.u + form.l21 * step.v, y = form.l22 * step.v;
-  const double length = std::hypot(x, y);
-  if (!(length > 0)) return std::nullopt;
-  return ContourFrame{x / length, y / length};
 }
 
 double ContourRows::t_on(const Use& from, double t, const Use& to, const Vec3& point) const {
@@ -183,25 +194,37 @@ void ContourRows::make_rows() {
   const bool has_all_sides =
       std::all_of(uses_.begin(), uses_.end(), [](const Use& use) { return use.side.has_value(); });
   if (has_all_sides) return;
-  std::vector<double> stations;
-  for (int i = 0; i < kFirstSteps; ++i) {
-    add_stations(double(i) / kFirstSteps, double(i + 1) / kFirstSteps, kMaxHalvings, stations);
+  std::vector<Station> stations;
+  Station last = station_at(0);
+  for (int i = 1; i <= kFirstSteps; ++i) {
+    const Station next = station_at(double(i) / kFirstSteps);
+    add_stations(last, next, kMaxHalvings, stations);
+    last = next;
   }
-  stations.push_back(1);
+  stations.push_back(last);
   for (Use& use : uses_) {
     if (!use.side) make_row(use, stations);
   }
-  // Only now, for what a row sees of others may be a row.
-  for (std::size_t use = 0; use < uses_.size(); ++use) {
-    for (ContourNode& node : uses_[use].nodes) node = seen(use, node.node, node.t);
-  }
 }
 
-/// Add the lower end of an interval of t and points within it, so that they are near each other.
-void ContourRows::add_stations(double from, double to, int halvings,
-                               std::vector<double>& stations) const {
-  if (halvings > 0 && units_between(from, to) > kLongestStep) {
-    const double middle = 0.5 * (from + to);
+ContourRows::Station ContourRows::station_at(double t) const {
+  const Use& first = uses_.front();
+  Station station{t, model_.point(*first.use, t), std::numeric_limits<double>::infinity()};
+  for (const Use& use : uses_) {
+    const double own_t = t_on(first, t, use, station.point);
+    const ControlNode node = row_node_at(use, own_t);
+    const auto frame = contour_frame(*use.use->curve, own_t, node.form);
+    if (frame) station.size = std::min(station.size, to_contour(node.size, *frame).h11);
+  }
+  return station;
+}
+
+/// Add the first station of an interval and stations within it, so that they are near each other.
+void ContourRows::add_stations(const Station& from, const Station& to, int halvings,
+                               std::vector<Station>& stations) const {
+  const double units = (to.point - from.point).norm() / std::min(from.size, to.size);
+  if (halvings > 0 && units > kLongestStep) {
+    const Station middle = station_at(0.5 * (from.t + to.t));
     add_stations(from, middle, halvings - 1, stations);
     add_stations(middle, to, halvings - 1, stations);
     return;
@@ -209,44 +232,54 @@ void ContourRows::add_stations(double from, double to, int halvings,
   stations.push_back(from);
 }
 
-/// Length of an interval of the first use in the smallest sizes of all uses at its ends.
-double ContourRows::units_between(double from, double to) const {
-  const Use& first = uses_.front();
-  const auto point_of = [this](const Use& use, double t) { return model_.point(*use.use, t); };
-  const std::array points = {point_of(first, from), point_of(first, to)};
-  const double length = (points[1] - points[0]).norm();
-  double units = 0;
-  for (const Use& use : uses_) {
-    for (std::size_t end = 0; end < points.size(); ++end) {
-      const double t = t_on(first, end == 0 ? from : to, use, points[end]);
-      const Domain domain = use.surface->domain();
-      int near = -1;
-      const SizeTensor size =
-          use.space->lattice_size(domain.fold(domain.clamp(use.use->curve->evaluate(t))), near);
-      const Jet jet =
-          use.surface->evaluate(domain.clamp(use.use->curve->evaluate(t)), Order::First);
-      const auto frame = frame_at(use, t, first_form_factor(jet.du, jet.dv));
-      if (frame) units = std::max(units, length / to_contour(size, *frame).h11);
-    }
-  }
-  return units;
+/// A point of a use with the size of the lattice there.
+ControlNode ContourRows::row_node_at(const Use& use, double t) const {
+  const Domain domain = use.surface->domain();
+  const Uv uv = domain.fold(domain.clamp(use.use->curve->evaluate(t)));
+  const Jet jet = use.surface->evaluate(uv, Order::First);
+  int near = -1;
+  return {uv, jet.point, first_form_factor(jet.du, jet.dv), use.space->lattice_size(uv, near)};
 }
 
-/// Stations are parameters of the first use.
-void ContourRows::make_row(Use& use, const std::vector<double>& stations) {
-  const Domain domain = use.surface->domain();
-  int before = -1, near = -1;
-  for (const double station : stations) {
-    const double t = t_on(uses_.front(), station, use, model_.point(*uses_.front().use, station));
-    const Uv uv = domain.fold(domain.clamp(use.use->curve->evaluate(t)));
-    const Jet jet = use.surface->evaluate(uv, Order::First);
-    const FirstFormFactor form = first_form_factor(jet.du, jet.dv);
-    before =
-        use.space->add_row_node({uv, jet.point, form, use.space->lattice_size(uv, near)}, before);
+void ContourRows::make_row(Use& use, const std::vector<Station>& stations) {
+  std::vector<double> own;
+  for (const Station& station : stations) {
+    own.push_back(t_on(uses_.front(), station.t, use, station.point));
+  }
+  std::sort(own.begin(), own.end());
+  int before = -1;
+  for (const double t : own) {
+    before = use.space->add_row_node(row_node_at(use, t), before);
     use.nodes.push_back({before, t});
   }
-  std::sort(use.nodes.begin(), use.nodes.end(),
-            [](const ContourNode& a, const ContourNode& b) { return a.t < b.t; });
+}
+
+std::vector<int> ContourRows::extend_rows(std::size_t index) {
+  Use& use = uses_[index];
+  std::vector<int> added;
+  if (use.side) return added;
+  std::vector<ContourNode> nodes;
+  for (ContourNode& node : use.nodes) {
+    if (!nodes.empty() && is_long(use, nodes.back(), node)) {
+      const double t = 0.5 * (nodes.back().t + node.t);
+      added.push_back(
+          use.space->insert_row_node(row_node_at(use, t), nodes.back().node, node.node));
+      nodes.push_back({added.back(), t});
+    }
+    nodes.push_back(std::move(node));
+  }
+  use.nodes = std::move(nodes);
+  return added;
+}
+
+/// True if two nodes of a row are far apart, in the smaller of their sizes along it.
+bool ContourRows::is_long(const Use& use, const ContourNode& a, const ContourNode& b) {
+  const LatticeSpace& space = *use.space;
+  const double length =
+      (space.surface_point(b.node).point - space.surface_point(a.node).point).norm();
+  const double size = std::min(to_contour(space.size(a.node), a.frame).h11,
+                               to_contour(space.size(b.node), b.frame).h11);
+  return length > kLongestLaterStep * size && b.t - a.t > kLeastStep;
 }
 
 }  // namespace surfmesh::detail

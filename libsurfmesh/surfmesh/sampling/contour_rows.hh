@@ -15,7 +15,6 @@ namespace surfmesh::detail {
 struct ContourNode {
   /// The same point on another use.
   struct Sight {
-    bool is_seen = false;
     /// True where a patch has no tangent plane, at a pole: sizes are carried without direction.
     bool is_isotropic = false;
     double t = 0;  ///< on that use
@@ -32,9 +31,8 @@ struct ContourNode {
 
 /// The nodes of the patches of one contour along it.
 ///
-/// Where a use runs along a side of its domain, these are the nodes of the lattice there. Elsewhere
-/// the patch gets nodes of a row, at most one unit apart as sizes are
-/// when the row is made.
+/// Where a use runs along a side of its domain, from one node of the lattice to another, these are
+/// the nodes of the lattice there. Elsewhere the patch gets nodes of a row, about one unit apart.
 class ContourRows {
  public:
   /// Model and spaces must outlive it.
@@ -44,7 +42,11 @@ class ContourRows {
   /// Add the rows of the uses that are not on a side.
   void make_rows();
 
-  /// Take in the nodes that cells have got since the last time.
+  /// Add nodes to the rows of a use where sizes have come down until two nodes are more than two
+  /// units apart. Returns them.
+  std::vector<int> extend_rows(std::size_t use);
+
+  /// Take in the nodes that cells and rows have got since the last time.
   void update();
 
   std::size_t use_count() const { return uses_.size(); }
@@ -77,11 +79,23 @@ class ContourRows {
   void update_side(std::size_t use);
   ContourNode seen(std::size_t use, int node, double t) const;
   ContourNode::Sight sight_of(const Use& from, double t, const Use& to, const Vec3& point) const;
-  std::optional<ContourFrame> frame_at(const Use& use, double t, const FirstFormFactor& form) const;
   double t_on(const Use& from, double t, const Use& to, const Vec3& point) const;
-  void add_stations(double from, double to, int halvings, std::vector<double>& stations) const;
-  double units_between(double from, double to) const;
-  void make_row(Use& use, const std::vector<double>& stations);
+  /// A point of the first use, and the least of the sizes along the contour there; infinite where
+  /// no use has a direction.
+  struct Station {
+    double t;
+    Vec3 point;
+    double size;
+  };
+
+  bool ends_at_nodes(const Use& use, DomainSide side) const;
+  std::optional<DomainSide> side_along(const Use& use) const;
+  Station station_at(double t) const;
+  void add_stations(const Station& from, const Station& to, int halvings,
+                    std::vector<Station>& stations) const;
+  void make_row(Use& use, const std::vector<Station>& stations);
+  ControlNode row_node_at(const Use& use, double t) const;
+  static bool is_long(const Use& use, const ContourNode& a, const ContourNode& b);
   SizeTensor row_size(const Use& use, double t) const;
 
   const Model& model_;

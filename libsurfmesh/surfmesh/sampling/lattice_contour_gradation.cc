@@ -12,7 +12,6 @@
 #include "surfmesh/metric/minimum.hh"
 #include "surfmesh/metric/tensor.hh"
 #include "surfmesh/sampling/contour_rows.hh"
-#include "surfmesh/sampling/make_control.hh"
 
 namespace surfmesh::detail {
 namespace {
@@ -87,7 +86,7 @@ class LatticeGradation {
     if (!touches(contour, is_changed_)) return changes;
     for (std::size_t use = 0; use < contour.use_count(); ++use) {
       for (ContourNode& node : contour.nodes(use)) {
-        const SizeTensor& size = contour.space(use).size(node.node);
+        const SizeTensor size = contour.space(use).size(node.node);
         const SizeTensor least = least_seen(contour, use, node, size);
         if (log_conformity(size, least) <= kAgreement) continue;
         changes.push_back({contour.patch(use), node.node, least});
@@ -107,7 +106,7 @@ class LatticeGradation {
       least = limited_size(least, own);
     }
     for (std::size_t other = 0; other < node.sights.size(); ++other) {
-      if (!node.sights[other].is_seen) continue;
+      if (other == use) continue;
       const SizeTensor there = from_contour(contour.size_seen(other, use, node), node.frame);
       least = limited_size(least, there);
     }
@@ -148,12 +147,11 @@ class LatticeGradation {
       if (!touches(contour, is_to_divide_)) continue;
       for (std::size_t use = 0; use < contour.use_count(); ++use) {
         for (ContourNode& node : contour.nodes(use)) divide_around(contour, use, node);
+        append(contour.extend_rows(use), contour.patch(use));
       }
     }
     share_indices(spaces_.size(), [this](std::size_t p) {
-      if (is_to_divide_[p] == 0) return;
-      const auto nodes = spaces_[p]->divide_beside_finer(kMissBesideFiner, kUnitsBesideFiner);
-      added_[p].insert(added_[p].end(), nodes.begin(), nodes.end());
+      if (is_to_divide_[p] != 0) append(spaces_[p]->divide_beside_finer(), static_cast<int>(p));
     });
     std::fill(is_to_divide_.begin(), is_to_divide_.end(), 0);
     bool is_any = false;
@@ -170,11 +168,11 @@ class LatticeGradation {
   }
 
   void divide_around(ContourRows& contour, std::size_t use, ContourNode& node) {
-    const SizeTensor& size = contour.space(use).size(node.node);
+    const SizeTensor size = contour.space(use).size(node.node);
     const SizeTensor along = to_contour(size, node.frame);
     for (std::size_t other = 0; other < node.sights.size(); ++other) {
       ContourNode::Sight& sight = node.sights[other];
-      if (!sight.is_seen || sight.is_isotropic) continue;
+      if (other == use || sight.is_isotropic) continue;
       const SizeTensor wanted =
           from_contour(unfolded(along, contour.is_mirrored(use, other)), sight.frame);
       divide_cell(contour, other, {sight.at, wanted}, sight.cell);
@@ -199,8 +197,11 @@ class LatticeGradation {
     const auto side = contour.side(use);
     if (side == DomainSide::LowerU || side == DomainSide::UpperU) metric.m11 = metric.m12 = 0;
     if (side == DomainSide::LowerV || side == DomainSide::UpperV) metric.m22 = metric.m12 = 0;
-    const auto nodes = space.divide_cell(wanted.at.uv, metric, kLeastUnits);
-    auto& added = added_[static_cast<std::size_t>(contour.patch(use))];
+    append(space.divide_cell(wanted.at.uv, metric, kLeastUnits), contour.patch(use));
+  }
+
+  void append(const std::vector<int>& nodes, int patch) {
+    auto& added = added_[static_cast<std::size_t>(patch)];
     added.insert(added.end(), nodes.begin(), nodes.end());
   }
 

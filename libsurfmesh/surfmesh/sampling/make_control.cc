@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -158,14 +157,12 @@ void check(const ControlOptions& options) {
   check_option(ranges::kControl, options.kind);
   check(node_options(options));
   check(space_options(options));
-  std::string_view unused =
-      options.kind == ControlKind::Mesh || options.kind == ControlKind::Automatic
-          ? std::string_view()
-          : option_of_mesh(options);
+  if (options.kind == ControlKind::Mesh || options.kind == ControlKind::Automatic) return;
+  std::string_view unused = option_of_mesh(options);
   if (options.kind == ControlKind::Cells && options.regular_nodes > 0) unused = ranges::kNodes.name;
   if (unused.empty()) return;
   throw Error(ErrorCode::InvalidOption,
-              fmt::format("{} belongs to control = mesh and has no effect on control = {}", unused,
+              fmt::format("{} has no effect with control = {}, but with control = mesh", unused,
                           to_text(ranges::kControl, static_cast<double>(options.kind))));
 }
 
@@ -194,24 +191,11 @@ ControlInput collect_control_input(const Surface& surface, const ResolvedSizing&
   return input;
 }
 
-void grade_beside_finer(LatticeSpace& lattice, const RunContext& context) {
-  while (true) {
-    const std::vector<int> added = lattice.divide_beside_finer(kMissBesideFiner, kUnitsBesideFiner);
-    if (added.empty()) return;
-    lattice.grade(lattice.with_neighbours(added), context);
-  }
-}
-
 std::unique_ptr<ControlSpace> make_control(ControlInput& input, const RunContext& context) {
   if (!input.lattice) {
     return std::make_unique<ControlMesh>(input.domain, input.nodes, input.options);
   }
-  if (input.options.grade > 0) {
-    std::vector<int> all(static_cast<std::size_t>(input.lattice->node_count()));
-    std::iota(all.begin(), all.end(), 0);
-    input.lattice->grade(all, context);
-    grade_beside_finer(*input.lattice, context);
-  }
+  if (input.options.grade > 0) input.lattice->grade_all(context);
   return std::move(input.lattice);
 }
 

@@ -40,9 +40,9 @@ struct ControlOptions {
 /// The kind that takes effect: that of the options, unless it is automatic.
 ControlKind effective_kind(const ControlOptions& options);
 
-/// Throws   InvalidOption naming the option, its value and its range, or an option that has no
-/// effect
-///          on the kind of control space that is asked for
+/// Throws   InvalidOption naming the option, its value and its range, or an option without effect
+/// on
+///          the kind of control space
 void check(const ControlOptions& options);
 
 /// Everything that the control space of one patch is made from.
@@ -64,25 +64,15 @@ struct ControlInput {
 /// mesh are those of `at` and the corners, with the size of the nearest `at`; a lattice represents
 /// what they give. If gradation is off, a curve of sizes without a radius becomes nodes along it.
 ///
-/// Cost     about 1.5 µs per node of cells, 5 µs per node of a mesh
-/// Throws   Cancelled; InvalidOption; InvalidInput for a source that is out of range or lies
-/// outside
-///          the domain, naming its (u,v)
+/// Cost     with make_control, 1 µs per node of cells, 8 µs per node of a mesh, 2.5 µs per node of
+/// a
+///          grid (make_whole_control in tests/bench/control_bench.cc)
+/// Throws   Cancelled; InvalidOption; InvalidInput for a source that is out of range or outside the
+///          domain, naming its (u,v)
 /// Source   paper, section 3.2
 ControlInput collect_control_input(const Surface& surface, const ResolvedSizing& sizing,
                                    const PatchSources& sources, const ControlOptions& options,
                                    const RunContext& context = RunContext());
-
-/// Share by which a cell may miss the size of a finer neighbour at a node on their common side, and
-/// units of that size above which it is halved if it misses more.
-inline constexpr double kMissBesideFiner = 0.1;
-inline constexpr double kUnitsBesideFiner = 2;
-
-/// After gradation, halve cells that miss the sizes of finer neighbours, and grade their new nodes,
-/// until there are none: gradation makes sizes bend where those of the sources did not.
-///
-/// Throws   Cancelled
-void grade_beside_finer(LatticeSpace& lattice, const RunContext& context);
 
 /// Make the control space from the collected input, with gradation within the patch. Its sizes are
 /// final for queries after finish().

@@ -14,7 +14,6 @@
 #include "surfmesh/metric/conformity.hh"
 #include "surfmesh/metric/tensor.hh"
 #include "surfmesh/sampling/contour_frame.hh"
-#include "surfmesh/sizes/placed_size.hh"
 
 namespace surfmesh::detail {
 namespace {
@@ -28,9 +27,6 @@ constexpr double kLongestStep = 2;
 constexpr int kFirstSteps = 4;
 /// 4 × 2^12 points: more than sizes differ along one contour.
 constexpr int kMaxHalvings = 12;
-
-/// Step of t for the direction of a contour: its error is of second order in the step.
-constexpr double kTangentStep = 1e-4;
 
 /// A point of a contour as one of its patches sees it.
 struct Side {
@@ -68,7 +64,6 @@ class ComparedContour {
   Vec3 space_point(double t) const { return model_.point(contour_.uses.front(), t); }
 
   std::vector<Side> sides(double t, const Vec3& point) const {
-    const Vec3 tangent = direction(t);
     std::vector<Side> result;
     for (const ContourUse& use : contour_.uses) {
       const Surface& surface = model_.surface(use);
@@ -77,19 +72,11 @@ class ComparedContour {
       const Uv uv = surface.domain().clamp(use.curve->evaluate(own_t));
       const Jet jet = surface.evaluate(uv, Order::First);
       const FirstFormFactor form = first_form_factor(jet.du, jet.dv);
-      if (!is_regular(form)) return {};
-      const TangentFrame frame = tangent_frame(jet);
-      const double x = tangent.dot(frame.first), y = tangent.dot(frame.second);
-      const double length = std::hypot(x, y);
-      if (!(length > 0)) return {};
-      result.push_back({{uv, jet.point, form}, {x / length, y / length}});
+      const auto frame = contour_frame(*use.curve, own_t, form);
+      if (!frame) return {};
+      result.push_back({{uv, jet.point, form}, *frame});
     }
     return result;
-  }
-
-  Vec3 direction(double t) const {
-    return space_point(std::min(1.0, t + kTangentStep)) -
-           space_point(std::max(0.0, t - kTangentStep));
   }
 
   const Model& model_;

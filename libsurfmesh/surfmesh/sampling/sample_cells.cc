@@ -27,13 +27,14 @@ namespace {
 /// Units of metric length below which a cell is not halved: its nodes are half of it apart.
 constexpr double kLeastUnits = 2;
 
-/// The same for a cell with a place that has far smaller sizes than the cell gives it. Such places
-/// become points of their own, and along a band they are to be near each other.
-constexpr double kUnitsAtPlaces = 1.25;
-
 /// The precision for which that is enough. Finer ones halve cells further, to a length that goes
 /// with the root of the precision, as the errors of an interpolation of second order do.
 constexpr double kUsualPrecision = 0.1;
+
+/// Units below which a cell is not halved although a place in it has far smaller sizes than the
+/// cell gives. Such places become points of their own, and along a band they are to be near each
+/// other.
+constexpr double kUnitsAtPlaces = 1.25;
 
 /// Share of the bend of three nodes that may be missed between them: a quarter on a smooth field,
 /// more where the bend grows towards a side of the cell.
@@ -55,9 +56,10 @@ constexpr double kFirstSide = 4;
 /// next.
 constexpr double kNextSearch = 0.7;
 
-/// Units above which a cell is halved whatever its samples say, and above which they are several:
-/// nodes can fall in step with a periodic field, and more elements follow what is missed.
+/// Units above which a cell is halved whatever its samples say, for nodes can fall in step with a
+/// periodic field.
 constexpr double kLongestCell = 16;
+/// Units above which a cell is looked at in several places.
 constexpr double kManySamples = 4;
 
 /// Shares of the width and height of a cell where it is looked at inside: irrational, so that a
@@ -102,7 +104,14 @@ struct Look {
   Bends bends;
   double least;  ///< length of all sizes that were seen
   double miss = 0;
-  std::vector<Uv> missed_places = {};  ///< required and hidden points that miss the precision
+  /// Required and hidden points that ask for less than the cell gives, by more than the precision.
+  std::vector<ControlNode> missed_places = {};
+};
+
+/// The field at a point.
+struct FieldPoint {
+  Uv uv;
+  SizeField::Sample field;
 };
 
 /// A leaf that has not been examined, with the required points in it.
@@ -208,11 +217,13 @@ class CellSampler {
     while (!along_u && is_searched_) {
       const auto hidden = search_.find_smaller(box_of(cell), below);
       if (!hidden) break;
-      look_at(*hidden, field_.at(*hidden), waiting.leaf, look);
+      look_at_place({*hidden, field_.at(*hidden)}, waiting.leaf, look);
       below = kNextSearch * std::min(below, look.least);
       along_u = halving_by(waiting.leaf, look);
     }
-    if (!along_u) hold(look.missed_places);
+    if (!along_u) {
+      missed_.insert(missed_.end(), look.missed_places.begin(), look.missed_places.end());
+    }
     return along_u;
   }
 
@@ -292,27 +303,28 @@ class CellSampler {
         std::max(look.lengths.u, look.lengths.v) > kManySamples * kManySamples;
     for (std::size_t k = 0; k < (is_sampled_often ? kGuardShares.size() : 1); ++k) {
       const Uv guard = guard_of(cell, k);
-      look_at(guard, field_.at(guard), waiting.leaf, look);
+      look_at({guard, field_.at(guard)}, waiting.leaf, look);
     }
-    look.missed_places.clear();  // no places yet
     for (const std::size_t point : waiting.points) {
-      look_at(points_[point].uv, points_[point].field, waiting.leaf, look);
+      look_at_place(points_[point], waiting.leaf, look);
     }
   }
 
-  void look_at(Uv uv, const SizeField::Sample& exact, int leaf, Look& look) const {
+  /// Returns the size that the cell gives there.
+  SizeTensor look_at(const FieldPoint& point, int leaf, Look& look) const {
+    const SizeField::Sample& exact = point.field;
     look.lengths.include(metric_from_size(exact.form, exact.size), tree_.extent(tree_.cell(leaf)));
     look.least = std::min(look.least, size_range(exact.size).least);
-    const double missed = miss(uv, exact, leaf);
-    if (missed > precision_) look.missed_places.push_back(uv);
-    look.miss = std::max(look.miss, missed);
+    const SizeTensor given = cells_.lattice_size(point.uv, leaf);
+    look.miss = std::max(look.miss, log_conformity(exact.size, given));
+    return given;
   }
 
-  void hold(const std::vector<Uv>& places) {
-    for (const Uv uv : places) {
-      const SizeField::Sample sample = field_.at(uv);
-      missed_.push_back({uv, sample.point, sample.form, sample.size});
-    }
+  void look_at_place(const FieldPoint& point, int leaf, Look& look) const {
+    const SizeTensor given = look_at(point, leaf, look);
+    const SizeField::Sample& exact = point.field;
+    if (std::log1p(greatest_growth(given, exact.size)) <= precision_) return;
+    look.missed_places.push_back({point.uv, exact.point, exact.form, exact.size});
   }
 
   double least_length(const CellTree::Cell& cell) const {
@@ -326,10 +338,6 @@ class CellSampler {
   UvBox box_of(const CellTree::Cell& cell) const {
     const Uv lower = tree_.at(cell, 0, 0), upper = tree_.at(cell, 1, 1);
     return {{lower.u, upper.u}, {lower.v, upper.v}};
-  }
-
-  double miss(Uv uv, const SizeField::Sample& exact, int leaf) const {
-    return log_conformity(exact.size, cells_.lattice_size(uv, leaf));
   }
 
   Uv guard_of(const CellTree::Cell& cell, std::size_t k) const {
@@ -364,12 +372,6 @@ class CellSampler {
     return area;
   }
 
-  /// A point that cells must represent.
-  struct RequiredPoint {
-    Uv uv;
-    SizeField::Sample field;
-  };
-
   const SizeField& field_;
   ControlCells& cells_;
   const CellTree& tree_;
@@ -377,8 +379,8 @@ class CellSampler {
   double least_units_;
   bool is_one_cell_;
   FieldSearch search_;
-  bool is_searched_;  ///< false if no field has bounds
-  std::vector<RequiredPoint> points_;
+  bool is_searched_;                ///< false if no field has bounds
+  std::vector<FieldPoint> points_;  ///< that cells must represent
   std::deque<Waiting> waiting_;
   std::vector<ControlNode> missed_;  ///< places that cells of the least length do not give
   std::vector<Metric> metrics_;      ///< by node

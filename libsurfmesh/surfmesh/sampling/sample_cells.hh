@@ -12,7 +12,7 @@ namespace surfmesh {
 /// How well a control space represents the sizes of its sources before gradation, on a sample of
 /// points that played no part in its choice of nodes.
 struct PrecisionSample {
-  double asked = 0;  ///< greatest conformity that is wanted
+  double asked = 0;  ///< greatest conformity that is wanted, the least of several patches
   std::size_t points = 0;
   std::size_t over = 0;  ///< points that miss more, in cells that elements can follow
   double greatest = 0;   ///< miss of all points in such cells
@@ -60,7 +60,8 @@ CellCount first_cells(const Surface& surface);
 /// find_hidden).
 ///
 /// Error    DECISIONS.md, sampling; test SampleCells.*
-/// Cost     1.5 samples of the field per node and about 1 µs per node, beside the search
+/// Cost     1.2 to 1.8 samples of the field per node, 0.8 µs in all on a wave (halve_cells in
+///          tests/bench/control_bench.cc), beside the search
 /// Throws   Cancelled; InvalidInput if a field is not positive and finite
 CellSampling sample_cells(const SizeField& field, ControlCells& cells, double precision,
                           const RunContext& context);

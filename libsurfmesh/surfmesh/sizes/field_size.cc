@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "surfmesh/core/error.hh"
@@ -104,7 +105,7 @@ double least_of_metric(const FieldSource& field, const Surface& surface, const U
   if (std::max(shares.u, shares.v) > kPoleShare) return 0;
   double least = std::numeric_limits<double>::infinity();
   for (const SurfacePoint& point : samples.points) {
-    least = std::min(least, principal_sizes(size_of_field(field, surface, point)).l_t);
+    least = std::min(least, size_range(size_of_field(field, surface, point)).least);
   }
   return least;
 }
@@ -127,7 +128,7 @@ SizeTensor size_of_field(const FieldSource& field, const Surface& surface, const
 }
 
 double least_length(const FieldSource& field, const Surface& surface, Uv uv) {
-  return principal_sizes(size_of_field(field, surface, point_at(field, surface, uv))).l_t;
+  return size_range(size_of_field(field, surface, point_at(field, surface, uv))).least;
 }
 
 double least_length_in(const FieldSource& field, const Surface& surface, const UvBox& box) {

@@ -23,12 +23,6 @@ constexpr std::size_t kMaxDepth = 64;
 
 Vec3 middle(const PlacedSize& placed) { return 0.5 * (placed.from + placed.to); }
 
-double larger_length(const SizeTensor& size) {
-  // The larger eigenvalue, without the angle.
-  const double mean = 0.5 * (size.h11 + size.h22);
-  return mean + eigenvalue_radius(0.5 * (size.h11 - size.h22), size.h12);
-}
-
 }  // namespace
 
 SourceTree::SourceTree(std::vector<PlacedSize> sizes, double grade)
@@ -88,7 +82,7 @@ double SourceTree::bound(const Node& node, const Vec3& point) const {
 SizeTensor SourceTree::minimum_at(const TangentFrame& frame, const SizeTensor& size) const {
   if (nodes_.empty()) return size;
   SizeTensor result = size;
-  double largest = larger_length(size);
+  double largest = size_range(size).greatest;
   std::array<std::pair<double, int>, kMaxDepth> stack;
   std::size_t depth = 0;
   stack[depth++] = {bound(nodes_[0], frame.point), 0};
@@ -100,7 +94,7 @@ SizeTensor SourceTree::minimum_at(const TangentFrame& frame, const SizeTensor& s
       const auto wanted = size_around(sizes_[static_cast<std::size_t>(i)], frame, growth_);
       if (!wanted) continue;
       result = minimum(result, *wanted);
-      largest = larger_length(result);
+      largest = size_range(result).greatest;
     }
     if (node.count > 0) continue;
     std::pair<double, int> near{bound(nodes_[static_cast<std::size_t>(index + 1)], frame.point),
