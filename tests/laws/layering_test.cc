@@ -13,10 +13,10 @@ namespace surfmesh {
 namespace {
 
 /// The order of the data flow: a folder includes only itself and those before it.
-const std::array<std::string, 21> kFolders = {
-    "core",    "io",       "geometry", "formula",  "model",   "cage",       "metric",
-    "quality", "delaunay", "boundary", "refine",   "improve", "patch_mesh", "patch",
-    "control", "sizes",    "sampling", "assemble", "formats", "model_file", "pipeline"};
+const std::array<std::string, 22> kFolders = {
+    "core",     "io",       "geometry", "formula", "model",      "cage",    "metric",  "quality",
+    "delaunay", "boundary", "refine",   "improve", "patch_mesh", "patch",   "control", "sizes",
+    "sampling", "estimate", "assemble", "formats", "model_file", "pipeline"};
 
 /// What lies in no folder, surfmesh.hh, stands above all of them.
 std::optional<std::size_t> rank(const std::string& folder) {
@@ -28,7 +28,8 @@ std::optional<std::size_t> rank(const std::string& folder) {
 
 /// Meshes are assembled where no control space is, although that folder stands below.
 bool is_forbidden(const std::string& from, const std::string& folder) {
-  return from == "assemble" && (folder == "control" || folder == "sizes" || folder == "sampling");
+  return from == "assemble" &&
+         (folder == "control" || folder == "sizes" || folder == "sampling" || folder == "estimate");
 }
 
 bool may_include(const std::string& from, const std::string& folder) {

@@ -5,13 +5,21 @@
 
 #include <cmath>
 
+#include <array>
+#include <numbers>
+#include <vector>
+
 #include "cage/cages.hh"
+#include "support/models.hh"
 #include "support/waves.hh"
 #include "surfmesh/cage/cage_model.hh"
+#include "surfmesh/geometry/callable_surface.hh"
 #include "surfmesh/sizes/resolved_sizing.hh"
 
 namespace surfmesh {
 namespace {
+
+using testing::Shape;
 
 SizeBounds bounds(double hmin, double hmax) {
   return resolve(testing::sizing_of(0, hmin, hmax, 2), 1).bounds;
@@ -39,8 +47,8 @@ TEST(RingSizes, AreTheLengthsAroundATube) {
   ASSERT_TRUE(ring.is_along_u);
   for (const double v : {0.0, 0.3, 1.4, 3.0}) {
     const double exact = line_length(*model.patches[0].surface, v);
-    EXPECT_LE(ring.length_at({0.7, v}), exact);
-    EXPECT_NEAR(ring.length_at({0.7, v}), exact, 0.03 * exact);
+    EXPECT_LE(ring.length_at({0.7, v}, 0), exact);
+    EXPECT_NEAR(ring.length_at({0.7, v}, 0), exact, 0.03 * exact);
   }
 }
 
@@ -64,16 +72,68 @@ TEST(RingSizes, AreNotThereWithoutASeam) {
 
 TEST(RingSizes, AreOfTheSeamOnly) {
   const Ring ring{false, 2, 4, {1, 2, 3}};
-  EXPECT_EQ(ring.length_at({2.5, 9}), 1.5);
-  EXPECT_EQ(ring.length_at({4, 0}), 3);
-  EXPECT_TRUE(std::isinf(ring.length_at({4.5, 0})));
-  EXPECT_TRUE(std::isinf(ring.length_at({1.5, 0})));
+  EXPECT_EQ(ring.length_at({2.5, 9}, 0), 1.5);
+  EXPECT_EQ(ring.length_at({4, 0}, 0), 3);
+  EXPECT_TRUE(std::isinf(ring.length_at({4.5, 0}, 0)));
+  EXPECT_TRUE(std::isinf(ring.length_at({1.5, 0}, 0)));
+}
+
+Shape tube_of_formula(double from, double to, double radius) {
+  return make_callable_surface(Domain{from, to, 0, 100}, [=](auto u, auto v) {
+    return std::array{radius * cos(u), radius * sin(u), v};
+  });
+}
+
+TEST(RingSizes, AreThereAroundATubeOfOneOrMorePatches) {
+  for (const int parts : {1, 2, 3, 4, 8}) {
+    std::vector<Shape> shapes;
+    for (int i = 0; i < parts; ++i) {
+      const double part = 2 * std::numbers::pi / parts;
+      shapes.push_back(tube_of_formula(part * i, part * (i + 1), 0.03));
+    }
+    const Model model = testing::model_of(shapes);
+    for (int p = 0; p < parts; ++p) {
+      SCOPED_TRACE(::testing::Message() << p << " of " << parts);
+      const auto rings = short_rings(model, p, bounds(1, 10));
+      ASSERT_EQ(rings.size(), 1u);
+      EXPECT_TRUE(rings[0].is_along_u);
+      const double exact = 2 * std::numbers::pi * 0.03;
+      EXPECT_NEAR(rings[0].length_at({0, 37}, 1), exact, 0.003 * exact);
+    }
+  }
+}
+
+TEST(RingSizes, AreNotThereAroundAMoebiusBand) {
+  const Model model = testing::model_of(
+      {make_callable_surface(Domain{0, 2 * std::numbers::pi, -0.1, 0.1}, [](auto u, auto v) {
+        const auto r = 1 + v * cos(u / 2);
+        return std::array{r * cos(u), r * sin(u), v * sin(u / 2)};
+      })});
+  EXPECT_TRUE(short_rings(model, 0, bounds(1, 10)).empty());
+}
+
+TEST(RingSizes, AtAPoleAreThoseOneElementAway) {
+  const Model model = testing::model_of(
+      {make_callable_surface(Domain{0, 2 * std::numbers::pi, 0, 1}, [](auto u, auto v) {
+        return std::array{v * cos(u), v * sin(u), 20 * (1 - v)};
+      })});
+  const auto rings = short_rings(model, 0, bounds(1, 10));
+  ASSERT_EQ(rings.size(), 1u);
+  ASSERT_TRUE(rings[0].starts_at_pole);
+  EXPECT_FALSE(rings[0].ends_at_pole);
+  const double slant = std::hypot(1, 20);
+  const auto length_from = [&](double v, double element) {
+    return rings[0].length_at({1, v}, element) / (2 * std::numbers::pi);
+  };
+  EXPECT_NEAR(length_from(0, 0.1 * slant), 0.1, 1e-3);
+  EXPECT_NEAR(length_from(0.07, 0.1 * slant), 0.1, 1e-3);
+  EXPECT_NEAR(length_from(0.3, 0.1 * slant), 0.3, 3e-3);
 }
 
 TEST(RingSizes, GoBelowHminButNotWithoutEnd) {
   EXPECT_EQ(size_around(2, bounds(1, 10)), 0.5);
   EXPECT_EQ(size_around(1000, bounds(1, 10)), 10);
-  EXPECT_GT(size_around(0, bounds(1, 10)), 0.01);
+  EXPECT_GT(size_around(0, bounds(1, 10)), 0);
 }
 
 }  // namespace

@@ -41,6 +41,9 @@ class RunContext {
   /// True if the run has been cancelled so far, without asking the observer.
   bool was_cancelled() const { return was_cancelled_; }
 
+  /// Elements that the whole run may make.
+  std::size_t max_elements() const { return max_elements_; }
+
   /// Elements that a patch which is not finished may have. Each patch takes at least one, so
   /// whichever patches are finished, there is an error if, and only if, all together have too many.
   /// Throws   Limit if there is not even one

@@ -5,6 +5,8 @@
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
+#include "surfmesh/estimate/coarse_estimate.hh"
+#include "surfmesh/estimate/element_limit.hh"
 #include "surfmesh/pipeline/for_each_patch.hh"
 #include "surfmesh/pipeline/patch_names.hh"
 #include "surfmesh/sampling/contour_gradation.hh"
@@ -77,6 +79,16 @@ void tell_unsearched(const Model& model, const std::vector<ControlInput>& inputs
   }
 }
 
+/// Sizes that would surely need too many triangles are refused before any control space is made: it
+/// would have millions of nodes.
+void refuse_hopeless_sizes(const Model& model, const std::vector<PatchSources>& sources,
+                           const ResolvedSizing& sizing, const RunContext& context) {
+  const auto most = static_cast<double>(context.max_elements());
+  if (most_triangles(model, sizing.bounds.hmin) <= most) return;
+  const CoarseEstimate estimate = estimate_coarsely(model, sources, sizing);
+  if (is_surely_above(estimate.least, context)) throw_too_many(estimate.likely, context);
+}
+
 }  // namespace
 
 ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
@@ -89,6 +101,7 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
     result.notices.push_back(std::move(*notice));
   }
   const auto patch_sources = model_sources(model, sources, sizing);
+  refuse_hopeless_sizes(model, patch_sources, sizing, context);
   std::vector<ControlInput> inputs(model.patches.size());
   result.spaces.resize(model.patches.size());
   for_each_patch(model, "control", context, cells_of_patches(model), [&](std::size_t p) {

@@ -18,6 +18,8 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/validate.hh"
+#include "surfmesh/estimate/element_limit.hh"
+#include "surfmesh/estimate/estimate_triangles.hh"
 #include "surfmesh/patch/mesh_patch.hh"
 #include "surfmesh/patch_mesh/improper_chords.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
@@ -76,6 +78,14 @@ class Run {
           std::make_unique<SurfaceMetricField>(*model_.patches[p].surface, *spaces_[p]));
       fields_.push_back(surface_fields_.back().get());
     }
+    estimate();
+  }
+
+  /// What would surely be too much is refused before any memory is taken for it.
+  void estimate() {
+    const TriangleEstimate estimate = estimate_triangles(model_, spaces_, context_);
+    report_.estimated_triangles = estimate.triangles();
+    if (is_surely_above(estimate, context_)) throw_too_many(estimate, context_);
   }
 
   void count_classes(const PolyMesh& mesh) {

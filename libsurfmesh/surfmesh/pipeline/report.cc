@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <variant>
@@ -134,6 +135,7 @@ std::string to_json(const Report& report) {
       {"input", report.input},
       {"options", options_json(report.options)},
       {"notices", notices_json(report)},
+      {"estimated_triangles", std::round(report.estimated_triangles)},
       {"mesh", mesh_json(report.mesh)},
       {"patches", patches_json(report.patches)},
       {"edges", edges_json(report.edges)},

@@ -35,6 +35,18 @@ constexpr double kLeastStep = 1.0 / (kFirstSteps << kMaxHalvings);
 
 bool is_at(double x, double line, double width) { return std::abs(x - line) <= kOnSide * width; }
 
+/// Step of t from a pole, towards the middle of the contour, to where there is a direction.
+constexpr double kStepFromPole = 1e-3;
+
+/// The direction of a use at t; at a pole, that beside it, in whose frame the sizes of the pole are.
+std::optional<ContourFrame> frame_on(const ContourUse& use, const Surface& surface, double t,
+                                     const FirstFormFactor& form) {
+  if (const auto frame = contour_frame(*use.curve, t, form)) return frame;
+  const double beside = t < 0.5 ? t + kStepFromPole : t - kStepFromPole;
+  const Jet jet = surface.evaluate(use.curve->evaluate(beside), Order::First);
+  return contour_frame(*use.curve, beside, first_form_factor(jet.du, jet.dv));
+}
+
 }  // namespace
 
 ContourRows::ContourRows(const Model& model, std::size_t contour,
@@ -134,7 +146,7 @@ ContourNode ContourRows::seen(std::size_t index, int node, double t) const {
   const Use& use = uses_[index];
   const SurfacePoint at = use.space->surface_point(node);
   ContourNode result{node, t};
-  const auto frame = contour_frame(*use.use->curve, t, at.form);
+  const auto frame = frame_on(*use.use, *use.surface, t, at.form);
   result.frame = frame.value_or(ContourFrame());
   result.sights.resize(uses_.size());
   for (std::size_t other = 0; other < uses_.size(); ++other) {
@@ -154,7 +166,7 @@ ContourNode::Sight ContourRows::sight_of(const Use& from, double t, const Use& t
   const Uv uv = domain.fold(domain.clamp(to.use->curve->evaluate(result.t)));
   const Jet jet = to.surface->evaluate(uv, Order::First);
   result.at = {uv, jet.point, first_form_factor(jet.du, jet.dv)};
-  const auto frame = contour_frame(*to.use->curve, result.t, result.at.form);
+  const auto frame = frame_on(*to.use, *to.surface, result.t, result.at.form);
   result.is_isotropic = !frame;
   result.frame = frame.value_or(ContourFrame());
   return result;

@@ -15,7 +15,8 @@ namespace surfmesh::detail {
 struct ContourNode {
   /// The same point on another use.
   struct Sight {
-    /// True where a patch has no tangent plane, at a pole: sizes are carried without direction.
+    /// True where a patch has no tangent plane, nor has it beside: sizes are carried without
+    /// direction.
     bool is_isotropic = false;
     double t = 0;  ///< on that use
     SurfacePoint at = {};

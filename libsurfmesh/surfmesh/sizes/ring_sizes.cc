@@ -13,35 +13,82 @@ namespace {
 constexpr int kChordsPerCell = 8;
 constexpr int kLinesPerCell = 4;
 
-/// Least size around a ring as a share of hmin: rings that are pinched to a point have no end of
-/// elements otherwise.
-constexpr double kLeastShare = 1.0 / 16;
+/// Formulas may hold more than a cell of a cage.
+constexpr int kLeastChords = 32;
+constexpr int kLeastLines = 32;
 
-/// A seam between two opposite sides, without its lengths; none if the uses are no such sides or
-/// do not lie across from each other.
-std::optional<Ring> seam_of(const Domain& domain, const ContourUse& a, const ContourUse& b) {
-  const Uv a0 = a.curve->evaluate(0), a1 = a.curve->evaluate(1);
-  const Uv b0 = b.curve->evaluate(0), b1 = b.curve->evaluate(1);
-  const auto is_across = [](double x0, double x1, double y0, double y1, double low, double high) {
-    return x0 == x1 && y0 == y1 && std::min(x0, y0) == low && std::max(x0, y0) == high;
+/// Patches around a tube that are helped: more have a segment each, and are not flat together.
+constexpr std::size_t kMostPatchesAround = 8;
+
+/// Least size around a ring as a share of hmin: where a tube is pinched to a point, longer elements
+/// could not be told from degenerate ones.
+constexpr double kLeastShare = 1e-4;
+
+/// A patch that lines run across, from one contour to the one on the opposite side.
+struct Crossing {
+  const Surface* surface;
+  bool is_along_u;
+  const ContourUse* entry;
+  const ContourUse* exit;
+};
+
+struct Side {
+  Uv start;
+  Uv end;
+};
+
+Side side_of(const ContourUse& use) { return {use.curve->evaluate(0), use.curve->evaluate(1)}; }
+
+/// The coordinate across lines, at t on a side.
+double across(const ContourUse& use, double t, bool is_along_u) {
+  const Side side = side_of(use);
+  return is_along_u ? (1 - t) * side.start.v + t * side.end.v
+                    : (1 - t) * side.start.u + t * side.end.u;
+}
+
+/// The t at which a side has this coordinate.
+double parameter(const ContourUse& use, double coordinate, bool is_along_u) {
+  const double start = across(use, 0, is_along_u), end = across(use, 1, is_along_u);
+  return (coordinate - start) / (end - start);
+}
+
+/// True if two uses lie on opposite sides, across from each other; `is_along_u` if lines of
+/// constant v run between them.
+bool are_opposite(const Domain& domain, const ContourUse& a, const ContourUse& b, bool is_along_u) {
+  const Side on_a = side_of(a), on_b = side_of(b);
+  const auto along = [&](Uv uv) { return is_along_u ? uv.u : uv.v; };
+  const double low = is_along_u ? domain.u0 : domain.v0, high = is_along_u ? domain.u1 : domain.v1;
+  const double of_a = along(on_a.start), of_b = along(on_b.start);
+  if (along(on_a.end) != of_a || along(on_b.end) != of_b) return false;
+  if (std::min(of_a, of_b) != low || std::max(of_a, of_b) != high) return false;
+  const auto range = [&](const ContourUse& use) {
+    return std::minmax(across(use, 0, is_along_u), across(use, 1, is_along_u));
   };
-  if (is_across(a0.u, a1.u, b0.u, b1.u, domain.u0, domain.u1) && a0.v == b0.v && a1.v == b1.v) {
-    return Ring{true, std::min(a0.v, a1.v), std::max(a0.v, a1.v), {}};
-  }
-  if (is_across(a0.v, a1.v, b0.v, b1.v, domain.v0, domain.v1) && a0.u == b0.u && a1.u == b1.u) {
-    return Ring{false, std::min(a0.u, a1.u), std::max(a0.u, a1.u), {}};
+  return range(a) == range(b);
+}
+
+std::optional<Crossing> crossing_between(const Model& model, const ContourUse& a,
+                                         const ContourUse& b) {
+  const Surface& surface = model.surface(a);
+  if (surface.domain().shape == Domain::Shape::Triangle) return std::nullopt;
+  for (const bool is_along_u : {true, false}) {
+    if (are_opposite(surface.domain(), a, b, is_along_u)) {
+      return Crossing{&surface, is_along_u, &a, &b};
+    }
   }
   return std::nullopt;
 }
 
-/// Length of the line of constant v, or of constant u, across the domain.
-double line_length(const Surface& surface, bool is_along_u, double constant) {
-  const Domain domain = surface.domain();
-  const int chords = kChordsPerCell * (is_along_u ? surface.cells().u : surface.cells().v);
+/// Length of the part of a line in one patch.
+double length_across(const Crossing& crossing, double coordinate) {
+  const Domain domain = crossing.surface->domain();
+  const CellCount cells = crossing.surface->cells();
+  const int chords =
+      std::max(kLeastChords, kChordsPerCell * (crossing.is_along_u ? cells.u : cells.v));
   const auto point = [&](int i) {
     const Uv on = domain.at(double(i) / chords, double(i) / chords);
-    const Uv uv = is_along_u ? Uv{on.u, constant} : Uv{constant, on.v};
-    return surface.evaluate(uv, Order::Position).point;
+    const Uv uv = crossing.is_along_u ? Uv{on.u, coordinate} : Uv{coordinate, on.v};
+    return crossing.surface->evaluate(uv, Order::Position).point;
   };
   double length = 0;
   Vec3 last = point(0);
@@ -53,41 +100,158 @@ double line_length(const Surface& surface, bool is_along_u, double constant) {
   return length;
 }
 
-void measure(const Surface& surface, Ring& ring) {
-  const int lines = kLinesPerCell * static_cast<int>(std::ceil(ring.to - ring.from));
+/// Finds the patches around a tube, and measures its rings.
+class Tube {
+ public:
+  Tube(const Model& model, const LoopEntry& start) : model_(model) { follow(start); }
+
+  /// True if lines through the contour of the start come back to it.
+  bool is_closed() const { return is_closed_; }
+
+  Ring measure() const;
+
+ private:
+  std::optional<Crossing> cross(const LoopEntry& entry, LoopEntry& exit) const;
+  void follow(const LoopEntry& start);
+  double returned_parameter(double t) const;
+  double line_length(double t) const;
+
+  const Model& model_;
+  std::vector<Crossing> crossings_;
+  bool is_closed_ = false;
+};
+
+/// Go on from a contour through the patch of its use to the opposite one.
+std::optional<Crossing> Tube::cross(const LoopEntry& entry, LoopEntry& exit) const {
+  const ContourUse& use = model_.use(entry);
+  for (const LoopEntry& other : model_.patch(use).loops.front()) {
+    if (other.contour == entry.contour && other.use == entry.use) continue;
+    if (model_.contour(other).is_degenerate) continue;
+    if (auto found = crossing_between(model_, use, model_.use(other))) {
+      exit = other;
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+void Tube::follow(const LoopEntry& start) {
+  LoopEntry entry = start;
+  while (crossings_.size() < kMostPatchesAround) {
+    if (model_.contour(entry).uses.size() != 2) return;
+    LoopEntry exit;
+    const auto crossing = cross(entry, exit);
+    if (!crossing) return;
+    crossings_.push_back(*crossing);
+    entry = {exit.contour, 1 - exit.use};
+    if (entry.contour != start.contour) continue;
+    // Lines around a Möbius band come back elsewhere.
+    is_closed_ = entry.use == start.use && returned_parameter(0) < 0.5;
+    return;
+  }
+}
+
+/// The t at which a line comes back that starts at this t of the first contour.
+double Tube::returned_parameter(double t) const {
+  for (const Crossing& c : crossings_) {
+    t = parameter(*c.exit, across(*c.entry, t, c.is_along_u), c.is_along_u);
+  }
+  return t;
+}
+
+/// Length of the closed line that starts at this t of the first contour.
+double Tube::line_length(double t) const {
+  double length = 0;
+  for (const Crossing& c : crossings_) {
+    const double coordinate = across(*c.entry, t, c.is_along_u);
+    length += length_across(c, coordinate);
+    t = parameter(*c.exit, coordinate, c.is_along_u);
+  }
+  return length;
+}
+
+Ring Tube::measure() const {
+  const Crossing& first = crossings_.front();
+  const double a = across(*first.entry, 0, first.is_along_u);
+  const double b = across(*first.entry, 1, first.is_along_u);
+  Ring ring{first.is_along_u, std::min(a, b), std::max(a, b), {}};
+  const CellCount cells = first.surface->cells();
+  const int lines = std::max(kLeastLines, kLinesPerCell * (first.is_along_u ? cells.v : cells.u));
+  double distance = 0;
+  Vec3 last = Vec3::Zero();
   for (int i = 0; i <= lines; ++i) {
     const double share = double(i) / lines;
-    ring.lengths.push_back(
-        line_length(surface, ring.is_along_u, (1 - share) * ring.from + share * ring.to));
+    const double coordinate = (1 - share) * ring.from + share * ring.to;
+    const double t = parameter(*first.entry, coordinate, first.is_along_u);
+    const Vec3 point = model_.point(*first.entry, t);
+    if (i > 0) distance += (point - last).norm();
+    last = point;
+    ring.lengths.push_back(line_length(t));
+    ring.distances.push_back(distance);
   }
+  return ring;
+}
+
+/// Mark the ends of a ring at sides that are one point.
+void mark_poles(const Model& model, const Patch& patch, Ring& ring) {
+  for (const LoopEntry& entry : patch.loops.front()) {
+    if (!model.contour(entry).is_degenerate) continue;
+    const Uv on = model.use(entry).curve->evaluate(0.5);
+    const double coordinate = ring.is_along_u ? on.v : on.u;
+    if (coordinate == ring.from) ring.starts_at_pole = true;
+    if (coordinate == ring.to) ring.ends_at_pole = true;
+  }
+}
+
+/// The value at a fractional index.
+double interpolate(const std::vector<double>& values, double at) {
+  const double last = static_cast<double>(values.size() - 1);
+  const auto i = static_cast<std::size_t>(std::clamp(at, 0.0, last - 1));
+  const double share = at - static_cast<double>(i);
+  return (1 - share) * values[i] + share * values[i + 1];
+}
+
+/// The fractional index at which growing values reach `value`.
+double find(const std::vector<double>& values, double value) {
+  const auto above = std::upper_bound(values.begin() + 1, values.end() - 1, value);
+  const double low = *(above - 1), high = *above;
+  const double share = high > low ? (value - low) / (high - low) : 0;
+  return static_cast<double>(above - 1 - values.begin()) + share;
 }
 
 }  // namespace
 
-double Ring::length_at(Uv uv) const {
-  const double across = is_along_u ? uv.v : uv.u;
-  if (across < from || across > to) return std::numeric_limits<double>::infinity();
-  const double steps = static_cast<double>(lengths.size() - 1);
-  const double at = (across - from) / (to - from) * steps;
-  const auto i = static_cast<std::size_t>(std::min(at, steps - 1));
-  const double share = at - static_cast<double>(i);
-  return (1 - share) * lengths[i] + share * lengths[i + 1];
+double Ring::length_at(Uv uv, double element_length) const {
+  const double coordinate = is_along_u ? uv.v : uv.u;
+  if (coordinate < from || coordinate > to) return std::numeric_limits<double>::infinity();
+  double at = (coordinate - from) / (to - from) * static_cast<double>(lengths.size() - 1);
+  if (starts_at_pole || ends_at_pole) {
+    const double whole = distances.back();
+    double distance = interpolate(distances, at);
+    if (starts_at_pole) distance = std::max(distance, std::min(element_length, 0.5 * whole));
+    if (ends_at_pole) distance = std::min(distance, whole - std::min(element_length, 0.5 * whole));
+    at = find(distances, distance);
+  }
+  return interpolate(lengths, at);
 }
 
 std::vector<Ring> short_rings(const Model& model, int patch, const SizeBounds& bounds) {
   const Patch& own = model.patch(patch);
-  const CellCount cells = own.surface->cells();
   std::vector<Ring> rings;
-  if (cells.u * cells.v == 1) return rings;
   for (const LoopEntry& entry : own.loops.front()) {
-    const auto& uses = model.contour(entry).uses;
-    // Each seam is met twice.
-    if (uses.size() != 2 || uses[0].patch != uses[1].patch || entry.use != 0) continue;
-    std::optional<Ring> ring = seam_of(own.surface->domain(), uses[0], uses[1]);
-    if (!ring) continue;
-    measure(*own.surface, *ring);
-    const double least = *std::min_element(ring->lengths.begin(), ring->lengths.end());
-    if (least < kUnitsAround * bounds.hmax) rings.push_back(std::move(*ring));
+    if (model.contour(entry).is_degenerate) continue;
+    const Tube tube(model, entry);
+    if (!tube.is_closed()) continue;
+    Ring ring = tube.measure();
+    // A line across is met at both of its ends.
+    const auto is_same = [&](const Ring& other) {
+      return other.is_along_u == ring.is_along_u && other.from == ring.from && other.to == ring.to;
+    };
+    if (std::any_of(rings.begin(), rings.end(), is_same)) continue;
+    const double least = *std::min_element(ring.lengths.begin(), ring.lengths.end());
+    if (least >= kUnitsAround * bounds.hmax) continue;
+    mark_poles(model, own, ring);
+    rings.push_back(std::move(ring));
   }
   return rings;
 }

@@ -8,29 +8,36 @@
 
 namespace surfmesh {
 
-/// The lengths of closed lines around a patch that meets itself at a seam.
+/// The closed lines around a tube, as one of its patches sees them. The tube is a patch that meets
+/// itself at a seam, or it is up to eight patches, one after the other.
 struct Ring {
   bool is_along_u = true;  ///< the lines are those of constant v
-  double from = 0;         ///< of the other parameter: the seam runs along it
+  double from = 0;         ///< of the other parameter: the tube runs along it
   double to = 0;
   std::vector<double> lengths;  ///< at equal steps between these, at least two; model units
+  /// Distances of these lines from the first one, along the patch.
+  std::vector<double> distances = {};
+  bool starts_at_pole = false;  ///< the first line is one point
+  bool ends_at_pole = false;    ///< the last line is one point
 
-  /// The length of the line through a point; infinite where there is no seam.
-  double length_at(Uv uv) const;
+  /// The length of the line through a point; infinite beside the tube. Near a pole, that of the
+  /// line as far from it as an element is long, for the triangles up to there meet in the pole.
+  double length_at(Uv uv, double element_length) const;
 };
 
-/// Find the rings of a patch that is a block of faces, if they are so short that `bounds` alone
-/// would leave fewer than `kUnitsAround` elements around. A mesh would be flat or improper there.
+/// Find the rings of a patch that are so short that `bounds` alone would leave fewer than
+/// `kUnitsAround` elements around. A mesh would be flat or improper there.
 ///
-/// Error    lengths are those of polylines of 8 chords per face, interpolated between 4 lines per
-///          face: 3 % too short for a round ring of four faces (test RingSizes.*)
-/// Cost     32 evaluations per face
+/// Error    lengths are those of polylines of 8 chords per cell of the surface and at least 32,
+///          interpolated between 4 lines per cell and at least 32: 3 % too short for a round ring
+///          of four faces (test RingSizes.*)
+/// Cost     32 evaluations per cell, at least 1,000, for a patch that has rings
 std::vector<Ring> short_rings(const Model& model, int patch, const SizeBounds& bounds);
 
 /// Elements wanted around a ring, even if they have to be smaller than hmin.
 inline constexpr double kUnitsAround = 4;
 
-/// The size along a ring line of this length; never below a small share of hmin.
+/// The size along a ring line of this length; never below a very small share of hmin.
 double size_around(double ring_length, const SizeBounds& bounds);
 
 }  // namespace surfmesh

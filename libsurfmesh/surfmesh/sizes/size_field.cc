@@ -38,6 +38,13 @@ CurvatureLength length_on(const ResolvedSizing& sizing, const PatchSources& sour
   return CurvatureLength(used);
 }
 
+/// The length that a size tensor asks for along a unit vector.
+double length_along(const SizeTensor& h, const Eigen::Vector2d& direction) {
+  const double x = h.h22 * direction.x() - h.h12 * direction.y();
+  const double y = h.h11 * direction.y() - h.h12 * direction.x();
+  return determinant(h) / std::hypot(x, y);
+}
+
 }  // namespace
 
 SizeField::SizeField(const Surface& surface, const ResolvedSizing& sizing,
@@ -272,16 +279,24 @@ void SizeField::add_sources(Uv uv, const Jet& jet, Sample& sample) const {
   size = bounds_.clamp(size);
 }
 
+/// A pole has the sizes around that hold beside it, for nodes beside it average with its own.
 void SizeField::add_rings(Uv uv, Sample& sample) const {
   for (const Ring& ring : rings_) {
-    const double around = size_around(ring.length_at(uv), bounds_);
-    if (around >= bounds_.hmax || !is_regular(sample.form)) continue;
+    FirstFormFactor form = sample.form;
+    if (!is_regular(form)) {
+      const Jet jet = surface_.evaluate(beside_pole(surface_, uv), Order::First);
+      form = first_form_factor(jet.du, jet.dv);
+    }
+    if (!is_regular(form)) continue;
     // The frame's first axis is along p_u; p_v is (l21, l22) in it.
-    const double x = ring.is_along_u ? 1 : sample.form.l21;
-    const double y = ring.is_along_u ? 0 : sample.form.l22;
-    const double squares = x * x + y * y;
-    sample.size = minimum(sample.size, size_tensor(around, bounds_.hmax, (x * x - y * y) / squares,
-                                                   2 * x * y / squares));
+    const Eigen::Vector2d along_u(1, 0);
+    const Eigen::Vector2d along_v = Eigen::Vector2d(form.l21, form.l22).normalized();
+    const Eigen::Vector2d& line = ring.is_along_u ? along_u : along_v;
+    const double element = length_along(sample.size, ring.is_along_u ? along_v : along_u);
+    const double around = size_around(ring.length_at(uv, element), bounds_);
+    if (around >= bounds_.hmax) continue;
+    const double x = line.x(), y = line.y();
+    sample.size = minimum(sample.size, size_tensor(around, bounds_.hmax, x * x - y * y, 2 * x * y));
   }
 }
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/estimate/element_limit.hh"
+
+#include <fmt/format.h>
+
+#include "surfmesh/core/error.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Shares of the limit that leave room for the error of estimates.
+constexpr double kSurelyTooMany = 1.15;
+constexpr double kSurelyFewEnough = 0.85;
+
+}  // namespace
+
+bool is_surely_above(const TriangleEstimate& estimate, const RunContext& context) {
+  return estimate.triangles() > kSurelyTooMany * static_cast<double>(context.max_elements());
+}
+
+void throw_too_many(const TriangleEstimate& estimate, const RunContext& context) {
+  const auto most = static_cast<double>(context.max_elements());
+  throw Error(ErrorCode::Limit,
+              fmt::format("the sizes ask for about {:.2g} triangles, more than max_elements = {}; "
+                          "hmin = {:.3g} (in model units) would fit",
+                          estimate.triangles(), context.max_elements(),
+                          estimate.fitting_hmin(kSurelyFewEnough * most)));
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surfmesh/core/run_context.hh"
+#include "surfmesh/estimate/estimate_triangles.hh"
+
+namespace surfmesh {
+
+/// True if there will be more triangles than the run may make, even if the estimate is 15 % too
+/// high.
+bool is_surely_above(const TriangleEstimate& estimate, const RunContext& context);
+
+/// Tell the estimate and an hmin that fits.
+/// Throws   Limit
+[[noreturn]] void throw_too_many(const TriangleEstimate& estimate, const RunContext& context);
+
+}  // namespace surfmesh

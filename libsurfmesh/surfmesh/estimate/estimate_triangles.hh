@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "surfmesh/control/control_space.hh"
+#include "surfmesh/core/run_context.hh"
+#include "surfmesh/model/model.hh"
+
+namespace surfmesh {
+
+/// A piece of a patch with one size.
+struct SizedPiece {
+  double area;  ///< in space
+  double l_s;   ///< lengths of the size, model units
+  double l_t;
+};
+
+/// A piece of a boundary, with the size along it.
+struct SizedChord {
+  double length;
+  double size;
+};
+
+/// The pieces of one patch and of its contours.
+struct SizedPatch {
+  std::vector<SizedPiece> pieces;
+  std::vector<std::vector<SizedChord>> contours = {};
+};
+
+/// How many triangles the mesh of a model will have, from its sizes alone.
+class TriangleEstimate {
+ public:
+  explicit TriangleEstimate(std::vector<SizedPatch> patches) : patches_(std::move(patches)) {}
+
+  /// Triangles of unit edges that fill the metric area of a patch, and at least those that its
+  /// boundary needs; summed over the patches.
+  double triangles() const { return triangles_with(0); }
+
+  /// The same if no size were below `hmin`, in model units.
+  double triangles_with(double hmin) const;
+
+  /// The least hmin with which there are at most so many triangles, to within 1 %.
+  double fitting_hmin(double triangles) const;
+
+ private:
+  std::vector<SizedPatch> patches_;
+};
+
+/// Estimate from the control spaces of all patches, inside their loops.
+///
+/// Error    1 to 5 % too few for everyday models; more for those of a few triangles and for tubes
+///          of four elements around (test TriangleEstimate.*)
+/// Cost     50 ns a control node; in trimmed patches also some µs a chord of the loops
+/// Throws   Cancelled
+TriangleEstimate estimate_triangles(const Model& model,
+                                    const std::vector<std::unique_ptr<ControlSpace>>& spaces,
+                                    const RunContext& context = RunContext());
+
+}  // namespace surfmesh
