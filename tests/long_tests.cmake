@@ -26,7 +26,7 @@ surfmesh_add_building_test(PublicHeaders.CompileAlone "package;long"
 
 # The tests of these stages again, under the address and undefined-behaviour sanitizers.
 set(sanitized core io geometry formula model cage metric quality delaunay boundary refine improve
-    patch_mesh patch control sizes sampling assemble formats model_file)
+    patch_mesh patch control sizes sampling estimate assemble formats model_file)
 get_property(stages GLOBAL PROPERTY surfmesh_test_stages)
 foreach(stage IN LISTS sanitized)
   if(stage IN_LIST stages)

@@ -13,6 +13,7 @@
 #include "support/expect_valid.hh"
 #include "support/models.hh"
 #include "support/notices.hh"
+#include "support/waves.hh"
 #include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/validate.hh"
@@ -267,6 +268,31 @@ TEST(MeshModelError, EndsAtTheLimitOfAllPatchesTogether) {
   const Model model = testing::torus_of(4);
   options.max_elements = mesh_model(model).mesh.n_faces() / 2;
   EXPECT_EQ(error_of([&] { mesh_model(model, {}, options); }).substr(0, 5), "limit");
+}
+
+TEST(MeshModelError, TellsAnHminThatFitsTheLimit) {
+  const Model model = testing::model_of({testing::paper_wave()});
+  PipelineOptions options;
+  options.sizing = testing::paper_sizing();
+  options.max_elements = 3000;
+  const std::string error = error_of([&] { mesh_model(model, {}, options); });
+  EXPECT_NE(error.find("more than max_elements = 3000"), std::string::npos) << error;
+  const std::size_t at = error.find("hmin = ");
+  ASSERT_NE(at, std::string::npos) << error;
+  options.sizing.hmin = Length::units(std::stod(error.substr(at + 7)));
+  const MeshResult result = mesh_model(model, {}, options);
+  EXPECT_LE(result.report.mesh.triangles, 3000u);
+  EXPECT_GT(result.report.mesh.triangles, 1000u);
+}
+
+TEST(MeshModelError, RefusesHopelessSizesBeforeTheControlSpace) {
+  PipelineOptions options;
+  options.sizing = {.hmin = Length::units(1e-6), .hmax = Length::units(1e-5)};
+  const Model model = testing::model_of({testing::paper_wave()});
+  Recorder recorder;
+  const std::string error = error_of([&] { mesh_model(model, {}, options, &recorder); });
+  EXPECT_NE(error.find("about 6.1e+12 triangles"), std::string::npos) << error;
+  EXPECT_TRUE(recorder.stages.empty());
 }
 
 TEST(MeshModel, HasElementsLargerThanFacesOnBlocks) {

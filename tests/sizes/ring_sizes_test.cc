@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <vector>
@@ -119,8 +120,7 @@ TEST(RingSizes, AtAPoleAreThoseOneElementAway) {
       })});
   const auto rings = short_rings(model, 0, bounds(1, 10));
   ASSERT_EQ(rings.size(), 1u);
-  ASSERT_TRUE(rings[0].starts_at_pole);
-  EXPECT_FALSE(rings[0].ends_at_pole);
+  EXPECT_EQ(rings[0].poles, std::vector<double>{0});
   const double slant = std::hypot(1, 20);
   const auto length_from = [&](double v, double element) {
     return rings[0].length_at({1, v}, element) / (2 * std::numbers::pi);
@@ -128,6 +128,30 @@ TEST(RingSizes, AtAPoleAreThoseOneElementAway) {
   EXPECT_NEAR(length_from(0, 0.1 * slant), 0.1, 1e-3);
   EXPECT_NEAR(length_from(0.07, 0.1 * slant), 0.1, 1e-3);
   EXPECT_NEAR(length_from(0.3, 0.1 * slant), 0.3, 3e-3);
+}
+
+TEST(RingSizes, MayHaveAPoleInside) {
+  // A double cone, and a horn torus.
+  const std::vector<Shape> shapes = {
+      make_callable_surface(Domain{0, 2 * std::numbers::pi, 0, 1},
+                            [](auto u, auto v) {
+                              const auto r = v - 0.3;
+                              return std::array{r * cos(u), r * sin(u), r};
+                            }),
+      make_callable_surface(
+          Domain{0, 2 * std::numbers::pi, 0, 2 * std::numbers::pi}, [](auto u, auto v) {
+            return std::array{(1 + cos(v)) * cos(u), (1 + cos(v)) * sin(u), sin(v)};
+          })};
+  const std::vector<double> poles = {0.3 * std::numbers::sqrt2, std::numbers::pi};
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    SCOPED_TRACE(i);
+    const auto rings = short_rings(testing::model_of({shapes[i]}), 0, bounds(1, 10));
+    const auto ring =
+        std::find_if(rings.begin(), rings.end(), [](const Ring& r) { return r.is_along_u; });
+    ASSERT_NE(ring, rings.end());
+    ASSERT_EQ(ring->poles.size(), 1u);
+    EXPECT_NEAR(ring->poles[0], poles[i], 0.02 * poles[i]);
+  }
 }
 
 TEST(RingSizes, GoBelowHminButNotWithoutEnd) {

@@ -19,6 +19,9 @@ namespace {
 /// Triangles on a border of the region are divided down to this share of the domain.
 constexpr double kLeastShare = 1.0 / 65536;
 
+/// Ratio of the areas of two sizes between which three points are enough for an integral.
+constexpr double kEvenShare = 4;
+
 constexpr int kChordsPerPart = 8;
 
 /// What is interpolated linearly in a triangle.
@@ -42,6 +45,10 @@ struct NodeTriangle {
   double area() const {
     const Uv ab = b.uv - a.uv, ac = c.uv - a.uv;
     return 0.5 * std::abs(ab.u * ac.v - ab.v * ac.u);
+  }
+  bool is_even() const {
+    const auto [least, greatest] = std::minmax({a.l_s * a.l_t, b.l_s * b.l_t, c.l_s * c.l_t});
+    return greatest <= kEvenShare * least;
   }
 };
 
@@ -101,9 +108,10 @@ class PatchIntegral {
     }
   }
 
-  /// Add what is inside the region of a triangle through which some segments pass.
+  /// Add what is inside the region of a triangle through which some segments pass, in pieces of
+  /// about one size.
   void add_inside(const NodeTriangle& t, const std::vector<int>& segments) {
-    if (segments.empty() || t.area() <= least_area_) {
+    if ((segments.empty() && t.is_even()) || t.area() <= least_area_) {
       if (region_.contains(mixed(t.a, t.b, t.c, 1.0 / 3, 1.0 / 3).uv)) add(t);
       return;
     }

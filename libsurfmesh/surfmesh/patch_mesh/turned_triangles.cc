@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/patch_mesh/turned_triangles.hh"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+
+#include "surfmesh/quality/facing.hh"
 
 namespace surfmesh {
 namespace {
@@ -12,9 +13,8 @@ constexpr int kMaxFailures = 4;
 
 bool is_turned(const TriangulatedPatch& patch, const TriangleVertices& triangle) {
   const std::size_t a = index(triangle[0]), b = index(triangle[1]), c = index(triangle[2]);
-  const Vec3& origin = patch.points[a];
-  const Vec3 normal = (patch.points[b] - origin).cross(patch.points[c] - origin);
-  return normal.dot(patch.normals[a] + patch.normals[b] + patch.normals[c]) <= 0;
+  return surfmesh::is_turned(patch.points[a], patch.points[b], patch.points[c],
+                             patch.normals[a] + patch.normals[b] + patch.normals[c]);
 }
 
 std::vector<FaceHandle> turned_faces(const TriangulatedPatch& patch) {
@@ -70,8 +70,10 @@ std::size_t count_turned_in_fans(const TriangulatedPatch& patch) {
     for (std::size_t i = 0; i + 1 < fan.ring.size(); ++i) {
       const auto near = static_cast<std::size_t>(fan.ring[i]);
       const auto far = static_cast<std::size_t>(fan.ring[i + 1]);
-      const Vec3 normal = (patch.points[far] - pole).cross(patch.points[near] - pole);
-      if (normal.dot(patch.normals[near] + patch.normals[far]) <= 0) ++count;
+      if (surfmesh::is_turned(pole, patch.points[far], patch.points[near],
+                              patch.normals[near] + patch.normals[far])) {
+        ++count;
+      }
     }
   }
   return count;

@@ -49,8 +49,8 @@ struct Report {
   };
 
   std::string input;
-  PipelineOptions options;  ///< the effective values
-  Notices notices;          ///< a tool exits with status 3 if one is a shortfall
+  PipelineOptions options;         ///< the effective values
+  Notices notices;                 ///< a tool exits with status 3 if one is a shortfall
   double estimated_triangles = 0;  ///< known before the mesh is made, see TriangleEstimate
   Mesh mesh;
   std::vector<PatchMeasure> patches;

@@ -12,13 +12,10 @@
 #include <numeric>
 
 #include "surfmesh/core/disjoint_sets.hh"
+#include "surfmesh/quality/facing.hh"
 
 namespace surfmesh {
 namespace {
-
-/// Area below this share of the squared longest side is rounding: coordinates have errors near
-/// 1e-16 of their size.
-constexpr double kFlat = 1e-14;
 
 constexpr double kPoorQuality = 0.3;
 constexpr int kAngleBins = 18;
@@ -206,7 +203,7 @@ class Checker {
         longest =
             std::max(longest, (point(face[k]) - point(face[(k + 1) % face.size()])).squaredNorm());
       }
-      if (!(double_area(set_, f).norm() > kFlat * longest)) {
+      if (is_flat(double_area(set_, f).norm(), longest)) {
         flat_.add([&] { return face_text(f); });
       }
       keys.emplace_back(face.begin(), face.end());

@@ -11,6 +11,7 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/quality/face_corners.hh"
+#include "surfmesh/quality/facing.hh"
 
 namespace surfmesh {
 namespace {
@@ -120,7 +121,7 @@ class DistanceMeter {
       area += (b.point - a.point).cross(c.point - a.point);
       measure_samples(surface, {a, b, c}, fh);
     }
-    const double facing = area.dot(normal);
+    const double facing = surfmesh::facing(area, normal);
     facing_[index(fh)] = facing;
     side_of_[static_cast<std::size_t>(mesh_.property(patch_of_, fh))] +=
         facing > 0 ? area.norm() : -area.norm();

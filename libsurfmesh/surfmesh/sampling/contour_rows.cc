@@ -38,7 +38,8 @@ bool is_at(double x, double line, double width) { return std::abs(x - line) <= k
 /// Step of t from a pole, towards the middle of the contour, to where there is a direction.
 constexpr double kStepFromPole = 1e-3;
 
-/// The direction of a use at t; at a pole, that beside it, in whose frame the sizes of the pole are.
+/// The direction of a use at t; at a pole, that beside it, in whose frame the sizes of the pole
+/// are.
 std::optional<ContourFrame> frame_on(const ContourUse& use, const Surface& surface, double t,
                                      const FirstFormFactor& form) {
   if (const auto frame = contour_frame(*use.curve, t, form)) return frame;

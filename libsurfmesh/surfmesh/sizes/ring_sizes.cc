@@ -24,6 +24,14 @@ constexpr std::size_t kMostPatchesAround = 8;
 /// could not be told from degenerate ones.
 constexpr double kLeastShare = 1e-4;
 
+/// A line shorter than this share of the longest one is a point.
+constexpr double kPoleShare = 1e-6;
+
+/// Near a pole the length of lines is like that of a V, or flatter. A line between two others that
+/// is longer than this share of their sum is near none.
+constexpr double kShareBesidePole = 0.3;
+constexpr int kBisections = 50;
+
 /// A patch that lines run across, from one contour to the one on the opposite side.
 struct Crossing {
   const Surface* surface;
@@ -100,6 +108,22 @@ double length_across(const Crossing& crossing, double coordinate) {
   return length;
 }
 
+/// The value at a fractional index.
+double interpolate(const std::vector<double>& values, double at) {
+  const double last = static_cast<double>(values.size() - 1);
+  const auto i = static_cast<std::size_t>(std::clamp(at, 0.0, last - 1));
+  const double share = at - static_cast<double>(i);
+  return (1 - share) * values[i] + share * values[i + 1];
+}
+
+/// The fractional index at which growing values reach `value`.
+double find(const std::vector<double>& values, double value) {
+  const auto above = std::upper_bound(values.begin() + 1, values.end() - 1, value);
+  const double low = *(above - 1), high = *above;
+  const double share = high > low ? (value - low) / (high - low) : 0;
+  return static_cast<double>(above - 1 - values.begin()) + share;
+}
+
 /// Finds the patches around a tube, and measures its rings.
 class Tube {
  public:
@@ -115,6 +139,8 @@ class Tube {
   void follow(const LoopEntry& start);
   double returned_parameter(double t) const;
   double line_length(double t) const;
+  double parameter_at(const Ring& ring, double line) const;
+  void find_poles(Ring& ring) const;
 
   const Model& model_;
   std::vector<Crossing> crossings_;
@@ -170,53 +196,58 @@ double Tube::line_length(double t) const {
   return length;
 }
 
+/// The t of the first contour at a fractional index of a ring's lines.
+double Tube::parameter_at(const Ring& ring, double line) const {
+  const Crossing& first = crossings_.front();
+  const double share = line / static_cast<double>(ring.lengths.size() - 1);
+  return parameter(*first.entry, (1 - share) * ring.from + share * ring.to, first.is_along_u);
+}
+
 Ring Tube::measure() const {
   const Crossing& first = crossings_.front();
   const double a = across(*first.entry, 0, first.is_along_u);
   const double b = across(*first.entry, 1, first.is_along_u);
-  Ring ring{first.is_along_u, std::min(a, b), std::max(a, b), {}};
   const CellCount cells = first.surface->cells();
   const int lines = std::max(kLeastLines, kLinesPerCell * (first.is_along_u ? cells.v : cells.u));
+  Ring ring{first.is_along_u, std::min(a, b), std::max(a, b), {}};
+  ring.lengths.resize(static_cast<std::size_t>(lines) + 1);
   double distance = 0;
-  Vec3 last = Vec3::Zero();
-  for (int i = 0; i <= lines; ++i) {
-    const double share = double(i) / lines;
-    const double coordinate = (1 - share) * ring.from + share * ring.to;
-    const double t = parameter(*first.entry, coordinate, first.is_along_u);
+  Vec3 last = model_.point(*first.entry, parameter_at(ring, 0));
+  for (std::size_t i = 0; i < ring.lengths.size(); ++i) {
+    const double t = parameter_at(ring, static_cast<double>(i));
     const Vec3 point = model_.point(*first.entry, t);
-    if (i > 0) distance += (point - last).norm();
+    distance += (point - last).norm();
     last = point;
-    ring.lengths.push_back(line_length(t));
+    ring.lengths[i] = line_length(t);
     ring.distances.push_back(distance);
   }
+  find_poles(ring);
   return ring;
 }
 
-/// Mark the ends of a ring at sides that are one point.
-void mark_poles(const Model& model, const Patch& patch, Ring& ring) {
-  for (const LoopEntry& entry : patch.loops.front()) {
-    if (!model.contour(entry).is_degenerate) continue;
-    const Uv on = model.use(entry).curve->evaluate(0.5);
-    const double coordinate = ring.is_along_u ? on.v : on.u;
-    if (coordinate == ring.from) ring.starts_at_pole = true;
-    if (coordinate == ring.to) ring.ends_at_pole = true;
+/// Find the lines that are points among those of least length.
+void Tube::find_poles(Ring& ring) const {
+  const auto& lengths = ring.lengths;
+  const double small = kPoleShare * *std::max_element(lengths.begin(), lengths.end());
+  const std::size_t last = lengths.size() - 1;
+  if (lengths[0] <= small) ring.poles.push_back(0);
+  for (std::size_t i = 1; i < last; ++i) {
+    const double before = lengths[i - 1], after = lengths[i + 1];
+    if (lengths[i] > std::min(before, after) || lengths[i] == after ||
+        lengths[i] > kShareBesidePole * (before + after)) {
+      continue;
+    }
+    double low = static_cast<double>(i - 1), high = static_cast<double>(i + 1);
+    for (int k = 0; k < kBisections; ++k) {
+      const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+      const bool is_first = line_length(parameter_at(ring, a)) < line_length(parameter_at(ring, b));
+      (is_first ? high : low) = is_first ? b : a;
+    }
+    const double line = 0.5 * (low + high);
+    if (line_length(parameter_at(ring, line)) > small) continue;
+    ring.poles.push_back(interpolate(ring.distances, line));
   }
-}
-
-/// The value at a fractional index.
-double interpolate(const std::vector<double>& values, double at) {
-  const double last = static_cast<double>(values.size() - 1);
-  const auto i = static_cast<std::size_t>(std::clamp(at, 0.0, last - 1));
-  const double share = at - static_cast<double>(i);
-  return (1 - share) * values[i] + share * values[i + 1];
-}
-
-/// The fractional index at which growing values reach `value`.
-double find(const std::vector<double>& values, double value) {
-  const auto above = std::upper_bound(values.begin() + 1, values.end() - 1, value);
-  const double low = *(above - 1), high = *above;
-  const double share = high > low ? (value - low) / (high - low) : 0;
-  return static_cast<double>(above - 1 - values.begin()) + share;
+  if (lengths[last] <= small) ring.poles.push_back(ring.distances.back());
 }
 
 }  // namespace
@@ -225,11 +256,15 @@ double Ring::length_at(Uv uv, double element_length) const {
   const double coordinate = is_along_u ? uv.v : uv.u;
   if (coordinate < from || coordinate > to) return std::numeric_limits<double>::infinity();
   double at = (coordinate - from) / (to - from) * static_cast<double>(lengths.size() - 1);
-  if (starts_at_pole || ends_at_pole) {
+  if (!poles.empty()) {
     const double whole = distances.back();
+    const double reach = std::min(element_length, 0.5 * whole);
     double distance = interpolate(distances, at);
-    if (starts_at_pole) distance = std::max(distance, std::min(element_length, 0.5 * whole));
-    if (ends_at_pole) distance = std::min(distance, whole - std::min(element_length, 0.5 * whole));
+    for (const double pole : poles) {
+      if (std::abs(distance - pole) >= reach) continue;
+      const bool is_after = distance > pole || pole == 0;
+      distance = std::clamp(is_after ? pole + reach : pole - reach, 0.0, whole);
+    }
     at = find(distances, distance);
   }
   return interpolate(lengths, at);
@@ -250,7 +285,6 @@ std::vector<Ring> short_rings(const Model& model, int patch, const SizeBounds& b
     if (std::any_of(rings.begin(), rings.end(), is_same)) continue;
     const double least = *std::min_element(ring.lengths.begin(), ring.lengths.end());
     if (least >= kUnitsAround * bounds.hmax) continue;
-    mark_poles(model, own, ring);
     rings.push_back(std::move(ring));
   }
   return rings;

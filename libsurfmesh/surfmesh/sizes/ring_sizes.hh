@@ -14,11 +14,9 @@ struct Ring {
   bool is_along_u = true;  ///< the lines are those of constant v
   double from = 0;         ///< of the other parameter: the tube runs along it
   double to = 0;
-  std::vector<double> lengths;  ///< at equal steps between these, at least two; model units
-  /// Distances of these lines from the first one, along the patch.
-  std::vector<double> distances = {};
-  bool starts_at_pole = false;  ///< the first line is one point
-  bool ends_at_pole = false;    ///< the last line is one point
+  std::vector<double> lengths;         ///< at equal steps between these, at least two; model units
+  std::vector<double> distances = {};  ///< of these lines from the first one, along the patch
+  std::vector<double> poles = {};      ///< distances at which the line is one point
 
   /// The length of the line through a point; infinite beside the tube. Near a pole, that of the
   /// line as far from it as an element is long, for the triangles up to there meet in the pole.
