@@ -71,7 +71,9 @@ std::string placeholder(const Option& option) {
     text += word;
   };
   if (!number) {
-    for (const std::string_view word : option.words()) add(word);
+    for (const std::string_view word : option.words()) {
+      if (word != "true" && word != "false") add(word);
+    }
     add("LENGTH");
     return text;
   }
@@ -109,7 +111,13 @@ bool is_switch(const Option& option) {
   return number && number->range->is_switch();
 }
 
-/// A switch has a value, too: see with_switch_values.
+/// True for options that may stand alone, which is "on": switches, and lengths that know the word.
+bool may_stand_alone(const Option& option) {
+  const auto* length = std::get_if<LengthAccess>(&option.access);
+  return is_switch(option) || (length && length->range->on > 0);
+}
+
+/// Such an option has a value, too: see with_switch_values.
 CLI::Option* add_flag(CLI::App& command, Settings& settings, const Option& option) {
   const std::string name(option.name());
   CLI::Option* flag = command.add_option_function<std::string>(
@@ -131,8 +139,10 @@ std::pair<std::string, std::string> split_setting(const std::string& text) {
   return {text.substr(0, mark), text.substr(mark + 1)};
 }
 
-/// True for what may be meant as the value of a switch, not for options and files.
-bool is_value(const std::string& argument) {
+/// True for what may be meant as the value of an option that may stand alone, not for options and
+/// files.
+bool is_value(const std::string& argument, const Option& option) {
+  if (!is_switch(option)) return fault_of(std::string(option.name()), argument).empty();
   return !argument.starts_with('-') && argument.find_first_of("./") == std::string::npos;
 }
 
@@ -182,10 +192,10 @@ std::vector<std::string> with_switch_values(std::vector<std::string> arguments) 
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const auto& table = option_table();
     const auto option = std::find_if(table.begin(), table.end(), [&](const Option& o) {
-      return is_switch(o) && flag_of(o) == arguments[i];
+      return may_stand_alone(o) && flag_of(o) == arguments[i];
     });
     if (option == table.end()) continue;
-    const bool has_value = i + 1 < arguments.size() && is_value(arguments[i + 1]);
+    const bool has_value = i + 1 < arguments.size() && is_value(arguments[i + 1], *option);
     if (!has_value) arguments[i] += "=on";
   }
   return arguments;
@@ -194,7 +204,8 @@ std::vector<std::string> with_switch_values(std::vector<std::string> arguments) 
 CageOptions cage_options(Scheme scheme, const Settings& settings) {
   PipelineOptions options;
   for (const auto& [name, value] : settings) set_option(options, name, value);
-  return {.scheme = scheme, .patches = options.patches};
+  return {
+      .scheme = scheme, .patches = options.patches, .weld = options.weld, .orient = options.orient};
 }
 
 void add_scheme(CLI::App& command, Scheme& scheme) {

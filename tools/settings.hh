@@ -25,7 +25,8 @@ std::string fault_of(const std::string& name, const std::string& value);
 std::vector<CLI::Option*> add_flags(CLI::App& command, Settings& settings,
                                     std::span<const OptionGroup> groups);
 
-/// The arguments of a command line, with "=on" at switches before an option, a file or nothing.
+/// The arguments of a command line, with "=on" at switches, and at lengths that may be on, before
+/// an option, a file or nothing.
 std::vector<std::string> with_switch_values(std::vector<std::string> arguments);
 
 /// What the command line asks for that a cage has to be loaded with.

@@ -209,6 +209,46 @@ TEST(LoadModel, PutsTheKeyOfACageBeforeTheOptionOfTheFile) {
   EXPECT_EQ(torus_patches(R"(, "patches": "auto")", R"("patches": "faces")"), 48u);
 }
 
+/// Kinds of the notices about a cage with a turned face, in a model file with these keys for the
+/// cage and for the options.
+std::vector<NoticeKind> kinds_of_turned_face(const std::string& key, const std::string& option,
+                                             const CageOptions& given = {}) {
+  const TestFolder folder;
+  const std::filesystem::path source(SURFMESH_SOURCE_DIR);
+  write_text(folder / "a.json", R"({"cages": [{"name": "a", "file": ")" +
+                                    (source / "tests/pipeline/turned_face.obj").string() + "\"" +
+                                    key + R"(}], "options": {)" + option + "}}");
+  std::vector<NoticeKind> kinds;
+  for (const Notice& notice : load_model(folder / "a.json", given).model.notices) {
+    kinds.push_back(notice.kind);
+  }
+  return kinds;
+}
+
+TEST(LoadModel, MendsCagesAsTheyAskForIt) {
+  const std::vector told = {NoticeKind::TurnedFaces}, mended = {NoticeKind::IgnoredInput};
+  EXPECT_EQ(kinds_of_turned_face("", ""), told);
+  EXPECT_EQ(kinds_of_turned_face(R"(, "orient": true)", ""), mended);
+  EXPECT_EQ(kinds_of_turned_face("", R"("orient": true)"), mended);
+  EXPECT_EQ(kinds_of_turned_face(R"(, "orient": false)", R"("orient": true)"), told);
+  EXPECT_EQ(kinds_of_turned_face(R"(, "orient": true)", "", {.orient = false}), told);
+  const std::vector welded = {NoticeKind::IgnoredInput, NoticeKind::TurnedFaces};
+  EXPECT_EQ(kinds_of_turned_face(R"(, "weld": true)", ""), told);
+  EXPECT_EQ(kinds_of_turned_face(R"(, "weld": 2)", "").front(), welded.front());
+  EXPECT_EQ(kinds_of_turned_face("", R"("weld": "60%")").front(), welded.front());
+  EXPECT_EQ(kinds_of_turned_face(R"(, "weld": false)", R"("weld": 2)"), told);
+  EXPECT_EQ(kinds_of_turned_face(R"(, "weld": 2)", "", {.weld = Length()}), told);
+}
+
+TEST(LoadModel, RefusesToMendWhereThereIsNoCage) {
+  EXPECT_NE(fault(own_model("wave.json"), {.weld = Length::units(1)})
+                .find("only cages have vertices to weld"),
+            std::string::npos);
+  EXPECT_NE(fault(own_model("wave.json"), {.orient = true}).find("only cages have faces to orient"),
+            std::string::npos);
+  EXPECT_EQ(fault(own_model("wave.json"), {.weld = Length(), .orient = false}), "no error");
+}
+
 TEST(LoadModel, NamesThePlaceOfABadCage) {
   const TestFolder folder;
   const std::string place = (folder / "a.json").string() + ": /cages/";

@@ -57,6 +57,8 @@ const std::map<std::string_view, Case> kCases = {
     {"smoothing", {"off"}},
     {"repairs", {"off"}},
     {"patches", {"faces", "torus.obj"}},
+    {"weld", {"15%", "torus.obj"}},
+    {"orient", {"on", "../tests/pipeline/turned_face.obj"}},
     {"quads", {"on"}},
     {"threads", {"1"}},
     {"max_elements", {"10"}},
@@ -69,7 +71,8 @@ std::string outcome(const Case& example, const Settings& settings) {
     PipelineOptions asked;
     for (const auto& [name, value] : settings) set_option(asked, name, value);
     const auto path = std::filesystem::path(SURFMESH_SOURCE_DIR) / "models" / example.model;
-    ModelInput input = load_model(path, {.patches = asked.patches});
+    ModelInput input =
+        load_model(path, {.patches = asked.patches, .weld = asked.weld, .orient = asked.orient});
     for (const auto& [name, value] : settings) set_option(input.options, name, value);
     const auto meshed = mesh_model(input.model, input.sources, input.options);
     for (const auto face : meshed.mesh.faces()) {

@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <span>
 #include <utility>
 
 #include "surfmesh/cage/block_surface.hh"
 #include "surfmesh/cage/gather_blocks.hh"
+#include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/cage/refine_cage.hh"
 #include "surfmesh/cage/subdivision.hh"
 #include "surfmesh/core/error.hh"
@@ -215,7 +217,8 @@ class ModelBuilder {
   std::vector<int> first_edge_;  ///< of each contour
 };
 
-void add_groups(const Cage& cage, Model& model) {
+/// `stand_ins` has for each face of the cage the one whose patches it has; -1 for none.
+void add_groups(const Cage& cage, const std::vector<int>& stand_ins, Model& model) {
   std::vector<std::vector<int>> patches_of(cage.faces.size());
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
     for (const int face : model.patches[p].cage_faces) {
@@ -232,7 +235,9 @@ void add_groups(const Cage& cage, Model& model) {
                     fmt::format("group {} names face {}, which does not exist", group.name, face)));
         continue;
       }
-      for (const int patch : patches_of[static_cast<std::size_t>(face)]) {
+      const int stand_in = stand_ins[static_cast<std::size_t>(face)];
+      if (stand_in < 0) continue;
+      for (const int patch : patches_of[static_cast<std::size_t>(stand_in)]) {
         if (!std::exchange(is_in[static_cast<std::size_t>(patch)], char{1})) {
           set.patches.push_back(patch);
         }
@@ -367,11 +372,28 @@ void check_area(const Model& model, const Cage& cage) {
   throw Error(ErrorCode::Geometry, "the points of the cage lie on a line: its surface has no area");
 }
 
+MendOptions mend_options(const Cage& cage, const CageOptions& options) {
+  MendOptions mend;
+  if (options.weld && options.weld->value != 0) {
+    check_option(ranges::kWeld, options.weld);
+    mend.weld = options.weld->in_units(diagonal(cage));
+  }
+  mend.orient = options.orient.value_or(false);
+  return mend;
+}
+
 }  // namespace
 
 Model model_from_cage(const Cage& cage, const CageOptions& options) {
-  const Scheme scheme = resolve_scheme(cage, options.scheme);
-  Model model = model_of_blocks(make_regular(cage, scheme), scheme, options);
+  MendedCage mended = mend_cage(cage, mend_options(cage, options));
+  const Scheme scheme = resolve_scheme(mended.cage, options.scheme);
+  RefinedCage regular = make_regular(mended.cage, scheme);
+  for (int& parent : regular.parent_faces) {
+    parent = mended.parent_faces[static_cast<std::size_t>(parent)];
+  }
+  Model model = model_of_blocks(regular, scheme, options);
+  model.notices.insert(model.notices.begin(), std::make_move_iterator(mended.notices.begin()),
+                       std::make_move_iterator(mended.notices.end()));
   if (model.patches.empty()) {
     throw Error(ErrorCode::InvalidInput,
                 "no face of the cage has a limit surface: all are holes or, by the boundary rule "
@@ -384,7 +406,7 @@ Model model_from_cage(const Cage& cage, const CageOptions& options) {
   if (options.patches == PatchKind::Blocks && !has_blocks(options.patches, scheme)) {
     warn_of_faces(model);
   }
-  add_groups(cage, model);
+  add_groups(cage, mended.stand_ins, model);
   return model;
 }
 

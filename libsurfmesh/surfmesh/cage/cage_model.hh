@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "surfmesh/cage/cage.hh"
+#include "surfmesh/core/length.hh"
 #include "surfmesh/model/model.hh"
 
 namespace surfmesh {
@@ -14,6 +17,10 @@ struct CageOptions {
   Scheme scheme = Scheme::Auto;  ///< subdivision scheme
   int approximation_level = 8;   ///< 1 to 10, see make_limit_surfaces
   PatchKind patches = PatchKind::Auto;
+  /// Vertices of the cage become one within this distance, of which shares are those of the cage's
+  /// diagonal; 0 is off, and so is unset.
+  std::optional<Length> weld = {};
+  std::optional<bool> orient = {};  ///< turn faces to agree with their neighbours; unset is off
 };
 
 /// Make a model of the limit surface of a cage. Each block of faces becomes a patch, and model
@@ -37,7 +44,8 @@ struct CageOptions {
 /// faces. A contour is named e<vertex>-<vertex> after the vertices of the cage or of the refined
 /// cage; one of several edges is named e<vertex>-<vertex>..<vertex> after its first edge and its
 /// last vertex. Each group of the cage becomes a group of the model. Notices are about tags that
-/// make no sense and are ignored; those of the cage itself are not repeated.
+/// make no sense and are ignored, and about cages that are not what they seem (see mend_cage);
+/// those of the cage itself are not repeated.
 ///
 /// Cost     a few milliseconds for 1,000 faces, in addition to the limit surfaces
 /// Error    see make_limit_surfaces; uses of a contour agree to 1e-9 of the cage's diagonal (test

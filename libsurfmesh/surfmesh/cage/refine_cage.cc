@@ -5,27 +5,17 @@
 #include <opensubdiv/far/primvarRefiner.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
+#include "surfmesh/cage/primvar.hh"
 #include "surfmesh/cage/subdivision.hh"
+#include "surfmesh/cage/take_faces.hh"
 #include "surfmesh/core/error.hh"
 
 namespace surfmesh {
 namespace {
 
 namespace Far = OpenSubdiv::Far;
-
-/// Mark of a face that is left out, no index that a tag could have.
-constexpr int kLeftOut = std::numeric_limits<int>::min();
-
-/// A point as OpenSubdiv's interpolation wants it.
-struct Primvar {
-  Vec3 point = Vec3::Zero();
-
-  void Clear() { point.setZero(); }
-  void AddWithWeight(const Primvar& other, double weight) { point += weight * other.point; }
-};
 
 std::vector<Vec3> refine_points(const Far::TopologyRefiner& refiner,
                                 const std::vector<Vec3>& points) {
@@ -77,34 +67,19 @@ void copy_groups(const Cage& coarse, RefinedCage& refined) {
 
 /// Leave out the faces that are not simple, and with them their tags and places in groups.
 RefinedCage leave_out_faces(const Cage& cage) {
-  RefinedCage result{cage, {}, false, {}};
-  result.cage.faces.clear();
-  std::vector<int> index(cage.faces.size(), -1);
-  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
-    if (!is_simple(cage.faces[f])) {
-      result.notices.push_back(warning(
-          NoticeKind::IgnoredInput,
-          fmt::format("face {} comes back to a vertex, or has fewer than three different ones; it "
-                      "is left out",
-                      f)));
-      continue;
-    }
-    index[f] = static_cast<int>(result.cage.faces.size());
-    result.cage.faces.push_back(cage.faces[f]);
-    result.parent_faces.push_back(static_cast<int>(f));
+  RefinedCage result;
+  std::vector<int> stand_ins;
+  for (int f = 0; static_cast<std::size_t>(f) < cage.faces.size(); ++f) {
+    stand_ins.push_back(is_simple(cage.faces[static_cast<std::size_t>(f)]) ? f : -1);
+    if (stand_ins.back() == f) continue;
+    result.notices.push_back(warning(
+        NoticeKind::IgnoredInput,
+        fmt::format("face {} comes back to a vertex, or has fewer than three different ones; it "
+                    "is left out",
+                    f)));
   }
-  const auto renumber = [&index](std::vector<int>& faces) {
-    // Indices out of range stay so, for others to warn of.
-    for (int& face : faces) {
-      if (face >= 0 && static_cast<std::size_t>(face) < index.size()) {
-        face = index[static_cast<std::size_t>(face)];
-        if (face < 0) face = kLeftOut;
-      }
-    }
-    std::erase(faces, kLeftOut);
-  };
-  renumber(result.cage.holes);
-  for (Cage::FaceGroup& group : result.cage.groups) renumber(group.faces);
+  result.parent_faces = taken_faces(stand_ins);
+  result.cage = take_faces(cage, stand_ins);
   return result;
 }
 

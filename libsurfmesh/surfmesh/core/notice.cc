@@ -28,6 +28,16 @@ std::string_view name(NoticeKind kind) {
       return "ignored_input";
     case NoticeKind::UnjoinedSides:
       return "unjoined_sides";
+    case NoticeKind::TurnedFaces:
+      return "turned_faces";
+    case NoticeKind::OpenSeams:
+      return "open_seams";
+    case NoticeKind::RepeatedFaces:
+      return "repeated_faces";
+    case NoticeKind::FlatFaces:
+      return "flat_faces";
+    case NoticeKind::FineCage:
+      return "fine_cage";
     case NoticeKind::TurnedLoop:
       return "turned_loop";
     case NoticeKind::NarrowGap:
@@ -64,6 +74,10 @@ std::string_view name(NoticeKind kind) {
 
 std::string_view name(Severity severity) {
   return severity == Severity::Warning ? "warning" : "shortfall";
+}
+
+std::string point_text(const Vec3& point) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", point.x(), point.y(), point.z());
 }
 
 void append(Notices more, Notices& notices) {

@@ -16,6 +16,11 @@ namespace surfmesh {
 enum class NoticeKind {
   IgnoredInput,     ///< a part of a file or cage is ignored, left out or mended
   UnjoinedSides,    ///< contours run along each other but are not joined
+  TurnedFaces,      ///< faces of a cage pass an edge in the same direction as their neighbours
+  OpenSeams,        ///< open edges of a cage lie on others, but have vertices of their own
+  RepeatedFaces,    ///< faces of a cage are given more than once
+  FlatFaces,        ///< faces of a cage have sides without length
+  FineCage,         ///< faces of a cage are smaller than the elements asked for
   TurnedLoop,       ///< a loop was given the wrong way round
   NarrowGap,        ///< loops nearly meet
   UnusedContour,    ///< no loop names a contour
@@ -33,7 +38,7 @@ enum class NoticeKind {
   BrokenPromise,    ///< the mesh is not as the model promises
 };
 
-inline constexpr std::size_t kNoticeKinds = 17;
+inline constexpr std::size_t kNoticeKinds = 22;
 
 /// The name of a kind in reports: "ignored_input", "turned_triangles", ...
 std::string_view name(NoticeKind kind);
@@ -67,6 +72,9 @@ inline Notice warning(NoticeKind kind, std::string text) {
 inline Notice shortfall(NoticeKind kind, std::string text) {
   return {.kind = kind, .severity = Severity::Shortfall, .text = std::move(text)};
 }
+
+/// A point as written in messages: "(1, 2.5, 0)".
+std::string point_text(const Vec3& point);
 
 /// Add notices at the end. One with the kind and text of an earlier one only adds to its count.
 void append(Notices more, Notices& notices);

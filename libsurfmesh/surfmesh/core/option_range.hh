@@ -136,6 +136,7 @@ inline constexpr OptionRange kSmoothing = {"smoothing", words::kSweeps, 1,
                                            kMostPasses, false,          true};
 inline constexpr OptionRange kRepairs = {"repairs", words::kOff, 1, kMostPasses, false, true};
 inline constexpr OptionRange kPatches = {"patches", words::kPatches};
+inline constexpr OptionRange kOrient = {"orient", words::kSwitch};
 inline constexpr OptionRange kQuads = {"quads", words::kOffYet};
 inline constexpr OptionRange kThreads = {"threads", words::kAll, 1, kMostThreads, false, true};
 inline constexpr OptionRange kMaxElements = {"max_elements", {}, 1, kMostElements, false, true};

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/length.hh"
 #include "surfmesh/formula/formula.hh"
-#include "surfmesh/sizes/length.hh"
 
 namespace surfmesh {
 namespace {

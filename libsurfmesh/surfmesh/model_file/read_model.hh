@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,8 @@ struct CageInput {
   std::filesystem::path file;
   Scheme scheme = Scheme::Auto;
   PatchKind patches = PatchKind::Auto;
+  std::optional<Length> weld = {};  ///< 0 is off
+  std::optional<bool> orient = {};
   std::string origin;  ///< JSON pointer
 };
 

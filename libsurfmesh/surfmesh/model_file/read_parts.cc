@@ -9,6 +9,7 @@
 #include <set>
 #include <string_view>
 
+#include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/formula/formula_curve.hh"
 #include "surfmesh/io/nearest_word.hh"
@@ -43,8 +44,14 @@ PatchKind read_patch_kind(const JsonNode& node) {
   node.fail("must be faces, blocks or auto");
 }
 
+/// A length above 0, true for the usual one, or false.
+Length read_weld(const JsonNode& node) {
+  if (!node.json().is_boolean()) return read_length(node);
+  return node.boolean() ? Length::share(ranges::kWeld.on) : Length();
+}
+
 CageInput read_cage_input(const JsonNode& node, const std::filesystem::path& folder) {
-  node.expect_keys({"name", "file", "scheme", "patches"});
+  node.expect_keys({"name", "file", "scheme", "patches", "weld", "orient"});
   CageInput cage;
   cage.name = read_name(node.at("name"));
   const std::string file = node.at("file").text();
@@ -52,6 +59,8 @@ CageInput read_cage_input(const JsonNode& node, const std::filesystem::path& fol
   cage.file = folder / file;
   if (const auto scheme = node.find("scheme")) cage.scheme = read_scheme(*scheme);
   if (const auto patches = node.find("patches")) cage.patches = read_patch_kind(*patches);
+  if (const auto weld = node.find("weld")) cage.weld = read_weld(*weld);
+  if (const auto orient = node.find("orient")) cage.orient = orient->boolean();
   cage.origin = node.pointer();
   return cage;
 }

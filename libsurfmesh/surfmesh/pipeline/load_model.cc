@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -10,8 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/core/at_location.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/length.hh"
 #include "surfmesh/formats/mesh_endings.hh"
 #include "surfmesh/formats/read_cage.hh"
 #include "surfmesh/io/input_file.hh"
@@ -21,7 +24,6 @@
 #include "surfmesh/model_file/read_model.hh"
 #include "surfmesh/pipeline/option_table.hh"
 #include "surfmesh/pipeline/set_option.hh"
-#include "surfmesh/sizes/length.hh"
 
 namespace surfmesh {
 namespace {
@@ -46,6 +48,8 @@ ModelInput load_cage(const std::filesystem::path& path, const CageOptions& cage_
   for (Notice& notice : notices) notice.text.insert(0, path.string() + ": ");
   notices.insert(notices.begin(), cage.notices.begin(), cage.notices.end());
   input.options.patches = cage_options.patches;
+  input.options.weld = cage_options.weld;
+  input.options.orient = cage_options.orient;
   return input;
 }
 
@@ -95,26 +99,43 @@ PipelineOptions file_options(const ModelFile& file, const std::string& name) {
 
 /// What is asked for from outside comes first, then what a cage names itself, then what the file
 /// has in its options.
-CageOptions options_of(const CageInput& input, const CageOptions& given, PatchKind of_file) {
+CageOptions options_of(const CageInput& input, const CageOptions& given,
+                       const PipelineOptions& of_file) {
   CageOptions options = given;
   if (options.scheme == Scheme::Auto) options.scheme = input.scheme;
   if (options.patches == PatchKind::Auto) options.patches = input.patches;
-  if (options.patches == PatchKind::Auto) options.patches = of_file;
+  if (options.patches == PatchKind::Auto) options.patches = of_file.patches;
+  if (!options.weld) options.weld = input.weld;
+  if (!options.weld) options.weld = of_file.weld;
+  if (!options.orient) options.orient = input.orient;
+  if (!options.orient) options.orient = of_file.orient;
   return options;
 }
 
+/// True for an option of cages that leaves all as it is.
+bool is_default(const FileOption& entry) {
+  PipelineOptions options;
+  set_file_option(options, entry);
+  return get_option(options, entry.name) == get_option({}, entry.name);
+}
+
 /// Refuse options of cages, which would have no effect.
-void check_without_cages(const ModelFile& file, const std::string& name, const CageOptions& given,
-                         PatchKind of_file) {
+void check_without_cages(const ModelFile& file, const std::string& name, const CageOptions& given) {
   const auto fail = [](const std::string& location, const char* what) {
     throw Error(ErrorCode::InvalidInput, fmt::format("{}: only cages have {}", location, what));
   };
-  constexpr const char* kKinds = "faces or blocks as patches";
+  const std::map<std::string_view, const char*> options = {
+      {ranges::kPatches.name, "faces or blocks as patches"},
+      {ranges::kWeld.name, "vertices to weld"},
+      {ranges::kOrient.name, "faces to orient"}};
   if (given.scheme != Scheme::Auto) fail(name, "a subdivision scheme");
-  if (given.patches != PatchKind::Auto) fail(name, kKinds);
-  if (of_file == PatchKind::Auto) return;
+  if (given.patches != PatchKind::Auto) fail(name, options.at(ranges::kPatches.name));
+  if (given.weld && given.weld->value != 0) fail(name, options.at(ranges::kWeld.name));
+  if (given.orient.value_or(false)) fail(name, options.at(ranges::kOrient.name));
   for (const FileOption& entry : file.options) {
-    if (entry.name == ranges::kPatches.name) fail(name + ": " + entry.origin, kKinds);
+    const auto option = options.find(entry.name);
+    if (option == options.end() || is_default(entry)) continue;
+    fail(name + ": " + entry.origin, option->second);
   }
 }
 
@@ -123,7 +144,7 @@ void append_cages(const ModelFile& file, const std::string& name, const CageOpti
                   ModelInput& result) {
   Model& model = result.model;
   for (const CageInput& input : file.cages) {
-    const CageOptions options = options_of(input, given, result.options.patches);
+    const CageOptions options = options_of(input, given, result.options);
     Model cage;
     at_file(fmt::format("{}: {}/file", name, input.origin),
             [&] { cage = load_cage(input.file, options).model; });
@@ -208,7 +229,7 @@ ModelInput load_model_file(const std::filesystem::path& path, const CageOptions&
   const ModelFile file = read_model(path);
   ModelInput input;
   input.options = file_options(file, name);
-  if (file.cages.empty()) check_without_cages(file, name, cage_options, input.options.patches);
+  if (file.cages.empty()) check_without_cages(file, name, cage_options);
   if (!file.patches.empty()) {
     at_file(name, [&] { input.model = model_from_patches(file.patches, file.contours); });
     for (Notice& notice : input.model.notices) notice.text.insert(0, name + ": ");

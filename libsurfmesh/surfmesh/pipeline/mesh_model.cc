@@ -23,6 +23,7 @@
 #include "surfmesh/patch/mesh_patch.hh"
 #include "surfmesh/patch_mesh/improper_chords.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
+#include "surfmesh/pipeline/fine_cage.hh"
 #include "surfmesh/pipeline/for_each_patch.hh"
 #include "surfmesh/pipeline/patch_names.hh"
 #include "surfmesh/pipeline/reach_sag.hh"
@@ -79,6 +80,9 @@ class Run {
       fields_.push_back(surface_fields_.back().get());
     }
     estimate();
+    if (auto notice = detail::notice_of_fine_cage(model_, fields_)) {
+      report_.notices.push_back(std::move(*notice));
+    }
   }
 
   /// What would surely be too much is refused before any memory is taken for it.

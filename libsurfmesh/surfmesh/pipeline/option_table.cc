@@ -8,6 +8,7 @@
 #include <array>
 #include <type_traits>
 
+#include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/io/nearest_word.hh"
 #include "surfmesh/pipeline/set_option.hh"
@@ -44,6 +45,21 @@ constexpr LengthAccess length(const LengthRange& range, At) {
 constexpr NumberAccess kCurvature = {
     &ranges::kCurvature, [](const Options& options) { return options.sizing.curvature_factor(); },
     [](Options& options, double value) { options.sizing.curvature = value; }};
+
+/// A cage in a model file may have its own, which off from the command line beats, unset does not.
+constexpr LengthAccess kWeld = {&ranges::kWeld,
+                                [](const Options& options) -> std::optional<Length> {
+                                  return options.weld && options.weld->value != 0 ? options.weld
+                                                                                  : std::nullopt;
+                                },
+                                [](Options& options, const std::optional<Length>& value) {
+                                  options.weld = value.value_or(Length());
+                                }};
+
+constexpr NumberAccess kOrient = {
+    &ranges::kOrient,
+    [](const Options& options) { return options.orient.value_or(false) ? 1.0 : 0.0; },
+    [](Options& options, double value) { options.orient = value != 0; }};
 
 /// Not built yet: there is only off.
 constexpr NumberAccess kQuads = {&ranges::kQuads, [](const Options&) { return 0.0; },
@@ -134,6 +150,8 @@ constexpr auto kTable = std::to_array<Option>({
     {kCages, true, "", "patches of a cage: its faces, or blocks of quads (auto: blocks)",
      number(
          ranges::kPatches, [](auto& o) -> auto& { return o.patches; })},
+    {kCages, true, kLengthUnit, "distance within which vertices of a cage become one", kWeld},
+    {kCages, true, "", "faces of a cage turned to agree with their neighbours", kOrient},
     {kMeshing, false, "", "quads in place of triangles, not built yet", kQuads},
     {kMeshing, true, "threads",
      "threads; all is one for each core, and the mesh is always the same",
@@ -192,8 +210,10 @@ std::vector<std::string_view> Option::words() const {
     for (const OptionWord& word : number->range->words) {
       if (word.use != WordUse::Planned) result.push_back(word.word);
     }
-  } else if (std::get<LengthAccess>(access).range->can_be_off) {
-    result.push_back("off");
+  } else {
+    const LengthRange& range = *std::get<LengthAccess>(access).range;
+    if (range.can_be_off) result.push_back("off");
+    if (range.on > 0) result.insert(result.end(), {"on", "true", "false"});
   }
   return result;
 }

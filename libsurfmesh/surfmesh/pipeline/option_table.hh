@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include "surfmesh/core/length.hh"
 #include "surfmesh/core/option_range.hh"
 #include "surfmesh/pipeline/options.hh"
-#include "surfmesh/sizes/length.hh"
 
 namespace surfmesh {
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "surfmesh/cage/cage_model.hh"
+#include "surfmesh/core/length.hh"
 #include "surfmesh/improve/improve.hh"
 #include "surfmesh/refine/refine.hh"
 #include "surfmesh/sampling/make_control.hh"
@@ -16,8 +19,10 @@ struct PipelineOptions {
   RefineOptions refine = {};
   ImproveOptions improve = {};
   PatchKind patches =
-      PatchKind::Auto;  ///< of cages, used when a model is loaded; not used in meshing
-  int threads = 0;      ///< from 1 to 256; 0 is one per core. The mesh is always the same
+      PatchKind::Auto;              ///< of cages, used when a model is loaded; not used in meshing
+  std::optional<Length> weld = {};  ///< likewise; see CageOptions
+  std::optional<bool> orient = {};  ///< likewise
+  int threads = 0;  ///< from 1 to 256; 0 is one per core. The mesh is always the same
   std::size_t max_elements = 50'000'000;  ///< more triangles end the run with an error. Above 0
 };
 

@@ -15,9 +15,11 @@ void set(PipelineOptions& options, const NumberAccess& access, std::string_view 
   access.set(options, *value);
 }
 
-/// A length that may be off is so by 0, too.
+/// A length that may be off is so by 0, too, and where it may be on, by false.
 std::optional<Length> read_length(const LengthRange& range, std::string_view text) {
   if (range.can_be_off && (text == "off" || text == "0")) return std::nullopt;
+  if (range.on > 0 && text == "false") return std::nullopt;
+  if (range.on > 0 && (text == "on" || text == "true")) return Length::share(range.on);
   try {
     const Length length = parse_length(text);
     if (range.contains(length)) return length;

@@ -12,6 +12,7 @@
 #include <numeric>
 
 #include "surfmesh/core/disjoint_sets.hh"
+#include "surfmesh/core/notice.hh"
 #include "surfmesh/quality/facing.hh"
 
 namespace surfmesh {
@@ -335,10 +336,6 @@ class ShapeMeter {
 };
 
 }  // namespace
-
-std::string point_text(const Vec3& point) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", point.x(), point.y(), point.z());
-}
 
 FaceSetCheck check_face_set(const MeshArrays& set) { return Checker(set).run(); }
 

@@ -79,7 +79,4 @@ struct ShapeStatistics {
 /// Cost     O(corners)
 ShapeStatistics measure_shape(const MeshArrays& set);
 
-/// A point as written in messages: "(1, 2.5, 0)".
-std::string point_text(const Vec3& point);
-
 }  // namespace surfmesh

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/length.hh"
 #include "surfmesh/core/option_range.hh"
-#include "surfmesh/sizes/length.hh"
 
 namespace surfmesh {
 namespace {

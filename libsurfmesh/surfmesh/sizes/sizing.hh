@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "surfmesh/core/interval.hh"
+#include "surfmesh/core/length.hh"
 #include "surfmesh/core/values.hh"
 #include "surfmesh/geometry/curve.hh"
-#include "surfmesh/sizes/length.hh"
 
 namespace surfmesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surfmesh/sizes/length.hh"
+#include "surfmesh/core/length.hh"
 
 #include <fmt/format.h>
 
@@ -93,8 +93,9 @@ bool LengthRange::contains(const std::optional<Length>& length) const {
 }
 
 std::string to_text(const LengthRange& range) {
-  return fmt::format("{}a length above 0 in model units, or a share of the diagonal up to 100%",
-                     range.can_be_off ? "off, " : "");
+  return fmt::format("{}{}a length above 0 in model units, or a share of the diagonal up to 100%",
+                     range.can_be_off ? "off, " : "",
+                     range.on > 0 ? fmt::format("on ({}), ", percent_text(range.on)) : "");
 }
 
 std::string to_text(const std::optional<Length>& length) {

@@ -48,11 +48,12 @@ std::string to_text(const Length& length);
 struct LengthRange {
   std::string_view name;
   bool can_be_off = false;
+  double on = 0;  ///< the share of the diagonal that the word "on" stands for; 0: no such word
 
   bool contains(const std::optional<Length>& length) const;
 };
 
-/// "off, a length above 0 in model units, or a share of the diagonal up to 100%".
+/// "off, on (0.01%), a length above 0 in model units, or a share of the diagonal up to 100%".
 std::string to_text(const LengthRange& range);
 
 /// A length as it is shown; "off" for none.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surfmesh/sizes/length.hh"
+#include "surfmesh/core/length.hh"
 
 #include <gtest/gtest.h>
 

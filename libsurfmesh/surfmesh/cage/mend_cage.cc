@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/cage/mend_cage.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "surfmesh/cage/cage_copies.hh"
+#include "surfmesh/cage/coincident_points.hh"
+#include "surfmesh/cage/open_seams.hh"
+#include "surfmesh/cage/take_faces.hh"
+#include "surfmesh/cage/turned_faces.hh"
+#include "surfmesh/cage/weld_cage.hh"
+
+namespace surfmesh {
+namespace {
+
+/// A side is without length below this share of the diagonal: coordinates of 16 digits, after some
+/// arithmetic.
+constexpr double kNoLength = 1e-12;
+
+/// The tolerance that is advised for a gap is a little larger, to survive its rounding in print.
+constexpr double kAdvisedTolerance = 1.2;
+
+/// "1 face", "3 faces".
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+class Mender {
+ public:
+  Mender(const Cage& cage, const MendOptions& options)
+      : options_(options), diagonal_(diagonal(cage)) {
+    result_.cage = cage;
+    result_.stand_ins.resize(cage.faces.size());
+    std::iota(result_.stand_ins.begin(), result_.stand_ins.end(), 0);
+  }
+
+  MendedCage run() {
+    if (options_.weld > 0) weld_vertices();
+    leave_out_copies();
+    tell_open_seams();
+    tell_flat_faces();
+    look_at_turned_faces();
+    result_.parent_faces = taken_faces(result_.stand_ins);
+    if (result_.parent_faces.size() < faces().size()) {
+      result_.cage = take_faces(result_.cage, result_.stand_ins);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  std::vector<std::vector<int>>& faces() { return result_.cage.faces; }
+  std::vector<int>& face(int f) { return faces()[static_cast<std::size_t>(f)]; }
+  const Vec3& point(int vertex) const {
+    return result_.cage.points[static_cast<std::size_t>(vertex)];
+  }
+
+  Vec3 middle_of(int f) {
+    Vec3 sum = Vec3::Zero();
+    for (const int vertex : face(f)) sum += point(vertex);
+    return sum / static_cast<double>(face(f).size());
+  }
+
+  void tell(NoticeKind kind, const Vec3& at, std::string text) {
+    Notice notice = warning(kind, std::move(text));
+    notice.point = at;
+    result_.notices.push_back(std::move(notice));
+  }
+
+  void weld_vertices() {
+    const auto stand_ins = coincident_points(result_.cage.points, options_.weld);
+    const WeldReport report = weld(result_.cage, stand_ins);
+    for (const int f : report.collapsed) result_.stand_ins[static_cast<std::size_t>(f)] = -1;
+    if (report.vertices.empty()) return;
+    const Vec3& at = point(report.onto[0]);
+    std::string text =
+        fmt::format("welded {} onto others, the first: vertex {} onto vertex {} at {}",
+                    counted(report.vertices.size(), "vertex", "vertices"), report.vertices[0],
+                    report.onto[0], point_text(at));
+    if (!report.collapsed.empty()) {
+      text += fmt::format("; left out {} of no area then, the first: face {}",
+                          counted(report.collapsed.size(), "face", "faces"), report.collapsed[0]);
+    }
+    tell(NoticeKind::IgnoredInput, at, std::move(text));
+  }
+
+  void leave_out_copies() {
+    const std::vector<int> kept = find_copies(faces());
+    std::size_t count = 0;
+    int first = -1;
+    for (int f = 0; static_cast<std::size_t>(f) < kept.size(); ++f) {
+      if (kept[static_cast<std::size_t>(f)] == f) continue;
+      if (count++ == 0) first = f;
+      result_.stand_ins[static_cast<std::size_t>(f)] = kept[static_cast<std::size_t>(f)];
+    }
+    if (count == 0) return;
+    const Vec3 at = middle_of(first);
+    tell(NoticeKind::RepeatedFaces, at,
+         fmt::format("left out {} given again, the first: face {}, the same as face {} at {}",
+                     counted(count, "face", "faces"), first, kept[static_cast<std::size_t>(first)],
+                     point_text(at)));
+    for (std::size_t f = 0; f < kept.size(); ++f) {
+      if (kept[f] != static_cast<int>(f)) faces()[f].clear();
+    }
+  }
+
+  void tell_open_seams() {
+    const double tolerance = ranges::kWeld.on * diagonal_;
+    const OpenSeams seams = find_open_seams(result_.cage, tolerance);
+    if (seams.edges == 0) return;
+    const std::string flag = seams.gap <= tolerance
+                                 ? "--weld"
+                                 : fmt::format("--weld {:.2g}", kAdvisedTolerance * seams.gap);
+    const Vec3 at = 0.5 * (point(seams.first[0]) + point(seams.first[1]));
+    tell(NoticeKind::OpenSeams, at,
+         fmt::format("{} on others, but with vertices of their own, the first: edge {}-{} at {}; "
+                     "the surface is open there, {} joins them",
+                     counted(seams.edges, "open edge lies", "open edges lie"), seams.first[0],
+                     seams.first[1], point_text(at), flag));
+  }
+
+  bool is_flat(const std::vector<int>& face) const {
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const int a = face[i], b = face[(i + 1) % face.size()];
+      if (a != b && (point(a) - point(b)).norm() <= kNoLength * diagonal_) return true;
+    }
+    return false;
+  }
+
+  void tell_flat_faces() {
+    const auto flat = [this](const std::vector<int>& face) { return is_flat(face); };
+    const auto first = std::find_if(faces().begin(), faces().end(), flat);
+    if (first == faces().end()) return;
+    const int f = static_cast<int>(first - faces().begin());
+    const Vec3 at = middle_of(f);
+    tell(
+        NoticeKind::FlatFaces, at,
+        fmt::format("{} sides between vertices in the same place, the first: face {} at {}; --weld "
+                    "removes these sides",
+                    counted(static_cast<std::size_t>(std::count_if(first, faces().end(), flat)),
+                            "face has", "faces have"),
+                    f, point_text(at)));
+  }
+
+  void look_at_turned_faces() {
+    const std::vector<char> is_turned = turned_faces(faces());
+    const auto first = std::find(is_turned.begin(), is_turned.end(), 1);
+    if (first == is_turned.end()) return;
+    const int f = static_cast<int>(first - is_turned.begin());
+    const Vec3 at = middle_of(f);
+    const std::string where = fmt::format("the first: face {} at {}", f, point_text(at));
+    const auto count = static_cast<std::size_t>(std::count(first, is_turned.end(), 1));
+    if (options_.orient) {
+      for (std::size_t i = 0; i < is_turned.size(); ++i) {
+        if (is_turned[i]) std::reverse(faces()[i].begin() + 1, faces()[i].end());
+      }
+      tell(NoticeKind::IgnoredInput, at,
+           fmt::format("turned {} to agree with {} neighbours, {}", counted(count, "face", "faces"),
+                       count == 1 ? "its" : "their", where));
+    } else {
+      tell(NoticeKind::TurnedFaces, at,
+           fmt::format(
+               "{} turned against {} neighbours, {}; the surface has creases there, --orient "
+               "turns back what is turned",
+               counted(count, "face is", "faces are"), count == 1 ? "its" : "their", where));
+    }
+  }
+
+  MendOptions options_;
+  double diagonal_;
+  MendedCage result_;
+};
+
+}  // namespace
+
+MendedCage mend_cage(const Cage& cage, const MendOptions& options) {
+  check_ranges(cage);
+  return Mender(cage, options).run();
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cages that are not what they seem.
+#include "surfmesh/cage/mend_cage.hh"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "cage/cages.hh"
+#include "support/errors.hh"
+#include "surfmesh/cage/cage_model.hh"
+#include "surfmesh/cage/coincident_points.hh"
+#include "surfmesh/cage/turned_faces.hh"
+
+namespace surfmesh {
+namespace {
+
+/// The same faces with vertices of their own.
+Cage split(const Cage& cage) {
+  Cage result;
+  for (const std::vector<int>& face : cage.faces) {
+    std::vector<int>& own = result.faces.emplace_back();
+    for (const int vertex : face) {
+      own.push_back(static_cast<int>(result.points.size()));
+      result.points.push_back(cage.points[static_cast<std::size_t>(vertex)]);
+    }
+  }
+  return result;
+}
+
+Cage turned(Cage cage, const std::vector<std::size_t>& faces) {
+  for (const std::size_t f : faces) std::reverse(cage.faces[f].begin() + 1, cage.faces[f].end());
+  return cage;
+}
+
+Cage with_face(Cage cage, std::vector<int> face) {
+  cage.faces.push_back(std::move(face));
+  return cage;
+}
+
+/// The kind of the only notice; fails if there is not exactly one with a place.
+NoticeKind only_kind(const Notices& notices) {
+  EXPECT_EQ(notices.size(), 1U);
+  if (notices.empty()) return NoticeKind::BrokenPromise;
+  EXPECT_TRUE(notices[0].point.has_value()) << notices[0].text;
+  return notices[0].kind;
+}
+
+/// Edges of one face, and of three or more.
+std::size_t edges_of_other_than_two_faces(const Model& model) {
+  return static_cast<std::size_t>(
+      std::count_if(model.contours.begin(), model.contours.end(),
+                    [](const Contour& contour) { return contour.uses.size() != 2; }));
+}
+
+/// The limit surface at corners of the first patch, to tell surfaces from each other.
+Vec3 middle_of_first(const Model& model) {
+  return model.patches[0].surface->evaluate({0.5, 0.5}, Order::Position).point;
+}
+
+TEST(MendCage, LeavesGoodCagesAlone) {
+  for (const Cage& cage : {testing::cube(), testing::torus(), testing::mobius_strip(10, 2),
+                           testing::prism(16), testing::sheet(4, 4)}) {
+    const MendedCage mended = mend_cage(cage, {.weld = 1e-6, .orient = true});
+    EXPECT_EQ(mended.cage.faces, cage.faces);
+    EXPECT_TRUE(mended.notices.empty()) << mended.notices[0].text;
+  }
+}
+
+TEST(MendCage, TellsTurnedFacesAndTurnsThem) {
+  const Cage cage = turned(testing::cube(), {2, 5});
+  const Notices told = mend_cage(cage).notices;
+  EXPECT_EQ(only_kind(told), NoticeKind::TurnedFaces);
+  EXPECT_TRUE(told[0].text.starts_with(
+      "2 faces are turned against their neighbours, the first: face 2 at (0, -1, 0)"))
+      << told[0].text;
+  const MendedCage mended = mend_cage(cage, {.orient = true});
+  EXPECT_EQ(mended.cage.faces, testing::cube().faces);
+  EXPECT_EQ(only_kind(mended.notices), NoticeKind::IgnoredInput);
+}
+
+TEST(MendCage, GivesTheSurfaceOfTheCageThatWasMeant) {
+  const Cage cage = turned(testing::cube(), {5});
+  const Vec3 wanted = middle_of_first(model_from_cage(testing::cube()));
+  EXPECT_GT((middle_of_first(model_from_cage(cage)) - wanted).norm(), 0.01);
+  EXPECT_EQ(middle_of_first(model_from_cage(cage, {.orient = true})), wanted);
+  const Model split_model = model_from_cage(split(testing::cube()));
+  EXPECT_GT((middle_of_first(split_model) - wanted).norm(), 0.01);
+  const Model welded =
+      model_from_cage(split(testing::cube()), {.weld = Length::share(ranges::kWeld.on)});
+  EXPECT_LT((middle_of_first(welded) - wanted).norm(), 1e-14);
+  EXPECT_EQ(edges_of_other_than_two_faces(welded), 0U);
+}
+
+TEST(MendCage, TellsVerticesThatAreNotWelded) {
+  const Cage cage = split(testing::cube());
+  const Notices told = mend_cage(cage).notices;
+  EXPECT_EQ(only_kind(told), NoticeKind::OpenSeams);
+  EXPECT_TRUE(told[0].text.starts_with("24 open edges lie on others")) << told[0].text;
+  EXPECT_NE(told[0].text.find("--weld joins them"), std::string::npos) << told[0].text;
+  const MendedCage mended = mend_cage(cage, {.weld = 1e-9});
+  EXPECT_EQ(only_kind(mended.notices), NoticeKind::IgnoredInput);
+  EXPECT_TRUE(mended.notices[0].text.starts_with(
+      "welded 16 vertices onto others, the first: vertex 8 onto vertex 0 at (-1, -1, -1)"))
+      << mended.notices[0].text;
+}
+
+TEST(MendCage, AdvisesAToleranceThatIsEnough) {
+  Cage cage = split(testing::cube());
+  for (std::size_t i = 0; i < cage.points.size(); ++i) cage.points[i].x() += i % 3 == 0 ? 3e-5 : 0;
+  const std::string text = mend_cage(cage).notices.at(0).text;
+  const std::size_t start = text.find("--weld ");
+  ASSERT_NE(start, std::string::npos) << text;
+  const double tolerance = std::stod(text.substr(start + 7));
+  EXPECT_GT(tolerance, 3e-5);
+  EXPECT_LT(tolerance, 1e-4);
+  const MendedCage mended = mend_cage(cage, {.weld = tolerance});
+  EXPECT_EQ(only_kind(mended.notices), NoticeKind::IgnoredInput);
+}
+
+TEST(MendCage, SeesNoSeamInAGap) {
+  // Its sides are a hundredth of an edge apart.
+  Cage cage = testing::sheet(2, 2);
+  for (const std::vector<int>& face : testing::sheet(2, 2).faces) {
+    std::vector<int> other = face;
+    for (int& vertex : other) vertex += 9;
+    cage.faces.push_back(other);
+  }
+  for (int i = 0; i < 9; ++i)
+    cage.points.push_back(cage.points[static_cast<std::size_t>(i)] + Vec3(0, 0, 0.01));
+  EXPECT_TRUE(mend_cage(cage).notices.empty());
+}
+
+class RepeatedFace : public ::testing::TestWithParam<std::vector<int>> {};
+
+TEST_P(RepeatedFace, IsToldAndLeftOut) {
+  Cage cage = with_face(testing::cube(), GetParam());
+  cage.groups = {{"copy", {6}}};
+  const MendedCage mended = mend_cage(cage);
+  EXPECT_EQ(mended.cage.faces, testing::cube().faces);
+  EXPECT_EQ(only_kind(mended.notices), NoticeKind::RepeatedFaces);
+  EXPECT_TRUE(mended.notices[0].text.starts_with(
+      "left out 1 face given again, the first: face 6, the same as face 1 at (0, 0, 1)"))
+      << mended.notices[0].text;
+  const Model model = model_from_cage(cage, {.patches = PatchKind::Faces});
+  EXPECT_EQ(edges_of_other_than_two_faces(model), 0U);
+  EXPECT_EQ(model.groups.at(0).patches, std::vector<int>{1});
+}
+
+INSTANTIATE_TEST_SUITE_P(InAnyRotationAndDirection, RepeatedFace,
+                         ::testing::Values(std::vector{4, 5, 7, 6}, std::vector{7, 6, 4, 5},
+                                           std::vector{6, 7, 5, 4}, std::vector{5, 4, 6, 7}));
+
+TEST(MendCage, LeavesOutAFaceThatIsGivenThrice) {
+  const Cage cage = with_face(with_face(testing::cube(), {4, 5, 7, 6}), {5, 4, 6, 7});
+  const MendedCage mended = mend_cage(cage);
+  EXPECT_EQ(mended.cage.faces, testing::cube().faces);
+  EXPECT_TRUE(only_kind(mended.notices) == NoticeKind::RepeatedFaces);
+}
+
+TEST(MendCage, KeepsTheFaceThatAgreesWithItsNeighbours) {
+  Cage cage = turned(testing::cube(), {1});
+  cage.faces.push_back(testing::cube().faces[1]);
+  const MendedCage mended = mend_cage(cage);
+  EXPECT_EQ(mended.stand_ins[1], 6);
+  EXPECT_EQ(only_kind(mended.notices), NoticeKind::RepeatedFaces);
+}
+
+TEST(MendCage, KeepsTwoFacesBackToBack) {
+  Cage cage;
+  cage.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  cage.faces = {{0, 1, 2, 3}, {3, 2, 1, 0}};
+  EXPECT_TRUE(mend_cage(cage).notices.empty());
+}
+
+TEST(MendCage, WeldsAFaceThatLiesOnAnother) {
+  Cage cage = testing::cube();
+  for (const int vertex : {4, 5, 7, 6}) {
+    cage.points.push_back(cage.points[static_cast<std::size_t>(vertex)]);
+  }
+  cage.faces.push_back({8, 9, 10, 11});
+  EXPECT_EQ(only_kind(mend_cage(cage).notices), NoticeKind::OpenSeams);
+  const MendedCage mended = mend_cage(cage, {.weld = 1e-6});
+  EXPECT_EQ(mended.cage.faces, testing::cube().faces);
+  EXPECT_EQ(mended.notices.size(), 2U);
+}
+
+TEST(MendCage, TellsFacesWithSidesWithoutLength) {
+  Cage cage = testing::cube();
+  for (Vec3& point : cage.points) point.z() *= 1e-16;
+  EXPECT_EQ(only_kind(mend_cage(cage).notices), NoticeKind::FlatFaces);
+  const MendedCage mended = mend_cage(cage, {.weld = 1e-6});
+  EXPECT_EQ(mended.cage.faces, (std::vector<std::vector<int>>{{0, 2, 3, 1}, {0, 1, 3, 2}}));
+  EXPECT_EQ(mended.parent_faces, (std::vector<int>{0, 1}));
+}
+
+TEST(MendCage, WeldsTags) {
+  Cage cage = split(testing::cube());
+  cage.creases = {{{20, 21}, 2.0}};
+  cage.corners = {{23, 3.0}};
+  const MendedCage mended = mend_cage(cage, {.weld = 1e-6});
+  for (const std::vector<int>& face : mended.cage.faces) {
+    for (const int vertex : face) EXPECT_LT(vertex, 20);
+  }
+  EXPECT_LT(mended.cage.creases.at(0).edge[1], 20);
+  EXPECT_LT(mended.cage.corners.at(0).vertex, 20);
+}
+
+TEST(MendCage, ChecksItsInput) {
+  EXPECT_NE(error_of([] { mend_cage(with_face(testing::cube(), {0, 1, 99})); }), "no error");
+  EXPECT_NE(error_of([] { model_from_cage(testing::cube(), {.weld = Length::units(-1)}); }),
+            "no error");
+}
+
+TEST(CoincidentPoints, AreWithinTheTolerance) {
+  const std::vector<Vec3> row = {{0, 0, 0}, {0.9, 0, 0}, {1.8, 0, 0}, {2.7, 0, 0}, {0, 0, 5}};
+  EXPECT_EQ(coincident_points(row, 1), (std::vector<int>{0, 0, 2, 2, 4}));
+  EXPECT_EQ(coincident_points(row, 0.1), (std::vector<int>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(coincident_points({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, 0), (std::vector<int>{0, 0, 0}));
+}
+
+TEST(TurnedFaces, AreTheFewerOnes) {
+  const Cage cage = turned(testing::cube(), {0, 1, 3, 5});
+  EXPECT_EQ(turned_faces(cage.faces), (std::vector<char>{0, 0, 1, 0, 1, 0}));
+  EXPECT_EQ(turned_faces(testing::mobius_strip(10, 2).faces), std::vector<char>(20, 0));
+}
+
+}  // namespace
+}  // namespace surfmesh
