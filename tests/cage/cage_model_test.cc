@@ -135,6 +135,21 @@ TEST(CageModel, LeavesOutHoles) {
   EXPECT_TRUE(model.groups[1].patches.empty());
 }
 
+TEST(CageModel, EndsContoursAtCornersOfHoles) {
+  // A block passes a vertex of three faces in the middle of its side, and the boundary turns there.
+  Cage cage = testing::cube();
+  cage.holes = {1};
+  const Model model = model_from_cage(cage, {.patches = PatchKind::Blocks});
+  EXPECT_LT(model.patches.size(), 5u);
+  std::size_t open = 0;
+  for (const Contour& contour : model.contours) {
+    if (contour.uses.size() != 1) continue;
+    ++open;
+    EXPECT_EQ(contour.part_count, 1) << contour.name;
+  }
+  EXPECT_EQ(open, 4u);
+}
+
 TEST(CageModel, FollowsTheBoundaryRule) {
   Cage cage = testing::sheet();
   const auto gap = [&cage] {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -44,6 +45,26 @@ TEST(ContourCurvature, IsThatOfACurve) {
     EXPECT_NEAR(curve_curvature(kLine, t), exact, 1e-4 * exact) << t;
   }
   EXPECT_NEAR(curve_curvature(kStraight, 0.3), 0, 1e-9);
+}
+
+/// Two lines that meet at t = 0.37.
+const CallableSpaceCurve kCorner([](double t) -> Vec3 { return {t, 2 * std::abs(t - 0.37), 0}; });
+
+TEST(ContourCurvature, IsNoneAtACorner) {
+  for (const double t : {0.37, 0.3701, 0.3695, 0.369, 0.372}) {
+    EXPECT_LT(curve_curvature(kCorner, t), 1e-6) << t;
+  }
+  EXPECT_TRUE(sizes_of(kCorner).empty());
+}
+
+TEST(ContourCurvature, IsThatOfANarrowBend) {
+  // A quarter of a circle whose length is a hundredth of that of the two lines beside it.
+  const CallableSpaceCurve bend([](double t) -> Vec3 {
+    const double s = 101 * t - 50, angle = std::clamp(s, 0.0, 1.0) * std::numbers::pi / 2;
+    const Vec3 arc(std::sin(angle), 1 - std::cos(angle), 0);
+    return s < 0 ? Vec3(s, 0, 0) : s > 1 ? Vec3(1, s, 0) : arc;
+  });
+  EXPECT_NEAR(curve_curvature(bend, 0.5), 1, 1e-3);
 }
 
 TEST(ContourCurvature, IsNoneOfAPoint) {

@@ -79,17 +79,22 @@ Border border_of(const Level& level, const Block& block) {
   return border;
 }
 
-/// Tells where contours end: at the corners of blocks, and where more or other borders meet than
-/// two that go on into each other.
+/// Tells where contours end: at the corners of blocks, where more or other borders meet than two
+/// that go on into each other, and at corners of true boundaries.
 class ContourEnds {
  public:
   ContourEnds(const Level& level, const std::vector<Border>& borders)
       : level_(level), vertices_(static_cast<std::size_t>(level.GetNumVertices())) {
-    std::vector<char> is_known(static_cast<std::size_t>(level.GetNumEdges()), 0);
+    std::vector<int> uses(static_cast<std::size_t>(level.GetNumEdges()), 0);
     for (const Border& border : borders) {
       for (const BorderEdge& edge : border) {
         if (edge.starts_side) vertices_[static_cast<std::size_t>(edge.from)].is_end = true;
-        if (!std::exchange(is_known[static_cast<std::size_t>(edge.edge)], char{1})) meet(edge);
+        if (uses[static_cast<std::size_t>(edge.edge)]++ == 0) meet(edge);
+      }
+    }
+    for (const Border& border : borders) {
+      for (const BorderEdge& edge : border) {
+        if (uses[static_cast<std::size_t>(edge.edge)] == 1) end_at_corners(edge);
       }
     }
   }
@@ -112,6 +117,21 @@ class ContourEnds {
       Vertex& v = vertices_[static_cast<std::size_t>(end)];
       if (++v.edges == 1) v.sharpness = sharpness;
       v.is_end |= edge.from == edge.to || v.sharpness != sharpness;
+    }
+  }
+
+  /// Beside faces that are left out (holes) a true boundary runs along edges that have faces on
+  /// both sides. It is smooth on creases and through vertices of four faces; at others it has a
+  /// corner, even in the middle of a block's side: half of three faces is not half of the angle.
+  void end_at_corners(const BorderEdge& edge) {
+    if (level_.GetEdgeFaces(edge.edge).size() == 1 ||
+        OpenSubdiv::Sdc::Crease::IsInfinite(level_.GetEdgeSharpness(edge.edge))) {
+      return;
+    }
+    for (const int end : {edge.from, edge.to}) {
+      const bool is_regular =
+          level_.GetVertexFaces(end).size() == 4 && level_.GetVertexEdges(end).size() == 4;
+      vertices_[static_cast<std::size_t>(end)].is_end |= !is_regular;
     }
   }
 

@@ -34,7 +34,8 @@ struct CageOptions {
 /// cannot be used; faces without a limit surface (see make_limit_surfaces) are left out, too.
 ///
 /// A contour runs along edges of the cage from one model vertex to the next. Model vertices are the
-/// corners of blocks, all vertices where the number of borders is not two, and the ends of creases.
+/// corners of blocks, all vertices where the number of borders is not two, the ends of creases, and
+/// the corners of true boundaries beside holes.
 /// The side of a block is a chain of contours. A contour of three or more patches has as many uses;
 /// a ring of faces uses one twice. The side of a face that has the same vertex twice in a row is a
 /// degenerate contour.

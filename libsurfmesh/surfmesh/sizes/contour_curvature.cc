@@ -13,6 +13,13 @@ namespace {
 /// Parameter distance of the points through which the circle is laid, as a share of one part.
 constexpr double kStep = 1.0 / 512;
 
+/// A curve that turns by more than this between those points may have a corner there, in radians: a
+/// part that is a whole circle turns by 0.012.
+constexpr double kSuspiciousTurn = 0.1;
+
+/// With points nearer by this factor a bend turns less in the same ratio, a corner does not.
+constexpr double kNearer = 8;
+
 /// Ratio of the size across a contour to that along it: elements there may be stretched so much.
 constexpr double kAcross = 2;
 
@@ -24,6 +31,22 @@ constexpr int kMaxHalvings = 8;
 
 /// Share of its size within which a size holds where there is no gradation.
 constexpr double kHalo = 0.5;
+
+/// The circle through three points of a curve, and how far the curve turns between them.
+struct Bend {
+  double curvature = 0;
+  double turn = 0;  ///< radians
+};
+
+Bend bend_at(const SpaceCurve& curve, double t, double step) {
+  const double middle = std::clamp(t, step, 1 - step);
+  const Vec3 p = curve.evaluate(middle);
+  const Vec3 a = p - curve.evaluate(middle - step);
+  const Vec3 b = curve.evaluate(middle + step) - p;
+  const double sine = a.cross(b).norm();
+  const double sides = a.norm() * b.norm() * (a + b).norm();
+  return {sides > 0 ? 2 * sine / sides : 0, std::atan2(sine, a.dot(b))};
+}
 
 class Sampler {
  public:
@@ -89,12 +112,12 @@ class Sampler {
 
 double curve_curvature(const SpaceCurve& curve, double t) {
   const double step = kStep / curve.part_count();
-  const double middle = std::clamp(t, step, 1 - step);
-  const Vec3 p = curve.evaluate(middle);
-  const Vec3 a = curve.evaluate(middle - step) - p;
-  const Vec3 b = curve.evaluate(middle + step) - p;
-  const double sides = a.norm() * b.norm() * (b - a).norm();
-  return sides > 0 ? 2 * a.cross(b).norm() / sides : 0;
+  const Bend bend = bend_at(curve, t, step);
+  if (bend.turn <= kSuspiciousTurn) return bend.curvature;
+  const Bend nearer = bend_at(curve, t, step / kNearer);
+  if (nearer.turn <= 0.5 * bend.turn) return nearer.curvature;
+  return std::min(bend_at(curve, t - step, step).curvature,
+                  bend_at(curve, t + step, step).curvature);
 }
 
 std::vector<PlacedSize> contour_curvature_sizes(const SpaceCurve& curve,

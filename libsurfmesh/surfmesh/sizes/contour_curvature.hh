@@ -16,6 +16,9 @@ namespace surfmesh {
 /// curve of length L found by projection they are about 1e-12 L, which gives 1e-6 / L in the
 /// curvature.
 ///
+/// A corner has no curvature: there it is that of the straighter side. What turns within 1/2048 of
+/// a part is a corner, not a bend.
+///
 /// Units    1/length; 0 if the three points coincide
 /// Error    (κ'' + 2 κ' v'/v) / 12 times the square of the step of length, for speed v (test
 ///          ContourCurvature.IsThatOfACurve)
