@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <opensubdiv/bfr/refinerSurfaceFactory.h>
-#include <opensubdiv/bfr/surface.h>
 #include <opensubdiv/sdc/crease.h>
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 
 #include "surfmesh/cage/bicubic_parts.hh"
 #include "surfmesh/cage/bicubic_patch.hh"
+#include "surfmesh/cage/face_evaluator.hh"
 #include "surfmesh/cage/subdivision.hh"
 #include "surfmesh/core/error.hh"
 
@@ -26,12 +26,13 @@ namespace Sdc = OpenSubdiv::Sdc;
 
 using BfrSurface = Bfr::Surface<double>;
 
-/// Three coordinates, one after the other.
-const BfrSurface::PointDescriptor kXyz(3);
-
 /// Parameter step that tells the sign of a second derivative: small beside the distance to a
 /// singular corner (2^-9 and more), large beside the rounding of first derivatives.
 constexpr double kSignStep = 1.0 / 16384;
+
+/// Faces around a vertex from which on they share one refinement: each by itself takes time with
+/// the square of their number. Below it, faces alone take less memory and evaluate faster.
+constexpr int kWideFan = 32;
 
 /// A semi-sharp crease of this sharpness and more counts as an edge for sizes: its rounding, about
 /// 2^(1 - sharpness) of a face wide, would ask for elements far smaller than the faces beside it.
@@ -44,24 +45,26 @@ struct RoundedSide {
   double reach = 0;
 };
 
-/// A Vec3 array is handed to OpenSubdiv as doubles.
-static_assert(sizeof(Vec3) == 3 * sizeof(double));
+/// What the cage tells of a face's limit surface.
+struct FaceTraits {
+  Domain domain;
+  bool is_regular = true;  ///< one polynomial
+  std::vector<SingularPoint> singular_points = {};
+  std::vector<RoundedSide> rounded_sides = {};
+  bool has_parts = false;  ///< look for its bicubic pieces
+};
 
-/// The limit surface over one face. OpenSubdiv's surface holds all it needs, so neither the
-/// topology nor the factory has to live on.
+/// The limit surface over one face, with what makes it a surface for meshing.
 class LimitSurface : public Surface {
  public:
-  LimitSurface(const BfrSurface& surface, const std::vector<Vec3>& cage_points, Domain domain,
-               std::vector<SingularPoint> singular_points, std::vector<RoundedSide> rounded_sides,
-               bool has_parts)
-      : surface_(surface),
-        points_(static_cast<std::size_t>(surface.GetNumPatchPoints())),
-        domain_(domain),
-        is_sign_in_doubt_(domain.shape == Domain::Shape::Triangle && !surface.IsRegular()),
-        singular_points_(std::move(singular_points)),
-        rounded_sides_(std::move(rounded_sides)) {
-    surface_.PreparePatchPoints(cage_points[0].data(), kXyz, points_[0].data(), kXyz);
-    if (has_parts) parts_.emplace([this](Uv uv, Order order) { return evaluate_bfr(uv, order); });
+  LimitSurface(std::unique_ptr<const FaceEvaluator> evaluator, const FaceTraits& traits)
+      : evaluator_(std::move(evaluator)),
+        domain_(traits.domain),
+        is_sign_in_doubt_(traits.domain.shape == Domain::Shape::Triangle && !traits.is_regular),
+        singular_points_(traits.singular_points),
+        rounded_sides_(traits.rounded_sides) {
+    if (!traits.has_parts) return;
+    parts_.emplace([this](Uv uv, Order order) { return evaluator_->evaluate(uv, order); });
   }
 
   Jet evaluate(Uv uv, Order order) const override {
@@ -110,11 +113,11 @@ class LimitSurface : public Surface {
   }
 
   Jet evaluate_unchecked(Uv uv, Order order) const {
-    if (order == Order::Position) return evaluate_bfr(uv, order);
+    if (order == Order::Position) return evaluator_->evaluate(uv, order);
     const Uv usable = outside_of_reach(uv);
-    Jet jet = evaluate_bfr(usable, order);
+    Jet jet = evaluator_->evaluate(usable, order);
     if (order == Order::Second && is_sign_in_doubt_) correct_sign(usable, jet);
-    if (!(usable == uv)) jet.point = evaluate_bfr(uv, Order::Position).point;
+    if (!(usable == uv)) jet.point = evaluator_->evaluate(uv, Order::Position).point;
     return jet;
   }
 
@@ -149,7 +152,7 @@ class LimitSurface : public Surface {
     const double along_v = jet.duv.squaredNorm() + jet.dvv.squaredNorm();
     const bool is_along_u = along_u >= along_v;
     const double h = (is_along_u ? uv.u : uv.v) >= kSignStep ? -kSignStep : kSignStep;
-    const Jet other = evaluate_bfr(uv + (is_along_u ? Uv{h, 0} : Uv{0, h}), Order::First);
+    const Jet other = evaluator_->evaluate(uv + (is_along_u ? Uv{h, 0} : Uv{0, h}), Order::First);
     const double agreement = (other.du - jet.du).dot(is_along_u ? jet.duu : jet.duv) +
                              (other.dv - jet.dv).dot(is_along_u ? jet.duv : jet.dvv);
     if (agreement * h >= 0) return;
@@ -158,27 +161,7 @@ class LimitSurface : public Surface {
     jet.dvv = -jet.dvv;
   }
 
-  Jet evaluate_bfr(Uv uv, Order order) const {
-    const std::array<double, 2> at = {uv.u, uv.v};
-    const double* points = points_[0].data();
-    Jet jet;
-    switch (order) {
-      case Order::Position:
-        surface_.Evaluate(at.data(), points, kXyz, jet.point.data());
-        break;
-      case Order::First:
-        surface_.Evaluate(at.data(), points, kXyz, jet.point.data(), jet.du.data(), jet.dv.data());
-        break;
-      case Order::Second:
-        surface_.Evaluate(at.data(), points, kXyz, jet.point.data(), jet.du.data(), jet.dv.data(),
-                          jet.duu.data(), jet.duv.data(), jet.dvv.data());
-        break;
-    }
-    return jet;
-  }
-
-  BfrSurface surface_;
-  std::vector<Vec3> points_;
+  std::unique_ptr<const FaceEvaluator> evaluator_;
   Domain domain_;
   bool is_sign_in_doubt_;
   std::vector<SingularPoint> singular_points_;
@@ -268,34 +251,34 @@ class SurfaceMaker {
  public:
   SurfaceMaker(const Far::TopologyRefiner& refiner, const std::vector<Vec3>& points,
                const LimitSurfaceOptions& options)
-      : points_(points),
+      : refiner_(refiner),
+        points_(points),
         options_(options),
         level_(refiner.GetLevel(0)),
         scheme_(refiner.GetSchemeType()),
         factory_(refiner, factory_options(level_, options)) {}
 
-  std::shared_ptr<const Surface> make(int face) const {
-    if (!factory_.FaceHasLimitSurface(face)) return nullptr;
-    BfrSurface surface;
-    if (!factory_.InitVertexSurface(face, &surface)) return nullptr;
-    Domain domain;
-    if (scheme_ == Sdc::SCHEME_LOOP) domain.shape = Domain::Shape::Triangle;
-    if (surface.GetFaceSize() != domain.corner_count()) {
-      throw Error(ErrorCode::InvalidInput,
-                  fmt::format("face {} has {} vertices: refine the cage once before taking limit "
-                              "surfaces of its faces",
-                              face, surface.GetFaceSize()));
+  /// The surfaces of all faces, null for those that have none.
+  std::vector<std::shared_ptr<const Surface>> make_all() const {
+    const int count = level_.GetNumFaces();
+    std::vector<std::shared_ptr<const Surface>> surfaces(static_cast<std::size_t>(count));
+    std::vector<int> shared;
+    for (int face = 0; face < count; ++face) {
+      if (!factory_.FaceHasLimitSurface(face)) continue;
+      check_size(face);
+      if (is_at_wide_fan(face)) {
+        shared.push_back(face);
+      } else {
+        surfaces[static_cast<std::size_t>(face)] = make_alone(face);
+      }
     }
-    const bool is_bicubic = surface.IsRegular() && scheme_ == Sdc::SCHEME_CATMARK;
-    if (is_bicubic && options_.is_regular_by_hand) {
-      return as_bicubic(LimitSurface(surface, points_, domain, {}, {}, false));
+    auto evaluators =
+        make_shared_evaluators(refiner_, points_, shared, options_.approximation_level);
+    for (std::size_t i = 0; i < shared.size(); ++i) {
+      surfaces[static_cast<std::size_t>(shared[i])] =
+          make_irregular(shared[i], std::move(evaluators[i]));
     }
-    std::vector<SingularPoint> singular;
-    if (!surface.IsRegular()) singular = singular_points(face, domain);
-    const bool has_parts = !surface.IsRegular() && scheme_ == Sdc::SCHEME_CATMARK;
-    return std::make_shared<LimitSurface>(surface, points_, domain, std::move(singular),
-                                          rounded_sides(face),
-                                          has_parts && options_.is_regular_by_hand);
+    return surfaces;
   }
 
  private:
@@ -317,6 +300,52 @@ class SurfaceMaker {
     return false;
   }
 
+  void check_size(int face) const {
+    const int size = level_.GetFaceVertices(face).size();
+    if (size == domain().corner_count()) return;
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("face {} has {} vertices: refine the cage once before taking limit "
+                            "surfaces of its faces",
+                            face, size));
+  }
+
+  Domain domain() const {
+    Domain result;
+    if (scheme_ == Sdc::SCHEME_LOOP) result.shape = Domain::Shape::Triangle;
+    return result;
+  }
+
+  bool is_at_wide_fan(int face) const {
+    const Far::ConstIndexArray vertices = level_.GetFaceVertices(face);
+    return scheme_ != Sdc::SCHEME_BILINEAR &&
+           std::any_of(vertices.begin(), vertices.end(), [this](int vertex) {
+             return level_.GetVertexFaces(vertex).size() >= kWideFan;
+           });
+  }
+
+  std::shared_ptr<const Surface> make_alone(int face) const {
+    BfrSurface surface;
+    if (!factory_.InitVertexSurface(face, &surface)) return nullptr;
+    auto evaluator = make_bfr_evaluator(surface, points_);
+    if (!surface.IsRegular()) return make_irregular(face, std::move(evaluator));
+    if (scheme_ == Sdc::SCHEME_CATMARK && options_.is_regular_by_hand) {
+      return as_bicubic(LimitSurface(std::move(evaluator), {.domain = domain()}));
+    }
+    return std::make_shared<LimitSurface>(
+        std::move(evaluator), FaceTraits{.domain = domain(), .rounded_sides = rounded_sides(face)});
+  }
+
+  std::shared_ptr<const Surface> make_irregular(
+      int face, std::unique_ptr<const FaceEvaluator> evaluator) const {
+    const bool has_parts = scheme_ == Sdc::SCHEME_CATMARK && options_.is_regular_by_hand;
+    return std::make_shared<LimitSurface>(std::move(evaluator),
+                                          FaceTraits{.domain = domain(),
+                                                     .is_regular = false,
+                                                     .singular_points = singular_points(face),
+                                                     .rounded_sides = rounded_sides(face),
+                                                     .has_parts = has_parts});
+  }
+
   static std::shared_ptr<const Surface> as_bicubic(const LimitSurface& surface) {
     std::array<Jet, 4> corners;
     for (int i = 0; i < 4; ++i) {
@@ -326,7 +355,8 @@ class SurfaceMaker {
     return make_bicubic_patch(corners);
   }
 
-  std::vector<SingularPoint> singular_points(int face, const Domain& domain) const {
+  std::vector<SingularPoint> singular_points(int face) const {
+    const Domain domain = this->domain();
     const CornerClassifier classifier(level_, scheme_);
     const double reach = std::ldexp(1.0, 1 - options_.approximation_level);
     std::vector<SingularPoint> result;
@@ -350,6 +380,7 @@ class SurfaceMaker {
     return result;
   }
 
+  const Far::TopologyRefiner& refiner_;
   const std::vector<Vec3>& points_;
   LimitSurfaceOptions options_;
   Far::TopologyLevel level_;
@@ -366,12 +397,7 @@ std::vector<std::shared_ptr<const Surface>> make_limit_surfaces(
     throw Error(ErrorCode::InvalidOption, fmt::format("approximation level {} is not in 1 to 10",
                                                       options.approximation_level));
   }
-  const SurfaceMaker maker(refiner, points, options);
-  std::vector<std::shared_ptr<const Surface>> surfaces;
-  const int face_count = refiner.GetLevel(0).GetNumFaces();
-  surfaces.reserve(static_cast<std::size_t>(face_count));
-  for (int face = 0; face < face_count; ++face) surfaces.push_back(maker.make(face));
-  return surfaces;
+  return SurfaceMaker(refiner, points, options).make_all();
 }
 
 std::vector<std::shared_ptr<const Surface>> make_limit_surfaces(const Cage& cage, Scheme scheme,
