@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -27,13 +28,24 @@ constexpr const char* kFooter =
     "  components, euler (other numbers than the model's); duplicate_vertex then leaves out where\n"
     "  the model has to be cut\n"
     "Keys of the JSON text: mesh, model, clean, faults, notices, counts, open_edges, closed,\n"
-    "  manifold, oriented, angles (degrees), edge_lengths, shape, fit (null without --model)\n"
+    "  manifold, oriented, angles (degrees), edge_lengths, shape, stored_metric (null without),\n"
+    "  fit (null without --model)\n"
+    "A mesh in .om is judged by the metric it was made by. Sizes among the flags ask for exact "
+    "ones.\n"
     "Example:\n  surfmesh check knob.om --model knob.obj --json\n";
 
 ModelInput read_model_with(const std::string& path, Scheme scheme, const Settings& settings) {
   ModelInput input = load_model(path, cage_options(scheme, settings));
   for (const auto& [name, value] : settings) set_option(input.options, name, value);
   return input;
+}
+
+/// Sizes asked for on the command line judge a mesh; otherwise those that it was made by do.
+JudgedBy judged_by(const Settings& settings) {
+  const bool asks_for_sizes = std::any_of(
+      settings.begin(), settings.end(),
+      [](const auto& setting) { return find_option(setting.first).group != OptionGroup::Cages; });
+  return asks_for_sizes ? JudgedBy::ExactSizes : JudgedBy::StoredMetric;
 }
 
 }  // namespace
@@ -55,24 +67,27 @@ void CheckCommand::add_to(CLI::App& app) {
   command->add_flag("--json", is_json_, "print JSON text");
 }
 
-int CheckCommand::check() const {
-  check_mesh_ending(mesh_);
+MeshCheck CheckCommand::measure() const {
   ModelInput input;
-  if (!model_.empty()) {
-    Settings settings = named_;
-    settings.insert(settings.end(), set_.begin(), set_.end());
-    input = read_model_with(model_, scheme_, settings);
-  }
+  Settings settings = named_;
+  settings.insert(settings.end(), set_.begin(), set_.end());
+  if (!model_.empty()) input = read_model_with(model_, scheme_, settings);
   MeshCheck check = check_mesh(read_mesh_arrays(mesh_));
   check.mesh = mesh_;
   check.model = model_;
-  if (!model_.empty()) {
-    append(input.model.notices, check.notices);
-    check.patch_names = mesh_names(input.model).patches;
-    // Read again: this is the mesh as it was mended, with all that the format knows of its corners.
-    MeshFile mesh = read_mesh(mesh_);
-    add_fit(check, measure_fit(mesh, input));
-  }
+  // Read again: this is the mesh as it was mended, with all that the format knows of its corners.
+  MeshFile mesh = read_mesh(mesh_);
+  check.stored = measure_stored_metric(mesh.mesh);
+  if (model_.empty()) return check;
+  append(input.model.notices, check.notices);
+  check.patch_names = mesh_names(input.model).patches;
+  add_fit(check, measure_fit(mesh, input, judged_by(settings)));
+  return check;
+}
+
+int CheckCommand::check() const {
+  check_mesh_ending(mesh_);
+  const MeshCheck check = measure();
   fmt::print("{}", is_json_ ? to_json(check) : to_text(check));
   print_notices(check.notices);
   for (const MeshFault& fault : check.faults) {

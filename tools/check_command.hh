@@ -8,6 +8,8 @@
 
 namespace surfmesh {
 
+struct MeshCheck;
+
 /// `surfmesh check`: tell what a mesh is like, what is wrong with it, and how it fits its model.
 class CheckCommand {
  public:
@@ -18,6 +20,7 @@ class CheckCommand {
   int run() const;
 
  private:
+  MeshCheck measure() const;
   int check() const;
 
   std::string mesh_;

@@ -11,6 +11,7 @@
 #include "support/meshes.hh"
 #include "support/models.hh"
 #include "support/notices.hh"
+#include "surfmesh/pipeline/mesh_model.hh"
 
 namespace surfmesh {
 namespace {
@@ -98,29 +99,71 @@ const double kMean = (12 + 4 * std::numbers::sqrt2) / 16;
 TEST(MeasureFit, MeasuresInTheSizesOfTheModel) {
   for (const double hmax : {1.0, 0.25}) {
     MeshFile mesh = grid_on_patches();
-    const ModelFit fit = measure_fit(mesh, two_rectangles(hmax));
+    const ModelFit fit = measure_fit(mesh, two_rectangles(hmax), JudgedBy::ExactSizes);
     EXPECT_FALSE(fit.is_projected);
-    EXPECT_EQ(fit.edges.count, 16u);
-    EXPECT_NEAR(fit.edges.mean, kMean / hmax, 1e-12);
-    EXPECT_NEAR(fit.quality.mean, std::numbers::sqrt3 / 2, 1e-12);
+    EXPECT_EQ(fit.sizes.edges.count, 16u);
+    EXPECT_NEAR(fit.sizes.edges.mean, kMean / hmax, 1e-12);
+    EXPECT_NEAR(fit.sizes.quality.mean, std::numbers::sqrt3 / 2, 1e-12);
     EXPECT_EQ(fit.distance.max, 0);
     EXPECT_TRUE(fit.distance.faults.empty());
   }
 }
 
-TEST(MeasureFit, ReplacesTheMetricOfTheMesh) {
+/// The metric with edges a tenth as long as wanted.
+MeshFile grid_with_metric() {
   MeshFile mesh = grid_on_patches();
   const auto metric_of = require(mesh.mesh, keys::corner_metric);
   for (const auto heh : mesh.mesh.halfedges()) mesh.mesh.property(metric_of, heh) = {100, 0, 100};
-  EXPECT_NEAR(measure_fit(mesh, two_rectangles(1)).edges.mean, kMean, 1e-12);
+  return mesh;
+}
+
+TEST(MeasureFit, JudgesByTheMetricOfTheMesh) {
+  MeshFile mesh = grid_with_metric();
+  const ModelFit fit = measure_fit(mesh, two_rectangles(1));
+  EXPECT_TRUE(fit.is_by_stored_metric);
+  EXPECT_NEAR(fit.sizes.edges.mean, 10 * kMean, 1e-12);
+  EXPECT_EQ(fit.sizes.edges, measure_stored_metric(mesh.mesh)->edges);
+}
+
+TEST(MeasureFit, ReplacesTheMetricOfTheMeshWhereExactSizesJudge) {
+  MeshFile mesh = grid_with_metric();
+  const ModelFit fit = measure_fit(mesh, two_rectangles(1), JudgedBy::ExactSizes);
+  EXPECT_FALSE(fit.is_by_stored_metric);
+  EXPECT_NEAR(fit.sizes.edges.mean, kMean, 1e-12);
   EXPECT_NEAR(measure_edges(mesh.mesh).mean, kMean, 1e-12);
+}
+
+TEST(MeasureFit, HasNoStoredMetricWithoutParametersOrWhereOneIsUnset) {
+  MeshFile bare = grid_with_metric();
+  detach(bare.mesh, keys::corner_uv);
+  EXPECT_FALSE(measure_stored_metric(bare.mesh));
+  EXPECT_FALSE(measure_fit(bare, two_rectangles(1)).is_by_stored_metric);
+  MeshFile torn = grid_with_metric();
+  const auto metric_of = require(torn.mesh, keys::corner_metric);
+  torn.mesh.property(metric_of, torn.mesh.halfedge_handle(FaceHandle(3))) = Metric();
+  EXPECT_FALSE(measure_stored_metric(torn.mesh));
+  EXPECT_NEAR(measure_fit(torn, two_rectangles(1)).sizes.edges.mean, kMean, 1e-12);
+}
+
+/// One code measures the sag of a run and that of a check; no edges are judged otherwise.
+TEST(MeasureFit, AgreesWithTheReportOfTheRun) {
+  ModelInput input;
+  input.model = testing::model_of({testing::whole_torus()});
+  input.options.sizing.sag = Length::share(0.005);
+  const MeshResult result = mesh_model(input.model, {}, input.options);
+  MeshFile mesh{result.mesh, result.names, {}};
+  const ModelFit fit = measure_fit(mesh, {input.model, {}, {}});
+  EXPECT_EQ(fit.sizes.edges, result.report.edges);
+  EXPECT_EQ(fit.sizes.quality, result.report.quality);
+  EXPECT_EQ(fit.distance.max, *result.report.sag.reached);
+  EXPECT_TRUE(fit.distance.faults.empty());
 }
 
 TEST(MeasureFit, TakesASizeInItsPatchOnly) {
   ModelInput input = two_rectangles(1);
   input.sources.everywhere.push_back({1, {Length::units(0.5), Length::units(0.5), 0}});
   MeshFile mesh = grid_on_patches();
-  measure_fit(mesh, input);
+  measure_fit(mesh, input, JudgedBy::ExactSizes);
   const auto metric_of = require(mesh.mesh, keys::corner_metric);
   const auto patch_of = require(mesh.mesh, keys::face_patch);
   for (const auto heh : mesh.mesh.halfedges()) {
@@ -133,12 +176,12 @@ TEST(MeasureFit, TakesASizeInItsPatchOnly) {
 TEST(MeasureFit, TellsWhatItDoesNotKnow) {
   ModelInput input = two_rectangles(1);
   MeshFile mesh = grid_on_patches();
-  EXPECT_FALSE(measure_fit(mesh, input).has_other_sizes);
+  EXPECT_FALSE(measure_fit(mesh, input, JudgedBy::ExactSizes).has_other_sizes);
   input.options.sizing.grade = 1.5;
-  EXPECT_TRUE(measure_fit(mesh, input).has_other_sizes);
+  EXPECT_TRUE(measure_fit(mesh, input, JudgedBy::ExactSizes).has_other_sizes);
   input.options.sizing.grade = 0;
   input.sources.at.push_back({0, {0.5, 0.5}, {Length::units(0.5), Length::units(0.5), 0}});
-  EXPECT_TRUE(measure_fit(mesh, input).has_other_sizes);
+  EXPECT_TRUE(measure_fit(mesh, input, JudgedBy::ExactSizes).has_other_sizes);
 }
 
 TEST(MeasureFit, ProjectsAMeshWithoutParameters) {
@@ -152,7 +195,7 @@ TEST(MeasureFit, ProjectsAMeshWithoutParameters) {
   for (MeshFile* mesh : {&bare, &torn}) {
     const ModelFit fit = measure_fit(*mesh, two_rectangles(1));
     EXPECT_TRUE(fit.is_projected);
-    EXPECT_NEAR(fit.edges.mean, kMean, 1e-9);
+    EXPECT_NEAR(fit.sizes.edges.mean, kMean, 1e-9);
     EXPECT_NEAR(fit.distance.max, 0, 1e-9);
     const auto patch_of = require(mesh->mesh, keys::face_patch);
     EXPECT_EQ(mesh->mesh.property(patch_of, FaceHandle(0)), 0);
@@ -188,7 +231,7 @@ TEST(CheckMeshJson, HoldsTheFit) {
   const Json json = Json::parse(to_json(check));
   EXPECT_TRUE(json["clean"]);
   EXPECT_EQ(json["fit"]["edges"]["count"], 16);
-  EXPECT_EQ(json["fit"]["edges"]["mean"], check.fit->edges.mean);
+  EXPECT_EQ(json["fit"]["edges"]["mean"], check.fit->sizes.edges.mean);
   EXPECT_EQ(json["fit"]["distance"]["max"], 0);
   EXPECT_EQ(json["angles"]["max"], 90);
 }

@@ -30,10 +30,10 @@ class StrongMetrics : public ::testing::TestWithParam<testing::MetricFormulas> {
 
 TEST_P(StrongMetrics, AreFollowedBetterThanByThePeer) {
   MeshFile file{result_.mesh, {}, {}};
-  const ModelFit fit = measure_fit(file, input_);
-  EXPECT_GE(fit.edges.unit_fraction, kUnitFractionOfPeer);
-  EXPECT_GE(fit.quality.mean, kMeanQualityOfPeer);
-  EXPECT_GE(fit.quality.min, 0.3);
+  const ModelFit fit = measure_fit(file, input_, JudgedBy::ExactSizes);
+  EXPECT_GE(fit.sizes.edges.unit_fraction, kUnitFractionOfPeer);
+  EXPECT_GE(fit.sizes.quality.mean, kMeanQualityOfPeer);
+  EXPECT_GE(fit.sizes.quality.min, 0.3);
 }
 
 TEST_P(StrongMetrics, GiveAValidMeshWithoutComplaint) {

@@ -15,6 +15,7 @@
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/metric/tensor.hh"
 #include "surfmesh/pipeline/notice_json.hh"
+#include "surfmesh/quality/sag.hh"
 #include "surfmesh/sizes/model_sources.hh"
 #include "surfmesh/sizes/size_field.hh"
 
@@ -34,6 +35,31 @@ bool has_parameters(const PolyMesh& mesh) {
     const Uv uv = mesh.property(uv_of, heh);
     return mesh.is_boundary(heh) || (std::isfinite(uv.u) && std::isfinite(uv.v));
   });
+}
+
+/// True if every corner has a metric.
+bool has_metric(const PolyMesh& mesh) {
+  const auto metric_of = find(mesh, keys::corner_metric);
+  if (!metric_of.is_valid()) return false;
+  const auto corners = mesh.halfedges();
+  return std::all_of(corners.begin(), corners.end(), [&](HalfedgeHandle heh) {
+    return mesh.is_boundary(heh) || std::isfinite(mesh.property(metric_of, heh).m11);
+  });
+}
+
+MetricFit measure_metric(const PolyMesh& mesh) {
+  return {measure_edges(mesh), measure_quality(mesh)};
+}
+
+/// The greatest distance as the report of a run has it.
+void add_sag(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search,
+             SurfaceDistance& distance) {
+  const Sag sag = measure_sag(mesh, model, search);
+  if (sag.max <= distance.max) return;
+  const auto greatest = std::max_element(sag.of_faces.begin(), sag.of_faces.end());
+  distance.max = sag.max;
+  distance.max_at = sag.max_at;
+  distance.max_face = static_cast<std::size_t>(greatest - sag.of_faces.begin());
 }
 
 std::vector<std::unique_ptr<SizeField>> size_fields(const ModelInput& input) {
@@ -132,20 +158,27 @@ Json angles_json(const ShapeStatistics& shape) {
           {"histogram", histogram_json(shape.angles)}};
 }
 
+Json edges_json(const EdgeStatistics& edges) {
+  return {{"count", edges.count},
+          {"mean", edges.mean},
+          {"stddev", edges.stddev},
+          {"min", edges.min},
+          {"max", edges.max},
+          {"unit_fraction", edges.unit_fraction},
+          {"histogram", histogram_json(edges.histogram)}};
+}
+
+Json metric_json(const MetricFit& fit) {
+  return {{"edges", edges_json(fit.edges)}, {"quality", quality_json(fit.quality)}};
+}
+
 Json fit_json(const ModelFit& fit) {
-  const EdgeStatistics& edges = fit.edges;
   const SurfaceDistance& distance = fit.distance;
   return {{"projected", fit.is_projected},
+          {"stored_metric", fit.is_by_stored_metric},
           {"other_sizes", fit.has_other_sizes},
-          {"edges",
-           {{"count", edges.count},
-            {"mean", edges.mean},
-            {"stddev", edges.stddev},
-            {"min", edges.min},
-            {"max", edges.max},
-            {"unit_fraction", edges.unit_fraction},
-            {"histogram", histogram_json(edges.histogram)}}},
-          {"quality", quality_json(fit.quality)},
+          {"edges", edges_json(fit.sizes.edges)},
+          {"quality", quality_json(fit.sizes.quality)},
           {"distance",
            {{"max", distance.max},
             {"mean", distance.mean},
@@ -184,19 +217,31 @@ class Lines {
     if (shape.quality.count > 0) add("shape", quality_text(shape.quality));
   }
 
-  void add_fit(const ModelFit& fit) {
-    add("model", fit.is_projected ? "the mesh has no (u,v), nearest points were taken"
-                                  : "by the (u,v) of the mesh");
-    if (fit.has_other_sizes) {
-      add("",
-          "sizes without grade, corrections of the sag and interpolation of `at`, which make it "
-          "finer by right");
-    }
+  void add_metric(const MetricFit& fit) {
     add("edges", fmt::format("mean {:.3f}, deviation {:.3f}, from {:.3f} to {:.3f}, {:.1f} % in "
                              "[1/√2, √2]",
                              fit.edges.mean, fit.edges.stddev, fit.edges.min, fit.edges.max,
                              100 * fit.edges.unit_fraction));
     if (fit.quality.count > 0) add("quality", quality_text(fit.quality));
+  }
+
+  void add_stored(const MetricFit& fit) {
+    add("metric", "that of the mesh, which it was made by");
+    add_metric(fit);
+  }
+
+  void add_fit(const ModelFit& fit) {
+    add("model", fit.is_projected ? "the mesh has no (u,v), nearest points were taken"
+                                  : "by the (u,v) of the mesh");
+    if (!fit.is_by_stored_metric) {
+      add("metric", "the exact sizes of the model");
+      if (fit.has_other_sizes) {
+        add("",
+            "without grade, corrections of the sag and interpolation of `at`, which make a mesh "
+            "finer by right");
+      }
+      add_metric(fit.sizes);
+    }
     add("distance",
         fmt::format("greatest {:.3g} in face {} at {}, mean {:.3g}", fit.distance.max,
                     fit.distance.max_face, point_text(fit.distance.max_at), fit.distance.mean));
@@ -240,18 +285,27 @@ MeshCheck check_mesh(const MeshArraysFile& file) {
   return check;
 }
 
-ModelFit measure_fit(MeshFile& mesh, const ModelInput& input) {
+std::optional<MetricFit> measure_stored_metric(const PolyMesh& mesh) {
+  if (!has_parameters(mesh) || !has_metric(mesh)) return std::nullopt;
+  return measure_metric(mesh);
+}
+
+ModelFit measure_fit(MeshFile& mesh, const ModelInput& input, JudgedBy judged_by) {
   ModelFit fit;
   const SurfaceSearch search(input.model);
   fit.is_projected = !has_parameters(mesh.mesh);
   if (fit.is_projected) project_mesh(mesh.mesh, mesh.names.patches, input.model, search);
   fit.distance = measure_distance(mesh.mesh, input.model, search, fit.is_projected);
+  if (!fit.is_projected) add_sag(mesh.mesh, input.model, search, fit.distance);
   fit.differences = compare_with_promise(mesh.mesh, input.model);
-  const Sizing& sizing = input.options.sizing;
-  fit.has_other_sizes = sizing.grade > 0 || sizing.sag || !input.sources.at.empty();
-  attach_exact_metric(mesh.mesh, input);
-  fit.edges = measure_edges(mesh.mesh);
-  fit.quality = measure_quality(mesh.mesh);
+  fit.is_by_stored_metric =
+      judged_by == JudgedBy::StoredMetric && !fit.is_projected && has_metric(mesh.mesh);
+  if (!fit.is_by_stored_metric) {
+    const Sizing& sizing = input.options.sizing;
+    fit.has_other_sizes = sizing.grade > 0 || sizing.sag || !input.sources.at.empty();
+    attach_exact_metric(mesh.mesh, input);
+  }
+  fit.sizes = measure_metric(mesh.mesh);
   return fit;
 }
 
@@ -282,6 +336,7 @@ std::string to_json(const MeshCheck& check) {
       {"edge_lengths",
        {{"min", shape.min_edge}, {"mean", shape.mean_edge}, {"max", shape.max_edge}}},
       {"shape", quality_json(shape.quality)},
+      {"stored_metric", check.stored ? metric_json(*check.stored) : Json()},
       {"fit", check.fit ? fit_json(*check.fit) : Json()}};
   // Names of files need not be UTF-8: what is not becomes a replacement character.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -291,6 +346,8 @@ std::string to_text(const MeshCheck& check) {
   Lines lines;
   lines.add_faces(check.faces);
   lines.add_shape(check.shape);
+  const bool is_by_exact_sizes = check.fit && !check.fit->is_by_stored_metric;
+  if (check.stored && !is_by_exact_sizes) lines.add_stored(*check.stored);
   if (check.fit) lines.add_fit(*check.fit);
   lines.add_faults(check.faults);
   return lines.take();

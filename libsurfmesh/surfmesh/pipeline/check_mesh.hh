@@ -14,16 +14,28 @@
 
 namespace surfmesh {
 
+/// How well a mesh fits a metric.
+struct MetricFit {
+  EdgeStatistics edges;
+  QualityStatistics quality;
+};
+
+/// The sizes by which a mesh is judged.
+enum class JudgedBy {
+  StoredMetric,  ///< that of its corners, which it was made by, if they have one; else exact sizes
+  ExactSizes,    ///< of the area sources of a model
+};
+
 /// How well a mesh fits its model.
 struct ModelFit {
-  bool is_projected = false;  ///< the mesh has no (u,v): nearest points were used
+  bool is_projected = false;         ///< the mesh has no (u,v): nearest points were used
+  bool is_by_stored_metric = false;  ///< the sizes below are those that the mesh was made by
   /// True if the model has more sources than the sizes below include: the mesh may rightly be
-  /// finer.
+  /// finer. Sizes `at` points and gradation are known only to the control space.
   bool has_other_sizes = false;
-  /// In the exact sizes of the area sources. Sizes `at` points and gradation are known only to the
-  /// control space and are not included: a mesh that has them is finer in some areas.
-  EdgeStatistics edges;
-  QualityStatistics quality;  ///< likewise
+  MetricFit sizes;
+  /// Its greatest distance is that of measure_sag, as in the report of a run, unless the mesh is
+  /// projected.
   SurfaceDistance distance;
   /// Where the mesh differs from what the model promises, see compare_with_promise.
   std::vector<MeshFault> differences;
@@ -35,6 +47,7 @@ struct MeshCheck {
   std::string model;  ///< as given; empty for none
   FaceSetCheck faces;
   ShapeStatistics shape;
+  std::optional<MetricFit> stored;       ///< in the metric that the mesh was made by, if it has one
   std::optional<ModelFit> fit;           ///< with a model
   Notices notices;                       ///< of reading; add those of the model
   std::vector<std::string> patch_names;  ///< of the model, by which its notices are told
@@ -47,15 +60,21 @@ struct MeshCheck {
 /// equal corners.
 MeshCheck check_mesh(const MeshArraysFile& file);
 
-/// Measure a mesh against its model, in the exact sizes of the area sources of `input`.
+/// Measure a mesh in the metric of its corners; nothing if a corner has none, or no (u,v).
+///
+/// Reads    surf:uv, surf:metric (halfedge; optional)
+std::optional<MetricFit> measure_stored_metric(const PolyMesh& mesh);
+
+/// Measure a mesh against its model.
 ///
 /// Reads    surf:uv (halfedge; optional: without it, or where it is unset, the mesh is projected),
-///          surf:patch (face)
+///          surf:patch (face), surf:metric (halfedge; optional)
 /// Writes   surf:uv (halfedge) and surf:patch (face) if the mesh is projected; surf:metric
-///          (halfedge), which replaces that of the mesh
-/// Cost     about 30 surface evaluations per triangle
+///          (halfedge), which replaces that of the mesh where exact sizes judge it
+/// Cost     about 90 surface evaluations per triangle
 /// Throws   InvalidInput for a patch that the model does not have
-ModelFit measure_fit(MeshFile& mesh, const ModelInput& input);
+ModelFit measure_fit(MeshFile& mesh, const ModelInput& input,
+                     JudgedBy judged_by = JudgedBy::StoredMetric);
 
 /// Add the fit of a mesh, with its faults, to its check. Of duplicate_vertex, only those remain
 /// that the model does not promise.
@@ -65,9 +84,10 @@ void add_fit(MeshCheck& check, ModelFit fit);
 /// text, count), counts (vertices, edges, triangles, quads, polygons, boundary_edges,
 /// boundary_loops, components, euler), open_edges (count, places), closed, manifold, oriented,
 /// angles (min, max, min_face, max_face, histogram), edge_lengths (min, mean, max), shape (min,
-/// mean, below_0.3); with a model fit, else null: projected, edges (count, mean, stddev, min, max,
-/// unit_fraction, histogram), quality (min, mean, below_0.3), distance (max, mean, max_face,
-/// max_at, max_corner).
+/// mean, below_0.3); stored_metric, null for a mesh that has none: edges (count, mean, stddev, min,
+/// max, unit_fraction, histogram), quality (min, mean, below_0.3); with a model fit, else null:
+/// projected, stored_metric (true if that judges it), other_sizes, edges and quality likewise,
+/// distance (max, mean, max_face, max_at, max_corner).
 std::string to_json(const MeshCheck& check);
 
 /// The check in a few lines for a terminal, with the first faults.
