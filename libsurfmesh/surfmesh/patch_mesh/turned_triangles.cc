@@ -2,6 +2,7 @@
 #include "surfmesh/patch_mesh/turned_triangles.hh"
 
 #include <algorithm>
+#include <array>
 
 #include "surfmesh/quality/facing.hh"
 
@@ -79,16 +80,30 @@ std::size_t count_turned_in_fans(const TriangulatedPatch& patch) {
   return count;
 }
 
+TurnedPlace place_of(const TriangulatedPatch& patch, FaceHandle fh) {
+  TurnedPlace place{{0, 0}, Vec3::Zero()};
+  std::array<Vec3, 3> normals;
+  std::size_t k = 0;
+  for (const VertexHandle vh : vertices(patch.delaunay->mesh(), fh)) {
+    place.uv = place.uv + 1.0 / 3 * patch.delaunay->uv(vh);
+    place.point += patch.points[index(vh)] / 3;
+    normals[k++] = patch.normals[index(vh)];
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (normals[i].dot(normals[(i + 1) % 3]) <= 0) place.is_of_surface = true;
+  }
+  return place;
+}
+
 /// `faces` are all that are turned outside fans.
 TurnedTriangles turned_triangles(const TriangulatedPatch& patch,
                                  const std::vector<FaceHandle>& faces) {
   TurnedTriangles result{faces.size() + count_turned_in_fans(patch), {}};
-  if (faces.empty()) return result;
-  Vec3 sum = Vec3::Zero();
-  for (const VertexHandle vh : vertices(patch.delaunay->mesh(), faces.front())) {
-    sum += patch.points[index(vh)];
+  for (const FaceHandle fh : faces) {
+    const TurnedPlace place = place_of(patch, fh);
+    if (!result.place || place.is_of_surface) result.place = place;
+    if (place.is_of_surface) break;
   }
-  result.point = sum / 3;
   return result;
 }
 

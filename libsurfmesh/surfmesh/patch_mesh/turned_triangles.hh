@@ -12,9 +12,19 @@ namespace surfmesh {
 /// or if it has no area. Pre      evaluate_vertices has been called
 bool is_turned(const TriangulatedPatch& patch, FaceHandle fh);
 
+/// The middle of a turned triangle.
+struct TurnedPlace {
+  Uv uv;
+  Vec3 point;
+  /// True if the surface itself turns over there, or has no tangent plane: its normals at the
+  /// corners point away from each other, or one has none.
+  bool is_of_surface = false;
+};
+
 struct TurnedTriangles {
-  std::size_t count = 0;      ///< those of fans around poles among them
-  std::optional<Vec3> point;  ///< in the middle of one; unset if only fans have any
+  std::size_t count = 0;  ///< those of fans around poles among them
+  /// One of them, where the surface turns over if there is such a one; unset if only fans have any.
+  std::optional<TurnedPlace> place;
 };
 
 /// Find the turned triangles of a patch.

@@ -49,6 +49,15 @@ class Run {
     append(model.notices, report_.notices);
   }
 
+  /// What is known without a mesh.
+  Report estimate_only() {
+    const auto start = std::chrono::steady_clock::now();
+    context_.begin_mesh();
+    make_spaces();
+    report_.wall_seconds = seconds_since(start);
+    return std::move(report_);
+  }
+
   void mesh(MeshResult& result) {
     const auto start = std::chrono::steady_clock::now();
     context_.begin_mesh();
@@ -57,12 +66,15 @@ class Run {
     mesh_patches();
     assemble_patches(result.mesh);
     measure(result.mesh);
-    report_.wall_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    report_.wall_seconds = seconds_since(start);
     result.report = std::move(report_);
   }
 
  private:
+  static double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
   void make_spaces() {
     const StageClock clock(report_.seconds[Stage::Control]);
     ControlSpaces made = make_control_spaces(model_, sources_, sizing_, options_.control, context_);
@@ -187,25 +199,34 @@ class Run {
 
   void tell_turned() {
     std::size_t count = 0;
-    for (const TurnedTriangles& turned : turned_) count += turned.count;
-    if (count == 0) return;
-    // None where all are in fans around poles.
-    const auto with_point =
-        std::find_if(turned_.begin(), turned_.end(),
-                     [](const TurnedTriangles& t) { return t.point.has_value(); });
-    std::string location;
+    const TurnedPlace* place = nullptr;
     Notice notice = shortfall(NoticeKind::TurnedTriangles, {});
-    if (with_point != turned_.end()) {
-      notice.patch = static_cast<int>(with_point - turned_.begin());
-      notice.point = with_point->point;
-      location = fmt::format(", one in patch {} at {}", model_.patch(notice.patch).name,
-                             point_text(*notice.point));
+    for (std::size_t p = 0; p < turned_.size(); ++p) {
+      const TurnedTriangles& turned = turned_[p];
+      count += turned.count;
+      if (!turned.place || (place && (place->is_of_surface || !turned.place->is_of_surface))) {
+        continue;
+      }
+      place = &*turned.place;
+      notice.patch = static_cast<int>(p);
     }
+    if (count == 0) return;
+    if (place) notice.point = place->point;
     notice.text = fmt::format(
-        "{} triangles are turned against the normal of the surface{}; smaller sizes help "
-        "(curvature, hmin, hmax)",
-        count, location);
+        "{} triangles are turned against the normal of the surface{}", count,
+        place ? turned_text(notice.patch, *place) : "; smaller sizes help (curvature, hmin, hmax)");
     report_.notices.push_back(std::move(notice));
+  }
+
+  std::string turned_text(int patch, const TurnedPlace& place) const {
+    const std::string where =
+        fmt::format(", one in patch {} at {}", model_.patch(patch).name, point_text(place.point));
+    if (!place.is_of_surface) return where + "; smaller sizes help (curvature, hmin, hmax)";
+    return where + fmt::format(
+                       ", near (u,v) = ({:.6g}, {:.6g}), where the surface turns over, has "
+                       "no tangent plane, or bends by a right angle within a triangle: "
+                       "smaller sizes help, or to divide the patch there",
+                       place.uv.u, place.uv.v);
   }
 
   void assemble_patches(PolyMesh& mesh) {
@@ -286,12 +307,12 @@ void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOpt
       });
 }
 
-/// The same; of a cancelled run no other error counts, for which patch was at work then is a matter
-/// of chance.
-void mesh_or_cancel(const Model& model, const Sources& sources, const PipelineOptions& options,
-                    const RunContext& context, MeshResult& result) {
+/// Of a cancelled run no other error counts, for which patch was at work then is a matter of
+/// chance.
+template <class Work>
+void do_or_cancel(const RunContext& context, Work work) {
   try {
-    mesh_as_asked(model, sources, options, context, result);
+    work();
   } catch (const Error&) {
     if (context.was_cancelled()) context.throw_if_cancelled();
     throw;
@@ -306,10 +327,28 @@ MeshResult mesh_model(const Model& model, const Sources& sources, const Pipeline
   check(model);
   const RunContext context(observer, options.max_elements);
   MeshResult result;  // OpenMesh's meshes cannot be moved, only copied
-  with_threads(options.threads, [&] { mesh_or_cancel(model, sources, options, context, result); });
+  with_threads(options.threads, [&] {
+    do_or_cancel(context, [&] { mesh_as_asked(model, sources, options, context, result); });
+  });
   result.names = mesh_names(model);
   result.report.patches = measure_patches(result.mesh, result.names);
   return result;
+}
+
+Report estimate_mesh(const Model& model, const Sources& sources, const PipelineOptions& options,
+                     Observer* observer) {
+  check(options);
+  check(model);
+  const RunContext context(observer, options.max_elements);
+  const ResolvedSizing sizing = resolve(options.sizing, model.diagonal);
+  Report report;
+  with_threads(options.threads, [&] {
+    do_or_cancel(context,
+                 [&] { report = Run(model, sources, sizing, options, context).estimate_only(); });
+  });
+  report.mesh.patches = model.patches.size();
+  report.patches = measure_patches(PolyMesh(), mesh_names(model));
+  return report;
 }
 
 }  // namespace surfmesh

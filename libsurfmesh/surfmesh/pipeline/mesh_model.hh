@@ -29,11 +29,22 @@ struct MeshResult {
 /// observer is not owned and may be null; any thread calls it, one at a time.
 ///
 /// Writes   of the result: surf:patch (face), surf:contour (edge), surf:uv, surf:metric (halfedge)
-/// Cost     about 2 µs per triangle
+/// Cost     about 2 µs per triangle. Sizes that ask for more than max_elements triangles are
+/// refused
+///          before the mesh is begun, mostly within milliseconds
 /// Throws   InvalidOption, InvalidInput, Geometry, Limit, Cancelled
 /// Source   paper, section 2.1
 MeshResult mesh_model(const Model& model, const Sources& sources = {},
                       const PipelineOptions& options = {}, Observer* observer = nullptr);
+
+/// Make the control spaces of a model only, and estimate from them how many triangles its mesh
+/// would have; with a sag, its first mesh.
+///
+/// Returns  a report without a mesh: estimated_triangles, control, seconds, and the notices so far
+/// Error    see estimate_triangles
+/// Throws   as mesh_model
+Report estimate_mesh(const Model& model, const Sources& sources = {},
+                     const PipelineOptions& options = {}, Observer* observer = nullptr);
 
 /// Write the mesh of a result with the names of its patches and groups; see write_mesh.hh.
 inline void write_mesh(const MeshResult& result, const std::filesystem::path& path) {

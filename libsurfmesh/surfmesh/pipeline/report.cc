@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 #include "surfmesh/core/option_range.hh"
@@ -118,6 +119,30 @@ std::string histogram_share(const EdgeStatistics& edges) {
   return fmt::format("{:.1f} % in [1/√2, √2]", 100 * edges.unit_fraction);
 }
 
+/// Makes the lines of a text for a terminal.
+class Lines {
+ public:
+  void add(std::string_view key, const std::string& value) {
+    text_ += fmt::format("{:<9}{}\n", key, value);
+  }
+
+  void add_control(const Report::Control& control) {
+    add("control", fmt::format("{}, {} nodes, {} faces",
+                               to_text(ranges::kControl, static_cast<double>(control.kind)),
+                               control.nodes, control.faces));
+  }
+
+  void add_time(const Report& report) {
+    add("time", fmt::format("{:.2f} s of processor, {:.2f} s by the clock", report.seconds.sum(),
+                            report.wall_seconds));
+  }
+
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
 }  // namespace
 
 double Report::triangles_per_second() const {
@@ -155,37 +180,43 @@ std::string to_json(const Report& report) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::string estimate_text(const Report& report) {
+  Lines lines;
+  lines.add("input", report.input);
+  lines.add("estimate", fmt::format("about {:.3g} triangles, {} patches",
+                                    report.estimated_triangles, report.mesh.patches));
+  lines.add_control(report.control);
+  lines.add_time(report);
+  lines.add("notices", fmt::format("{}", report.notices.size()));
+  return lines.take();
+}
+
 std::string to_text(const Report& report) {
   const Report::Mesh& mesh = report.mesh;
-  std::string text;
-  const auto line = [&text](std::string_view key, const std::string& value) {
-    text += fmt::format("{:<9}{}\n", key, value);
-  };
-  line("input", report.input);
-  line("mesh", fmt::format("{} vertices, {} triangles, {} patches", mesh.vertices, mesh.triangles,
-                           mesh.patches));
-  line("",
-       fmt::format("{}, Euler characteristic {}", mesh.is_closed ? "closed" : "open", mesh.euler));
-  line("edges",
-       fmt::format("mean {:.3f}, deviation {:.3f}, from {:.3f} to {:.3f}", report.edges.mean,
-                   report.edges.stddev, report.edges.min, report.edges.max));
-  line("", histogram_share(report.edges));
-  line("quality", fmt::format("mean {:.3f}, least {:.3f}, {:.2f} % below 0.3", report.quality.mean,
-                              report.quality.min, 100 * report.quality.below_0_3));
+  Lines lines;
+  lines.add("input", report.input);
+  lines.add("mesh", fmt::format("{} vertices, {} triangles, {} patches", mesh.vertices,
+                                mesh.triangles, mesh.patches));
+  lines.add("", fmt::format("{}, Euler characteristic {}", mesh.is_closed ? "closed" : "open",
+                            mesh.euler));
+  lines.add("edges",
+            fmt::format("mean {:.3f}, deviation {:.3f}, from {:.3f} to {:.3f}", report.edges.mean,
+                        report.edges.stddev, report.edges.min, report.edges.max));
+  lines.add("", histogram_share(report.edges));
+  lines.add("quality",
+            fmt::format("mean {:.3f}, least {:.3f}, {:.2f} % below 0.3", report.quality.mean,
+                        report.quality.min, 100 * report.quality.below_0_3));
   if (report.sag.asked && report.sag.reached) {
-    line("sag",
-         fmt::format("{:.4g} reached, {:.4g} asked for", *report.sag.reached, *report.sag.asked));
+    lines.add("sag", fmt::format("{:.4g} reached, {:.4g} asked for", *report.sag.reached,
+                                 *report.sag.asked));
   }
-  const Report::Control& control = report.control;
-  line("control", fmt::format("{}, {} nodes, {} faces",
-                              to_text(ranges::kControl, static_cast<double>(control.kind)),
-                              control.nodes, control.faces));
-  line("time", fmt::format("{:.2f} s of processor, {:.2f} s by the clock", report.seconds.sum(),
-                           report.wall_seconds));
-  line("", fmt::format("{:.0f} triangles a second in all, {:.0f} without control space and files",
-                       report.triangles_per_second_in_all(), report.triangles_per_second()));
-  line("notices", fmt::format("{}", report.notices.size()));
-  return text;
+  lines.add_control(report.control);
+  lines.add_time(report);
+  lines.add("", fmt::format("{:.0f} triangles a second in all, {:.0f} without control space and "
+                            "files",
+                            report.triangles_per_second_in_all(), report.triangles_per_second()));
+  lines.add("notices", fmt::format("{}", report.notices.size()));
+  return lines.take();
 }
 
 }  // namespace surfmesh

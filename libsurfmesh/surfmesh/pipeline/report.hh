@@ -75,4 +75,7 @@ std::string to_json(const Report& report);
 /// The report in about ten lines for a terminal.
 std::string to_text(const Report& report);
 
+/// The report of estimate_mesh in a few lines for a terminal.
+std::string estimate_text(const Report& report);
+
 }  // namespace surfmesh
