@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "cage/cages.hh"
@@ -17,7 +18,7 @@ namespace {
 std::vector<Block> blocks_of(const Cage& cage, std::vector<int> sets = {}) {
   sets.resize(cage.faces.size(), 0);
   const CageTopology topology = make_topology(cage, Scheme::CatmullClark);
-  return gather_blocks(*topology.refiner, sets);
+  return gather_blocks(*topology.refiner, sets, cage.points);
 }
 
 std::vector<std::string> sizes_of(const std::vector<Block>& blocks) {
@@ -160,6 +161,22 @@ TEST(GatherBlocks, HasNoHairpinAtAVertexOfManyFaces) {
   half = testing::quad_fan(12);
   half.faces.resize(5);
   EXPECT_EQ(blocks_of(half).size(), 5u);
+}
+
+TEST(GatherBlocks, HasNoHairpinAroundAFanOfNarrowFaces) {
+  // The sides of the refined faces zigzag around the parts at vertex 0: those beside each other do
+  // not join, only half of them with such a part.
+  const auto blocks_of_fan = [](int n) {
+    Cage cage;
+    cage.points = {{0, 0, 1}};
+    for (int i = 0; i < n; ++i) {
+      cage.points.emplace_back(std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n), 0);
+      cage.faces.push_back({0, 1 + i, 1 + (i + 1) % n});
+    }
+    return blocks_of(refined(cage, 1)).size();
+  };
+  EXPECT_EQ(blocks_of_fan(12), 13u);
+  EXPECT_EQ(blocks_of_fan(100), 200u);
 }
 
 TEST(GatherBlocks, LeavesOutFacesOfNoSet) {

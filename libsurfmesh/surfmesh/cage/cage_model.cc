@@ -354,9 +354,10 @@ Model model_of_blocks(const RefinedCage& regular, Scheme scheme, const CageOptio
                                                 {options.approximation_level, true});
   const Level level = topology.refiner->GetLevel(0);
   const std::vector<int> sets = group_sets(regular.cage, surfaces);
-  const std::vector<Block> blocks = has_blocks(options.patches, scheme)
-                                        ? gather_blocks(*topology.refiner, sets)
-                                        : single_faces(sets);
+  const std::vector<Block> blocks =
+      has_blocks(options.patches, scheme)
+          ? gather_blocks(*topology.refiner, sets, regular.cage.points)
+          : single_faces(sets);
   ModelBuilder builder(level, scheme, blocks);
   for (const Block& block : blocks) {
     Patch patch;
