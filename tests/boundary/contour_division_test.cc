@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include "support/cancelling.hh"
+#include "support/errors.hh"
 #include "support/models.hh"
 
 namespace surfmesh {
 namespace {
+
+const RunContext kContext;
 
 using testing::isotropic_field;
 using testing::model_of;
@@ -20,7 +24,7 @@ struct Squares {
 TEST(ContourDivision, DividesByTheLongestUse) {
   const Squares squares;
   const auto coarse = isotropic_field(0.25), fine = isotropic_field(0.1);
-  ContourDivision division(squares.model, squares.common, {&coarse, &fine});
+  ContourDivision division(squares.model, squares.common, {&coarse, &fine}, kContext);
   division.divide(1, 1, {});
   EXPECT_EQ(division.segment_count(), 10u);
   for (const auto& list : division.parameters()) {
@@ -29,10 +33,20 @@ TEST(ContourDivision, DividesByTheLongestUse) {
   }
 }
 
+TEST(ContourDivision, EndsWhileItDividesOnceItIsCancelled) {
+  const Squares squares;
+  testing::Cancelling observer;
+  const RunContext context(&observer);
+  const auto field = isotropic_field(0.1);
+  ContourDivision division(squares.model, squares.common, {&field, &field}, context);
+  division.divide(10, 1, {});
+  EXPECT_EQ(error_of([&] { division.divide(1000, 1, {}); }), testing::kCancelled);
+}
+
 TEST(ContourDivision, TakesAtLeastTheLeastRoundedUp) {
   const Squares squares;
   const auto field = isotropic_field(10);
-  ContourDivision division(squares.model, squares.common, {&field, &field});
+  ContourDivision division(squares.model, squares.common, {&field, &field}, kContext);
   division.divide(3, 2, {});
   EXPECT_EQ(division.segment_count(), 4u);
 }
@@ -41,7 +55,7 @@ TEST(ContourDivision, HalvesWhatIsTooLongForAnotherUse) {
   const Squares squares;
   const auto below = isotropic_field([](Uv uv) { return uv.v < 0.5 ? 0.1 : 10; });
   const auto above = isotropic_field([](Uv uv) { return uv.v > 0.5 ? 0.105 : 10; });
-  ContourDivision division(squares.model, squares.common, {&below, &above});
+  ContourDivision division(squares.model, squares.common, {&below, &above}, kContext);
   division.divide(1, 1, {});
   const std::size_t before = division.segment_count();
   EXPECT_TRUE(division.halve_long_segments());
@@ -52,7 +66,7 @@ TEST(ContourDivision, HalvesWhatIsTooLongForAnotherUse) {
 TEST(ContourDivision, RoundsItsCountUp) {
   const Squares squares;
   const auto field = isotropic_field(0.2);
-  ContourDivision division(squares.model, squares.common, {&field, &field});
+  ContourDivision division(squares.model, squares.common, {&field, &field}, kContext);
   division.divide(1, 1, {});
   ASSERT_EQ(division.segment_count(), 5u);
   division.round_up_to(4);
@@ -64,7 +78,7 @@ TEST(ContourDivision, RoundsItsCountUp) {
 TEST(ContourDivision, HalvesACrossingSegmentInItsMiddle) {
   const Squares squares;
   const auto field = isotropic_field(0.5);
-  ContourDivision division(squares.model, squares.common, {&field, &field});
+  ContourDivision division(squares.model, squares.common, {&field, &field}, kContext);
   division.divide(1, 1, {});
   ASSERT_EQ(division.segment_count(), 2u);
   EXPECT_TRUE(division.halve_crossing(1));
@@ -75,7 +89,7 @@ TEST(ContourDivision, HalvesACrossingSegmentInItsMiddle) {
 TEST(ContourDivision, DoesNotHalveWithoutEnd) {
   const Squares squares;
   const auto field = isotropic_field(1);
-  ContourDivision division(squares.model, squares.common, {&field, &field});
+  ContourDivision division(squares.model, squares.common, {&field, &field}, kContext);
   division.divide(1, 1, {});
   int rounds = 0;
   while (rounds < 100 && division.halve_crossing(0)) ++rounds;

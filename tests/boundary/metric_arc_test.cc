@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/cancelling.hh"
 #include "support/errors.hh"
 #include "support/metric_fields.hh"
 
@@ -32,6 +33,14 @@ TEST(MetricArc, InAConstantMetricIsTheLengthOfTheStep) {
   const SegmentCurve line({0, 0}, {3, 4});
   EXPECT_NEAR(MetricArc(line, constant_field({1, 0, 1})).length(), 5, 1e-13);
   EXPECT_NEAR(MetricArc(line, constant_field({4, 1, 9})).length(), std::sqrt(204), 1e-12);
+}
+
+TEST(MetricArc, EndsWithFewQueriesOnceItIsCancelled) {
+  testing::Cancelling observer;
+  const RunContext context(&observer);
+  const auto field = isotropic_field(1e-5);
+  EXPECT_EQ(error_of([&] { MetricArc(kAlongU, field, context); }), testing::kCancelled);
+  EXPECT_LE(field.queries(), kStepsBetweenCancellation);
 }
 
 TEST(MetricArc, OfASizeThatGrowsLinearlyIsALogarithm) {

@@ -11,11 +11,14 @@
 namespace surfmesh {
 namespace {
 
+const RunContext kContext;
+
 /// A model and its contours in segments, closed ones in three each.
 struct Divided {
   explicit Divided(Model divided) : model(std::move(divided)), fields(model, 10) {
     for (const Contour& contour : model.contours) {
-      ContourDivision& division = divisions.emplace_back().emplace(model, contour, fields);
+      ContourDivision& division =
+          divisions.emplace_back().emplace(model, contour, fields, kContext);
       division.divide(contour.start == contour.end ? 3 : 1, 1, {});
     }
   }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "support/cancelling.hh"
 #include "support/errors.hh"
 #include "support/meshes.hh"
 #include "support/models.hh"
@@ -107,6 +108,13 @@ TEST(MeasureFit, MeasuresInTheSizesOfTheModel) {
     EXPECT_EQ(fit.distance.max, 0);
     EXPECT_TRUE(fit.distance.faults.empty());
   }
+}
+
+TEST(MeasureFit, EndsOnceItIsCancelled) {
+  MeshFile mesh = grid_on_patches();
+  testing::Cancelling observer;
+  EXPECT_EQ(error_of([&] { measure_fit(mesh, two_rectangles(1), JudgedBy::ExactSizes, &observer); }),
+            testing::kCancelled);
 }
 
 /// The metric with edges a tenth as long as wanted.

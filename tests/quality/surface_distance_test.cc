@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/cancelling.hh"
 #include "support/errors.hh"
 #include "support/meshes.hh"
 #include "support/models.hh"
@@ -77,6 +78,17 @@ TEST(MeasureDistance, FallsWithTheSquareOfTheElements) {
     }
     before = distance.max;
   }
+}
+
+TEST(MeasureDistance, AndProjectionEndOnceTheyAreCancelled) {
+  const Model model = testing::model_of({testing::rectangle(0, 0, 4, 4)});
+  const SurfaceSearch search(model);
+  PolyMesh mesh = testing::plane_grid(4, 4);
+  testing::Cancelling observer;
+  const RunContext context(&observer);
+  EXPECT_EQ(error_of([&] { measure_distance(mesh, model, search, false, context); }),
+            testing::kCancelled);
+  EXPECT_EQ(error_of([&] { project_mesh(mesh, {}, model, search, context); }), testing::kCancelled);
 }
 
 TEST(MeasureDistance, FindsTurnedFacesAndCornersOffTheSurface) {

@@ -323,7 +323,8 @@ Notices notices_of(const Model& model, const Separation& separation) {
 }  // namespace
 
 AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<ContourNodes>& nodes,
-                        const NodeNumbers& numbers, const std::vector<PatchMesh>& patches) {
+                        const NodeNumbers& numbers, const std::vector<PatchMesh>& patches,
+                        const RunContext& context) {
   const PatchOrientation orientation = orient_patches(model);
   std::vector<Vec3> points = contour_points(model, nodes, numbers);
   std::size_t face_count = 0, corner_count = 0;
@@ -338,14 +339,17 @@ AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<Co
   faces.reserve(patches.size());
   std::vector<std::size_t> first_faces;
   for (std::size_t p = 0; p < patches.size(); ++p) {
+    context.throw_if_cancelled();
     faces.emplace_back(patches[p], orientation.is_turned[p] != 0, points);
     first_faces.push_back(soup.faces.size());
     soup.add(faces.back());
   }
   drop_unused(points, soup.faces);
+  context.throw_if_cancelled();
 
   const Separation separation =
       build_faces(mesh, points.size(), soup.faces, FirstSide::FromFirstCorner, soup.twins);
+  context.throw_if_cancelled();
   set_points(points, separation.copied, mesh);
   write_properties(faces, first_faces, mesh);
   return {notices_of(model, separation)};

@@ -6,6 +6,7 @@
 
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/core/notice.hh"
+#include "surfmesh/core/run_context.hh"
 #include "surfmesh/patch_mesh/patch_mesh.hh"
 
 namespace surfmesh {
@@ -27,7 +28,9 @@ struct AssembleReport {
 ///          its tip)
 /// Cost     O(n); O(n log n) for the sides at contours
 /// Pre      split_improper_chords has been called
+/// Throws   Cancelled
 AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<ContourNodes>& nodes,
-                        const NodeNumbers& numbers, const std::vector<PatchMesh>& patches);
+                        const NodeNumbers& numbers, const std::vector<PatchMesh>& patches,
+                        const RunContext& context = RunContext());
 
 }  // namespace surfmesh

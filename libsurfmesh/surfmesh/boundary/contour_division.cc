@@ -22,11 +22,16 @@ namespace {
 constexpr double kShortestHalved = 0.02;
 constexpr double kShortestUncrossed = 1e-6;
 
+/// Segments that are made or looked at between two questions whether the run is cancelled: each may
+/// take some projections.
+constexpr std::size_t kSegmentsBetweenCancellation = 256;
+
 }  // namespace
 
 ContourDivision::ContourDivision(const Model& model, const Contour& contour,
-                                 const std::vector<const MetricField*>& fields)
-    : model_(model), contour_(contour) {
+                                 const std::vector<const MetricField*>& fields,
+                                 const RunContext& context)
+    : model_(model), contour_(contour), context_(context) {
   for (const ContourUse& use : contour.uses) {
     measure(use, *fields[static_cast<std::size_t>(use.patch)]);
     if (arcs_.back().length() > arcs_[selected_].length()) selected_ = arcs_.size() - 1;
@@ -36,7 +41,7 @@ ContourDivision::ContourDivision(const Model& model, const Contour& contour,
 
 void ContourDivision::measure(const ContourUse& use, const MetricField& field) {
   try {
-    arcs_.emplace_back(*use.curve, field);
+    arcs_.emplace_back(*use.curve, field, context_);
   } catch (const Error& error) {
     throw Error(error.code(), fmt::format("contour {} on patch {}: {}", contour_.name,
                                           model_.patch(use).name, error.what()));
@@ -59,6 +64,7 @@ void ContourDivision::divide(int least, int multiple, std::optional<double> sag)
 template <class IsHalved>
 void ContourDivision::halve_where(IsHalved is_halved) {
   for (std::size_t i = 0; i < segment_count();) {
+    step();
     if (is_halved(i) && can_halve(i, kShortestHalved)) {
       halve(i);
     } else {
@@ -135,6 +141,11 @@ QueryCounts ContourDivision::queries() const {
   return count;
 }
 
+/// One more segment was made or looked at.
+void ContourDivision::step() {
+  if (++steps_ % kSegmentsBetweenCancellation == 0) context_.throw_if_cancelled();
+}
+
 /// The t on a use of the point at t of the selected use.
 double ContourDivision::on_use(std::size_t use, double t) const {
   const ContourUse& from = contour_.uses[selected_];
@@ -146,6 +157,7 @@ double ContourDivision::on_use(std::size_t use, double t) const {
 
 /// Put a node at t of the selected use behind the last one.
 void ContourDivision::append(double t) {
+  step();
   for (std::size_t use = 0; use < parameters_.size(); ++use) {
     parameters_[use].push_back(on_use(use, t));
   }

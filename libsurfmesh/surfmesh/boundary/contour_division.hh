@@ -8,6 +8,7 @@
 
 #include "surfmesh/boundary/contour_nodes.hh"
 #include "surfmesh/boundary/metric_arc.hh"
+#include "surfmesh/core/run_context.hh"
 
 namespace surfmesh {
 
@@ -19,9 +20,10 @@ class ContourDivision {
  public:
   using Parameters = std::vector<std::vector<double>>;  ///< by use, then by node
 
-  /// `fields` holds the metric of each patch.
+  /// `fields` holds the metric of each patch. The context must outlive this; every member that
+  /// makes segments throws Cancelled.
   ContourDivision(const Model& model, const Contour& contour,
-                  const std::vector<const MetricField*>& fields);
+                  const std::vector<const MetricField*>& fields, const RunContext& context);
 
   /// Place the nodes at equal metric arcs: as many segments as the length, or the sag, asks for.
   void divide(int least, int multiple, std::optional<double> sag);
@@ -62,6 +64,7 @@ class ContourDivision {
 
  private:
   void measure(const ContourUse& use, const MetricField& field);
+  void step();
   double on_use(std::size_t use, double t) const;
   void append(double t);
   void spread(const std::vector<double>& sums, long count);
@@ -75,6 +78,8 @@ class ContourDivision {
 
   const Model& model_;
   const Contour& contour_;
+  const RunContext& context_;
+  std::size_t steps_ = 0;        ///< since the context was asked
   std::vector<MetricArc> arcs_;  ///< by use
   std::size_t selected_ = 0;
   Parameters parameters_;

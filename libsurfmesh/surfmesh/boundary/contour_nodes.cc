@@ -34,14 +34,14 @@ ContourNodes degenerate_nodes(const Model& model, const Contour& contour) {
 }  // namespace
 
 BoundaryNodes place_contour_nodes(const Model& model, const std::vector<const MetricField*>& fields,
-                                  const ContourDemands& demands) {
+                                  const ContourDemands& demands, const RunContext& context) {
   check(demands);
   const LeastSegments least(model);
   ContourDivisions divisions(model.contours.size());
   share_indices(model.contours.size(), [&](std::size_t c) {
     const Contour& contour = model.contours[c];
     if (contour.uses.empty() || contour.is_degenerate) return;
-    ContourDivision& division = divisions[c].emplace(model, contour, fields);
+    ContourDivision& division = divisions[c].emplace(model, contour, fields, context);
     division.divide(least(contour), demands.multiple, demands.sag);
     if (division.halve_long_segments() && !demands.sag) {
       division.even_out(least(contour), demands.multiple);
@@ -49,7 +49,7 @@ BoundaryNodes place_contour_nodes(const Model& model, const std::vector<const Me
     division.halve_detours();
     division.round_up_to(demands.multiple);
   });
-  uncross(model, divisions, demands.multiple);
+  uncross(model, divisions, demands.multiple, context);
   BoundaryNodes result;
   for (std::size_t c = 0; c < model.contours.size(); ++c) {
     if (divisions[c]) {

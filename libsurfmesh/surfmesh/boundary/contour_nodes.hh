@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "surfmesh/core/run_context.hh"
 #include "surfmesh/metric/metric_field.hh"
 #include "surfmesh/model/model.hh"
 
@@ -54,9 +55,11 @@ struct BoundaryNodes {
 ///
 /// `fields` holds the metric of each patch.
 /// Cost     four to eight metric queries per segment and use
-/// Throws   InvalidInput for demands that are out of range
+/// Throws   Cancelled; InvalidInput for demands that are out of range; Limit for more than a
+///          million segments of one contour
 /// Source   paper, section 2.1, item 1
 BoundaryNodes place_contour_nodes(const Model& model, const std::vector<const MetricField*>& fields,
-                                  const ContourDemands& demands = {});
+                                  const ContourDemands& demands = {},
+                                  const RunContext& context = RunContext());
 
 }  // namespace surfmesh

@@ -49,11 +49,12 @@ double look_up(const std::vector<double>& xs, const std::vector<double>& ys, dou
 
 class Bisection {
  public:
-  Bisection(const Curve& curve, const MetricField& field, std::vector<double>& parameters,
-            std::vector<double>& arcs)
-      : curve_(curve), field_(field), parameters_(parameters), arcs_(arcs) {}
+  Bisection(const Curve& curve, const MetricField& field, const RunContext& context,
+            std::vector<double>& parameters, std::vector<double>& arcs)
+      : curve_(curve), field_(field), context_(context), parameters_(parameters), arcs_(arcs) {}
 
   Station station(double t) {
+    if (++stations_ % kStepsBetweenCancellation == 0) context_.throw_if_cancelled();
     const Uv uv = curve_.evaluate(t);
     const Metric metric = field_.at(uv, hint_);
     if (!std::isfinite(metric.m11 + metric.m12 + metric.m22)) {
@@ -98,6 +99,8 @@ class Bisection {
 
   const Curve& curve_;
   const MetricField& field_;
+  const RunContext& context_;
+  std::size_t stations_ = 0;
   QueryHint hint_;
   std::vector<double>& parameters_;
   std::vector<double>& arcs_;
@@ -105,8 +108,9 @@ class Bisection {
 
 }  // namespace
 
-MetricArc::MetricArc(const Curve& curve, const MetricField& field) : parameters_{0.0}, arcs_{0.0} {
-  Bisection bisection(curve, field, parameters_, arcs_);
+MetricArc::MetricArc(const Curve& curve, const MetricField& field, const RunContext& context)
+    : parameters_{0.0}, arcs_{0.0} {
+  Bisection bisection(curve, field, context, parameters_, arcs_);
   Station from = bisection.station(0);
   for (int i = 1; i <= kFirstPieces; ++i) {
     const Station to = bisection.station(double(i) / kFirstPieces);

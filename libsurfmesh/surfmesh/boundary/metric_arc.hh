@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "surfmesh/core/run_context.hh"
 #include "surfmesh/geometry/curve.hh"
 #include "surfmesh/metric/metric_field.hh"
 
@@ -16,9 +17,11 @@ namespace surfmesh {
 ///
 /// Error    about 1e-3 of the length, 1e-2 for a curve with waves within a unit (test MetricArc.*)
 /// Cost     four to eight metric queries per unit of length, at least 17
+/// Throws   Cancelled; Limit for more than a million units; Geometry for a metric that is not
+/// finite
 class MetricArc {
  public:
-  MetricArc(const Curve& curve, const MetricField& field);
+  MetricArc(const Curve& curve, const MetricField& field, const RunContext& context = RunContext());
 
   /// Metric length of the whole curve, which is the number of segments wanted.
   double length() const { return arcs_.back(); }

@@ -59,8 +59,13 @@ bool has_room(const Loops& loops, const detail::PoleSide& pole, const std::array
 
 class Uncrossing {
  public:
-  Uncrossing(const Model& model, ContourDivisions& divisions, int multiple)
-      : model_(model), divisions_(divisions), multiple_(multiple), most_(kMostSurplus) {
+  Uncrossing(const Model& model, ContourDivisions& divisions, int multiple,
+             const RunContext& context)
+      : model_(model),
+        divisions_(divisions),
+        multiple_(multiple),
+        context_(context),
+        most_(kMostSurplus) {
     for (const auto& division : divisions_) {
       if (division) most_ += kMostGrowth * division->segment_count();
     }
@@ -103,13 +108,17 @@ class Uncrossing {
 
   ContourSegments crossing() const {
     ContourSegments segments;
-    for (const Patch& patch : model_.patches) add_crossing(loops_of(patch), segments);
+    for (const Patch& patch : model_.patches) {
+      context_.throw_if_cancelled();
+      add_crossing(loops_of(patch), segments);
+    }
     return segments;
   }
 
   ContourSegments crossing_or_beside_poles() const {
     ContourSegments segments;
     for (const Patch& patch : model_.patches) {
+      context_.throw_if_cancelled();
       const Loops loops = loops_of(patch);
       add_crossing(loops, segments);
       for (std::size_t l = 0; l < loops.nodes.size(); ++l) add_beside_poles(loops, l, segments);
@@ -167,14 +176,16 @@ class Uncrossing {
   const Model& model_;
   ContourDivisions& divisions_;
   int multiple_;
+  const RunContext& context_;
   std::size_t most_;
   std::size_t halved_ = 0;
 };
 
 }  // namespace
 
-void uncross(const Model& model, ContourDivisions& divisions, int multiple) {
-  Uncrossing(model, divisions, multiple).run();
+void uncross(const Model& model, ContourDivisions& divisions, int multiple,
+             const RunContext& context) {
+  Uncrossing(model, divisions, multiple, context).run();
 }
 
 }  // namespace surfmesh

@@ -18,6 +18,8 @@ using ContourDivisions = std::vector<std::optional<ContourDivision>>;
 /// The numbers of segments stay multiples of `multiple`. The nodes stay as they are where that does
 /// not succeed: curves that touch are found later.
 /// Cost     O(n log n) for n segments in up to 40 rounds
-void uncross(const Model& model, ContourDivisions& divisions, int multiple);
+/// Throws   Cancelled
+void uncross(const Model& model, ContourDivisions& divisions, int multiple,
+             const RunContext& context = RunContext());
 
 }  // namespace surfmesh

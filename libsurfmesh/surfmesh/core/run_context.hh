@@ -52,6 +52,9 @@ class RunContext {
   /// Begin another mesh, which has no elements yet.
   void begin_mesh() const { elements_ = 0; }
 
+  /// The elements of the patches that are finished.
+  std::size_t elements() const { return elements_; }
+
   /// Count the elements of a finished patch.
   /// Throws   Limit if there are too many
   void add_elements(std::size_t count) const;

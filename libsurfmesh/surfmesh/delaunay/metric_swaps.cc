@@ -49,11 +49,13 @@ double quality(const DelaunayMesh& delaunay, FaceHandle fh) {
                           corner(delaunay, mesh.to_vertex_handle(c)));
 }
 
-std::size_t swap_edges(DelaunayMesh& delaunay, std::vector<EdgeHandle> edges) {
+std::size_t swap_edges(DelaunayMesh& delaunay, std::vector<EdgeHandle> edges,
+                       const RunContext& context) {
   const PolyMesh& mesh = delaunay.mesh();
   const std::size_t limit = kSwapsPerEdge * edges.size();
-  std::size_t swaps = 0;
+  std::size_t swaps = 0, steps = 0;
   while (!edges.empty() && swaps < limit) {
+    if (++steps % kStepsBetweenCancellation == 0) context.throw_if_cancelled();
     const EdgeHandle eh = edges.back();
     edges.pop_back();
     const HalfedgeHandle inner = mesh.halfedge_handle(eh, 0);
@@ -74,13 +76,13 @@ std::size_t swap_edges(DelaunayMesh& delaunay, std::vector<EdgeHandle> edges) {
   return swaps;
 }
 
-std::size_t swap_edges(DelaunayMesh& delaunay) {
+std::size_t swap_edges(DelaunayMesh& delaunay, const RunContext& context) {
   std::vector<EdgeHandle> edges;
   edges.reserve(delaunay.n_edges());
   for (std::size_t i = delaunay.n_edges(); i > 0; --i) {
     edges.push_back(EdgeHandle(static_cast<int>(i - 1)));
   }
-  return swap_edges(delaunay, std::move(edges));
+  return swap_edges(delaunay, std::move(edges), context);
 }
 
 }  // namespace surfmesh

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "surfmesh/core/run_context.hh"
 #include "surfmesh/delaunay/delaunay_mesh.hh"
 #include "surfmesh/metric/triangle.hh"
 
@@ -25,9 +26,11 @@ double quality(const DelaunayMesh& delaunay, FaceHandle fh);
 /// Reads    surf:uv, surf:metric, surf:constrained
 /// Returns  the number of swaps
 /// Cost     about 150 ns per edge examined
-std::size_t swap_edges(DelaunayMesh& delaunay, std::vector<EdgeHandle> edges);
+/// Throws   Cancelled
+std::size_t swap_edges(DelaunayMesh& delaunay, std::vector<EdgeHandle> edges,
+                       const RunContext& context = RunContext());
 
 /// The same for all edges of the mesh.
-std::size_t swap_edges(DelaunayMesh& delaunay);
+std::size_t swap_edges(DelaunayMesh& delaunay, const RunContext& context = RunContext());
 
 }  // namespace surfmesh

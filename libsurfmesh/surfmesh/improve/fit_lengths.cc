@@ -11,11 +11,13 @@ namespace {
 
 class LengthFit {
  public:
-  LengthFit(DelaunayMesh& delaunay, VertexMoves& moves) : delaunay_(delaunay), moves_(moves) {}
+  LengthFit(DelaunayMesh& delaunay, VertexMoves& moves, const RunContext& context)
+      : delaunay_(delaunay), moves_(moves), context_(context) {}
 
   FitReport run() {
     // Downwards: what takes the place of a collapsed edge has been looked at.
     for (std::size_t i = delaunay_.n_edges(); i > 0; --i) {
+      if (i % kStepsBetweenCancellation == 0) context_.throw_if_cancelled();
       if (i > delaunay_.n_edges()) continue;
       const EdgeHandle eh(static_cast<int>(i - 1));
       if (delaunay_.is_constrained(eh)) continue;
@@ -108,6 +110,7 @@ class LengthFit {
 
   DelaunayMesh& delaunay_;
   VertexMoves& moves_;
+  const RunContext& context_;
   Star star_;
   std::vector<VertexHandle> neighbours_;
   FitReport report_;
@@ -115,8 +118,8 @@ class LengthFit {
 
 }  // namespace
 
-FitReport fit_lengths(DelaunayMesh& delaunay, VertexMoves& moves) {
-  const FitReport report = LengthFit(delaunay, moves).run();
+FitReport fit_lengths(DelaunayMesh& delaunay, VertexMoves& moves, const RunContext& context) {
+  const FitReport report = LengthFit(delaunay, moves, context).run();
   delaunay.shrink();
   return report;
 }

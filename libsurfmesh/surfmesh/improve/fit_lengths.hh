@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "surfmesh/core/run_context.hh"
 #include "surfmesh/improve/vertex_moves.hh"
 
 namespace surfmesh {
@@ -21,6 +22,8 @@ struct FitReport {
 /// Writes   surf:uv, surf:metric; the last elements take over the numbers of removed ones, vertices
 ///          before the first inner one keep theirs
 /// Cost     the length of every edge, and up to nine moves per change
-FitReport fit_lengths(DelaunayMesh& delaunay, VertexMoves& moves);
+/// Throws   Cancelled
+FitReport fit_lengths(DelaunayMesh& delaunay, VertexMoves& moves,
+                      const RunContext& context = RunContext());
 
 }  // namespace surfmesh

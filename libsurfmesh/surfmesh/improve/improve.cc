@@ -34,13 +34,12 @@ class Improvement {
     }
   }
 
-  void swap() { report_.swapped += swap_edges(delaunay_); }
+  void swap() { report_.swapped += swap_edges(delaunay_, context_); }
 
   /// Collapse and split edges, again while that changes more than hardly any.
   void fit() {
     for (int round = 0; round < kMaxFits; ++round) {
-      context_.throw_if_cancelled();
-      const FitReport fitted = fit_lengths(delaunay_, moves_);
+      const FitReport fitted = fit_lengths(delaunay_, moves_, context_);
       report_.collapsed += fitted.collapsed;
       report_.split += fitted.split;
       if (fitted.collapsed + fitted.split <= delaunay_.n_edges() / kEdgesPerChange) break;
@@ -58,7 +57,6 @@ class Improvement {
     std::vector<char> is_searched(delaunay_.n_vertices(), 0);
     for (int pass = 0; pass < passes && !bad.empty(); ++pass) {
       bad = repair(bad, is_searched);
-      context_.throw_if_cancelled();
     }
   }
 
@@ -80,7 +78,9 @@ class Improvement {
                                  std::vector<char>& is_searched) {
     std::vector<EdgeHandle> edges;
     std::vector<VertexHandle> searched;
+    std::size_t steps = 0;
     for (const FaceHandle fh : bad) {
+      if (++steps % kStepsBetweenCancellation == 0) context_.throw_if_cancelled();
       HalfedgeHandle heh = delaunay_.mesh().halfedge_handle(fh);
       for (int k = 0; k < 3; ++k, heh = delaunay_.mesh().next_halfedge_handle(heh)) {
         edges.push_back(delaunay_.mesh().edge_handle(heh));
@@ -92,7 +92,7 @@ class Improvement {
         searched.push_back(vh);
       }
     }
-    report_.swapped += swap_edges(delaunay_, std::move(edges));
+    report_.swapped += swap_edges(delaunay_, std::move(edges), context_);
     std::vector<FaceHandle> left;
     for (const VertexHandle vh : searched) {
       is_searched[index(vh)] = 0;

@@ -42,6 +42,7 @@ class PatchRun {
     patch_.boundary = std::move(task_.boundary);
     BoundaryTriangulation made = triangulate_boundary(points_of(patch_.boundary), task_.field);
     patch_.delaunay = std::move(made.delaunay);
+    context_.throw_if_cancelled();
     result_.queries[Stage::Triangulate] = made.queries;
   }
 
@@ -62,6 +63,7 @@ class PatchRun {
   void finish() {
     const StageClock clock(result_.seconds[Stage::Assemble]);
     evaluate_vertices(patch_);
+    context_.throw_if_cancelled();
     result_.turned = mend_turned_triangles(patch_);
     if (task_.corrected_sag > 0) {
       detail::correct_sag(patch_, task_.corrected_sag);

@@ -13,6 +13,7 @@
 
 #include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/core/run_context.hh"
 #include "surfmesh/metric/tensor.hh"
 #include "surfmesh/pipeline/notice_json.hh"
 #include "surfmesh/quality/sag.hh"
@@ -75,13 +76,14 @@ std::vector<std::unique_ptr<SizeField>> size_fields(const ModelInput& input) {
 
 /// Give the corners the metric of the exact sizes. Corners of one vertex with one patch and (u,v)
 /// are evaluated once.
-void attach_exact_metric(PolyMesh& mesh, const ModelInput& input) {
+void attach_exact_metric(PolyMesh& mesh, const ModelInput& input, const RunContext& context) {
   const auto fields = size_fields(input);
   const auto uv_of = require(mesh, keys::corner_uv);
   const auto patch_of = require(mesh, keys::face_patch);
   detach(mesh, keys::corner_metric);
   const auto metric_of = attach(mesh, keys::corner_metric);
   for (const VertexHandle vh : mesh.vertices()) {
+    if (index(vh) % kStepsBetweenCancellation == 0) context.throw_if_cancelled();
     int patch = -1;
     Uv uv;
     Metric metric;
@@ -290,12 +292,14 @@ std::optional<MetricFit> measure_stored_metric(const PolyMesh& mesh) {
   return measure_metric(mesh);
 }
 
-ModelFit measure_fit(MeshFile& mesh, const ModelInput& input, JudgedBy judged_by) {
+ModelFit measure_fit(MeshFile& mesh, const ModelInput& input, JudgedBy judged_by,
+                     Observer* observer) {
+  const RunContext context(observer);
   ModelFit fit;
   const SurfaceSearch search(input.model);
   fit.is_projected = !has_parameters(mesh.mesh);
-  if (fit.is_projected) project_mesh(mesh.mesh, mesh.names.patches, input.model, search);
-  fit.distance = measure_distance(mesh.mesh, input.model, search, fit.is_projected);
+  if (fit.is_projected) project_mesh(mesh.mesh, mesh.names.patches, input.model, search, context);
+  fit.distance = measure_distance(mesh.mesh, input.model, search, fit.is_projected, context);
   if (!fit.is_projected) add_sag(mesh.mesh, input.model, search, fit.distance);
   fit.differences = compare_with_promise(mesh.mesh, input.model);
   fit.is_by_stored_metric =
@@ -303,7 +307,7 @@ ModelFit measure_fit(MeshFile& mesh, const ModelInput& input, JudgedBy judged_by
   if (!fit.is_by_stored_metric) {
     const Sizing& sizing = input.options.sizing;
     fit.has_other_sizes = sizing.grade > 0 || sizing.sag || !input.sources.at.empty();
-    attach_exact_metric(mesh.mesh, input);
+    attach_exact_metric(mesh.mesh, input, context);
   }
   fit.sizes = measure_metric(mesh.mesh);
   return fit;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "surfmesh/core/notice.hh"
+#include "surfmesh/core/observer.hh"
 #include "surfmesh/formats/read_mesh.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/quality/face_set_check.hh"
@@ -72,9 +73,10 @@ std::optional<MetricFit> measure_stored_metric(const PolyMesh& mesh);
 /// Writes   surf:uv (halfedge) and surf:patch (face) if the mesh is projected; surf:metric
 ///          (halfedge), which replaces that of the mesh where exact sizes judge it
 /// Cost     about 90 surface evaluations per triangle
-/// Throws   InvalidInput for a patch that the model does not have
+/// Throws   InvalidInput for a patch that the model does not have; Cancelled by the observer, which
+///          may be null
 ModelFit measure_fit(MeshFile& mesh, const ModelInput& input,
-                     JudgedBy judged_by = JudgedBy::StoredMetric);
+                     JudgedBy judged_by = JudgedBy::StoredMetric, Observer* observer = nullptr);
 
 /// Add the fit of a mesh, with its faults, to its check. Of duplicate_vertex, only those remain
 /// that the model does not promise.

@@ -16,6 +16,7 @@
 #include "surfmesh/boundary/patch_boundary.hh"
 #include "surfmesh/control/surface_metric_field.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/validate.hh"
 #include "surfmesh/estimate/element_limit.hh"
@@ -128,7 +129,7 @@ class Run {
   void place_nodes() {
     const StageClock clock(report_.seconds[Stage::Boundary]);
     context_.tell("boundary", 0, model_.contours.size());
-    BoundaryNodes boundary = place_contour_nodes(model_, fields_, demands());
+    BoundaryNodes boundary = place_contour_nodes(model_, fields_, demands(), context_);
     nodes_ = std::move(boundary.contours);
     report_.control.queries[Stage::Boundary] = boundary.report.queries;
     numbers_ = std::make_unique<NodeNumbers>(model_, nodes_);
@@ -232,7 +233,7 @@ class Run {
   void assemble_patches(PolyMesh& mesh) {
     const StageClock clock(report_.seconds[Stage::Assemble]);
     context_.tell("assemble", 0, 1);
-    AssembleReport report = assemble(mesh, model_, nodes_, *numbers_, patches_);
+    AssembleReport report = assemble(mesh, model_, nodes_, *numbers_, patches_, context_);
     append(std::move(report.notices), report_.notices);
     context_.tell("assemble", 1, 1);
     compare(mesh);
@@ -253,7 +254,9 @@ class Run {
     const std::size_t quads = corners - 3 * topology.faces;  // there are triangles and quads only
     report_.mesh = {topology.vertices,     topology.faces - quads, quads,
                     model_.patches.size(), topology.is_closed,     topology.euler};
+    context_.throw_if_cancelled();
     report_.edges = measure_edges(mesh);
+    context_.throw_if_cancelled();
     report_.quality = measure_quality(mesh);
     warn_of_flat_triangles(mesh);
   }
@@ -312,7 +315,9 @@ void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOpt
 template <class Work>
 void do_or_cancel(const RunContext& context, Work work) {
   try {
-    work();
+    tell_out_of_memory(work, [&] {
+      return fmt::format("at {} triangles in finished patches", context.elements());
+    });
   } catch (const Error&) {
     if (context.was_cancelled()) context.throw_if_cancelled();
     throw;

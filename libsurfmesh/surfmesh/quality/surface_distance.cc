@@ -22,6 +22,15 @@ using detail::point_of;
 /// Corners farther from the surface than this share of the diagonal are no matter of rounding.
 constexpr double kOffSurface = 1e-6;
 
+/// Faces between two questions whether the run is cancelled: each may take some hundred
+/// evaluations.
+constexpr std::size_t kFacesBetweenCancellation = 256;
+
+/// Ask before a face.
+void ask_at(FaceHandle fh, const RunContext& context) {
+  if (index(fh) % kFacesBetweenCancellation == 0) context.throw_if_cancelled();
+}
+
 /// Distances below this share of the diagonal need no second search.
 constexpr double kOnSurface = 1e-10;
 
@@ -76,8 +85,11 @@ class DistanceMeter {
         facing_(mesh.n_faces(), 0),
         side_of_(model.patches.size(), 0) {}
 
-  SurfaceDistance run() {
-    for (const FaceHandle fh : mesh_.faces()) measure(fh);
+  SurfaceDistance run(const RunContext& context) {
+    for (const FaceHandle fh : mesh_.faces()) {
+      ask_at(fh, context);
+      measure(fh);
+    }
     if (samples_ > 0) result_.mean = sum_ / static_cast<double>(samples_);
     find_turned();
     for (MeshFault* fault : {&turned_, &off_}) {
@@ -194,7 +206,7 @@ class DistanceMeter {
 }  // namespace
 
 void project_mesh(PolyMesh& mesh, const std::vector<std::string>& patch_names, const Model& model,
-                  const SurfaceSearch& search) {
+                  const SurfaceSearch& search, const RunContext& context) {
   std::vector<std::vector<int>> allowed;
   for (const std::string& name : patch_names) allowed.push_back(patches_named(model, name));
   const bool has_patches = find(mesh, keys::face_patch).is_valid();
@@ -203,6 +215,7 @@ void project_mesh(PolyMesh& mesh, const std::vector<std::string>& patch_names, c
   const auto uv_of = attach(mesh, keys::corner_uv);
   const std::vector<int> all;
   for (const FaceHandle fh : mesh.faces()) {
+    ask_at(fh, context);
     const int group = has_patches ? mesh.property(patch_of, fh) : -1;
     const bool has_name = group >= 0 && static_cast<std::size_t>(group) < allowed.size();
     const std::vector<HalfedgeHandle> corners = corners_of(mesh, fh);
@@ -216,8 +229,9 @@ void project_mesh(PolyMesh& mesh, const std::vector<std::string>& patch_names, c
 }
 
 SurfaceDistance measure_distance(const PolyMesh& mesh, const Model& model,
-                                 const SurfaceSearch& search, bool is_projected) {
-  return DistanceMeter(mesh, model, search, is_projected).run();
+                                 const SurfaceSearch& search, bool is_projected,
+                                 const RunContext& context) {
+  return DistanceMeter(mesh, model, search, is_projected).run(context);
 }
 
 }  // namespace surfmesh

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "surfmesh/core/mesh.hh"
+#include "surfmesh/core/run_context.hh"
 #include "surfmesh/model/model.hh"
 #include "surfmesh/quality/face_set_check.hh"
 #include "surfmesh/quality/surface_search.hh"
@@ -22,8 +23,9 @@ namespace surfmesh {
 /// Reads    surf:patch (face; optional), with its names
 /// Writes   surf:patch (face), surf:uv (halfedge)
 /// Cost     about 10 surface evaluations per corner
+/// Throws   Cancelled
 void project_mesh(PolyMesh& mesh, const std::vector<std::string>& patch_names, const Model& model,
-                  const SurfaceSearch& search);
+                  const SurfaceSearch& search, const RunContext& context = RunContext());
 
 /// How far a mesh is from the surface. Lengths in model units.
 struct SurfaceDistance {
@@ -44,8 +46,9 @@ struct SurfaceDistance {
 /// Reads    surf:patch (face), surf:uv (halfedge)
 /// Error    a lower bound of the greatest distance: four samples per triangle
 /// Cost     about 15 surface evaluations per triangle
-/// Throws   MissingProperty; InvalidInput for a patch that the model does not have
+/// Throws   Cancelled; MissingProperty; InvalidInput for a patch that the model does not have
 SurfaceDistance measure_distance(const PolyMesh& mesh, const Model& model,
-                                 const SurfaceSearch& search, bool is_projected);
+                                 const SurfaceSearch& search, bool is_projected,
+                                 const RunContext& context = RunContext());
 
 }  // namespace surfmesh

@@ -2,8 +2,10 @@
 #include "surfmesh/refine/refine.hh"
 
 #include <cmath>
+#include <string>
 
 #include "surfmesh/core/option_range.hh"
+#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/delaunay/metric_swaps.hh"
 #include "surfmesh/refine/face_states.hh"
 #include "surfmesh/refine/front.hh"
@@ -205,8 +207,11 @@ RefineReport refine(DelaunayMesh& delaunay, const MetricField& field, const Refi
                     const RunContext& context) {
   check(options);
   const std::size_t boundary_count = delaunay.n_vertices();
-  RefineReport report = Refinement(delaunay, field, options, context).run();
+  RefineReport report =
+      tell_out_of_memory([&] { return Refinement(delaunay, field, options, context).run(); },
+                         [&] { return "at " + std::to_string(delaunay.n_faces()) + " triangles"; });
   delaunay.shrink();
+  context.throw_if_cancelled();
   delaunay.sort_spatially(boundary_count);
   return report;
 }

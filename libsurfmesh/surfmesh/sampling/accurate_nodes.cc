@@ -8,10 +8,10 @@
 
 #include "surfmesh/control/control_grid.hh"
 #include "surfmesh/control/control_mesh.hh"
+#include "surfmesh/geometry/quasirandom.hh"
 #include "surfmesh/metric/conformity.hh"
 #include "surfmesh/metric/tensor.hh"
 #include "surfmesh/sampling/node_cells.hh"
-#include "surfmesh/sampling/quasirandom.hh"
 
 namespace surfmesh {
 namespace {

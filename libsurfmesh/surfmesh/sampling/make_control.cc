@@ -114,7 +114,7 @@ void make_lattice(const std::shared_ptr<const SizeField>& field, const ControlNo
     input.sampling.is_coarse = chosen.is_coarse;
     if (options.regular == 0) {
       input.sampling.precision =
-          sample_precision(*field, *grid, options.precision, kLeastCellLength);
+          sample_precision(*field, *grid, options.precision, kLeastCellLength, context);
     }
     input.lattice = std::move(grid);
   }

@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "surfmesh/control/grade_sizes.hh"
+#include "surfmesh/geometry/quasirandom.hh"
 #include "surfmesh/metric/conformity.hh"
 #include "surfmesh/metric/interpolate.hh"
 #include "surfmesh/metric/tensor.hh"
 #include "surfmesh/sampling/control_nodes.hh"
-#include "surfmesh/sampling/quasirandom.hh"
 #include "surfmesh/sizes/field_search.hh"
 #include "surfmesh/sizes/hidden_sizes.hh"
 
@@ -139,7 +139,7 @@ class CellSampler {
     empty_queue(context, [this](const Waiting& next) { return first_halving(next.leaf); });
     empty_queue(context, [this](const Waiting& next) { return halving(next); });
     sampling_.is_search_incomplete = is_searched_ && search_.is_exhausted();
-    sampling_.precision = sample_precision(field_, cells_, precision_, least_units_);
+    sampling_.precision = sample_precision(field_, cells_, precision_, least_units_, context);
     cells_.join_row_nodes(cells_.hold_points(missed_));
     return sampling_;
   }
@@ -407,12 +407,13 @@ PrecisionSample& PrecisionSample::operator+=(const PrecisionSample& other) {
 }
 
 PrecisionSample sample_precision(const SizeField& field, const LatticeSpace& space,
-                                 double precision, double short_units) {
+                                 double precision, double short_units, const RunContext& context) {
   PrecisionSample sample;
   sample.asked = precision;
   const Domain domain = field.surface().domain();
   const int count = std::max(kLeastPoints, space.node_count() / kNodesPerPoint);
   for (int i = 1; i <= count; ++i) {
+    if (static_cast<std::size_t>(i) % kStepsBetweenCancellation == 0) context.throw_if_cancelled();
     const Uv uv = domain.fold(quasirandom_point(domain, i));
     const SizeField::Sample exact = field.at(uv);
     int cell = -1;

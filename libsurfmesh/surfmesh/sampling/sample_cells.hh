@@ -34,8 +34,10 @@ struct PrecisionSample {
 
 /// Compare a lattice with the field at quasi-random points: one for each twenty nodes, eight at
 /// least. Cells shorter than `short_units` elements are those that elements cannot follow.
+/// Throws   Cancelled
 PrecisionSample sample_precision(const SizeField& field, const LatticeSpace& space,
-                                 double precision, double short_units);
+                                 double precision, double short_units,
+                                 const RunContext& context = RunContext());
 
 struct CellSampling {
   PrecisionSample precision;
