@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh_command.hh"
+#include "standard_output.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/formats/mesh_endings.hh"
 #include "surfmesh/formats/read_mesh.hh"
@@ -67,11 +68,12 @@ void CheckCommand::add_to(CLI::App& app) {
   command->add_flag("--json", is_json_, "print JSON text");
 }
 
-MeshCheck CheckCommand::measure() const {
+MeshCheck CheckCommand::measure(Progress& progress) const {
   ModelInput input;
   Settings settings = named_;
   settings.insert(settings.end(), set_.begin(), set_.end());
   if (!model_.empty()) input = read_model_with(model_, scheme_, settings);
+  throw_if_signalled();
   MeshCheck check = check_mesh(read_mesh_arrays(mesh_));
   check.mesh = mesh_;
   check.model = model_;
@@ -81,28 +83,29 @@ MeshCheck CheckCommand::measure() const {
   if (model_.empty()) return check;
   append(input.model.notices, check.notices);
   check.patch_names = mesh_names(input.model).patches;
-  add_fit(check, measure_fit(mesh, input, judged_by(settings)));
+  add_fit(check, measure_fit(mesh, input, judged_by(settings), &progress));
   return check;
 }
 
-int CheckCommand::check() const {
+int CheckCommand::check(Progress& progress) const {
   check_mesh_ending(mesh_);
-  const MeshCheck check = measure();
-  fmt::print("{}", is_json_ ? to_json(check) : to_text(check));
+  const MeshCheck check = measure(progress);
+  print(is_json_ ? to_json(check) : to_text(check));
   print_notices(check.notices);
   for (const MeshFault& fault : check.faults) {
-    fmt::print(stderr, "surfmesh: fault: {}: {}, the first: {}\n", fault.kind, fault.count,
-               fault.places.front());
+    tell(fmt::format("surfmesh: fault: {}: {}, the first: {}\n", fault.kind, fault.count,
+                     fault.places.front()));
   }
   return check.faults.empty() ? kDone : kFellShort;
 }
 
 int CheckCommand::run() const {
+  catch_signals();
+  Progress progress(false);
   try {
-    return check();
+    return check(progress);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "surfmesh: error: {}\n", error.what());
-    return kFailed;
+    return tell_failure(error, progress);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "progress.hh"
 #include "settings.hh"
 
 namespace surfmesh {
@@ -20,8 +21,8 @@ class CheckCommand {
   int run() const;
 
  private:
-  MeshCheck measure() const;
-  int check() const;
+  MeshCheck measure(Progress& progress) const;
+  int check(Progress& progress) const;
 
   std::string mesh_;
   std::string model_;  ///< empty for none

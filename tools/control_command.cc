@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
 
 #include "mesh_command.hh"
 #include "output_paths.hh"
+#include "outputs.hh"
 #include "progress.hh"
-#include "surfmesh/core/error.hh"
+#include "standard_output.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/formats/mesh_endings.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
@@ -58,12 +60,11 @@ void ControlCommand::add_to(CLI::App& app) {
 int ControlCommand::write_control_meshes(Progress& progress) const {
   check_control_ending(output_);
   check_writable(output_);
-  if (is_same_file(input_, output_)) {
-    throw Error(ErrorCode::Io, fmt::format("{} is the input, it is not overwritten", output_));
-  }
+  check_not_overwritten(std::array{std::filesystem::path(input_)}, output_);
   Settings settings = named_;
   settings.insert(settings.end(), set_.begin(), set_.end());
   ModelInput input = load_model(input_, cage_options(scheme_, settings));
+  check_not_overwritten(input.files, output_);
   for (const auto& [name, value] : settings) set_option(input.options, name, value);
   ControlSpaces control;
   with_threads(input.options.threads, [&] {
@@ -72,18 +73,23 @@ int ControlCommand::write_control_meshes(Progress& progress) const {
                                   input.options.control, RunContext(&progress));
   });
   const std::vector<ControlPicture> pictures = pictures_of(input.model, control);
-  write_control(pictures, output_);
+  Notices notices = input.model.notices;
+  append(control.notices, notices);
+  int status = has_shortfall(notices) ? kFellShort : kDone;
+  Outputs outputs;
+  write_control(pictures, outputs.add(output_));
+  outputs.commit(status);
   progress.clear();
   std::size_t nodes = 0, faces = 0;
   for (const ControlPicture& picture : pictures) {
     nodes += picture.mesh->n_vertices();
     faces += picture.mesh->n_faces();
   }
-  if (!is_quiet_) fmt::print("{}: {} nodes, {} faces\n", output_, nodes, faces);
-  Notices notices = input.model.notices;
-  append(control.notices, notices);
+  if (!is_quiet_) {
+    status = print_summary(fmt::format("{}: {} nodes, {} faces\n", output_, nodes, faces), status);
+  }
   print_notices(notices);
-  return has_shortfall(notices) ? kFellShort : kDone;
+  return status;
 }
 
 int ControlCommand::run() const {

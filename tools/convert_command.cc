@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <filesystem>
+
 #include "mesh_command.hh"
 #include "output_paths.hh"
-#include "surfmesh/core/error.hh"
+#include "outputs.hh"
+#include "standard_output.hh"
 #include "surfmesh/formats/read_mesh.hh"
 #include "surfmesh/formats/write_mesh.hh"
 
@@ -34,30 +38,34 @@ void ConvertCommand::add_to(CLI::App& app) {
   command->add_flag("--quiet", is_quiet_, "print warnings and errors only");
 }
 
-void ConvertCommand::convert() const {
+int ConvertCommand::convert() const {
   check_mesh_ending(output_);
   check_writable(output_);
-  if (is_same_file(input_, output_)) {
-    throw Error(ErrorCode::Io, fmt::format("{} is the input, it is not overwritten", output_));
-  }
+  check_not_overwritten(std::array{std::filesystem::path(input_)}, output_);
   const MeshFile file = read_mesh(input_);
-  write_mesh(file.mesh, output_, file.names);
+  Outputs outputs;
+  write_mesh(file.mesh, outputs.add(output_), file.names);
+  outputs.commit(kDone);
+  int status = kDone;
   if (!is_quiet_) {
-    fmt::print("{}: {} vertices, {} faces\n", output_, file.mesh.n_vertices(), file.mesh.n_faces());
+    status = print_summary(fmt::format("{}: {} vertices, {} faces\n", output_,
+                                       file.mesh.n_vertices(), file.mesh.n_faces()),
+                           status);
   }
   print_notices(file.notices);
   for (const std::string& lost : what_is_lost(file.mesh, output_, file.names)) {
-    fmt::print(stderr, "surfmesh: warning: {} does not hold {}\n", output_, lost);
+    tell(fmt::format("surfmesh: warning: {} does not hold {}\n", output_, lost));
   }
+  return status;
 }
 
 int ConvertCommand::run() const {
+  catch_signals();
+  Progress progress(false);
   try {
-    convert();
-    return kDone;
+    return convert();
   } catch (const std::exception& error) {
-    fmt::print(stderr, "surfmesh: error: {}\n", error.what());
-    return kFailed;
+    return tell_failure(error, progress);
   }
 }
 

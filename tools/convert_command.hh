@@ -16,7 +16,7 @@ class ConvertCommand {
   int run() const;
 
  private:
-  void convert() const;
+  int convert() const;
 
   std::string input_;
   std::string output_;

@@ -5,14 +5,16 @@
 
 #include <array>
 #include <chrono>
-#include <optional>
+#include <filesystem>
+#include <new>
 
 #include "output_paths.hh"
+#include "outputs.hh"
 #include "progress.hh"
+#include "standard_output.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/formats/write_mesh.hh"
-#include "surfmesh/io/output_file.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 #include "surfmesh/pipeline/set_option.hh"
@@ -28,18 +30,18 @@ constexpr const char* kFooter =
 void check_paths(const std::string& input, const std::string& output, const std::string& report) {
   check_mesh_ending(output);
   check_writable(output);
-  if (is_same_file(input, output)) {
-    throw Error(ErrorCode::Io, fmt::format("{} is the input, it is not overwritten", output));
-  }
+  const std::array inputs = {std::filesystem::path(input)};
+  check_not_overwritten(inputs, output);
   if (report.empty()) return;
   check_writable(report);
-  if (is_same_file(input, report) || is_same_file(output, report)) {
-    throw Error(ErrorCode::Io, fmt::format("{} is the input or the output, too", report));
+  check_not_overwritten(inputs, report);
+  if (is_same_file(output, report)) {
+    throw Error(ErrorCode::Io, fmt::format("{} is the output, too", report));
   }
 }
 
-void stop_on_signal() {
-  if (caught_signal() != 0) throw Error(ErrorCode::Cancelled, "stopped by a signal");
+int status_of(const MeshResult& result) {
+  return has_shortfall(result.report.notices) ? kFellShort : kDone;
 }
 
 /// One run of the command, with the clocks of reading and writing.
@@ -53,7 +55,13 @@ class MeshRun {
     input_ = load_model(path, cage_options_);
     for (const auto& [name, value] : settings_) set_option(input_.options, name, value);
     read_seconds_ = processor_seconds() - start;
-    stop_on_signal();
+    throw_if_signalled();
+  }
+
+  /// Throws   Io where a mesh or a report would replace a file that was read
+  void check_outputs(const std::string& mesh_path, const std::string& report_path) const {
+    check_not_overwritten(input_.files, mesh_path);
+    if (!report_path.empty()) check_not_overwritten(input_.files, report_path);
   }
 
   /// Made where it is returned to: a mesh cannot be moved, and a copy takes time.
@@ -61,24 +69,23 @@ class MeshRun {
     MeshResult result = mesh_model(input_.model, input_.sources, input_.options, &progress);
     result.report.input = path;
     result.report.seconds[Stage::Read] = read_seconds_;
-    stop_on_signal();
+    throw_if_signalled();
     return result;
   }
 
-  /// Write the mesh, and the report with its last clocks if it has a path. The report's file is
-  /// made first: where it cannot be, there is no mesh either.
+  /// Write the mesh, and the report with its last clocks if it has a path.
   void write(MeshResult& result, const std::string& mesh_path,
              const std::string& report_path) const {
-    std::optional<OutputFile> report_file;
-    if (!report_path.empty()) report_file.emplace(report_path);
+    Outputs outputs;
     const double start = processor_seconds();
-    write_mesh(result, mesh_path);
+    OutputFile& mesh_file = outputs.add(mesh_path);
+    write_mesh(result, mesh_file);
+    mesh_file.finish();
     result.report.seconds[Stage::Write] = processor_seconds() - start;
     result.report.wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    if (!report_file) return;
-    report_file->write(to_json(result.report));
-    report_file->commit();
+    if (!report_path.empty()) outputs.add(report_path).write(to_json(result.report));
+    outputs.commit(status_of(result));
   }
 
  private:
@@ -92,16 +99,17 @@ class MeshRun {
 }  // namespace
 
 void print_notices(const Notices& notices) {
-  for (const std::string& line : lines_of(notices)) fmt::print(stderr, "surfmesh: {}\n", line);
+  for (const std::string& line : lines_of(notices)) tell(fmt::format("surfmesh: {}\n", line));
 }
 
 int tell_failure(const std::exception& error, Progress& progress) {
   progress.clear();
   if (caught_signal() != 0) {
-    fmt::print(stderr, "surfmesh: stopped by a signal\n");
+    tell("surfmesh: stopped by a signal\n");
     return kKilledBySignal + caught_signal();
   }
-  fmt::print(stderr, "surfmesh: error: {}\n", error.what());
+  const bool is_full = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+  tell(fmt::format("surfmesh: error: {}\n", is_full ? "out of memory" : error.what()));
   return kFailed;
 }
 
@@ -140,12 +148,14 @@ int MeshCommand::run() const {
     check_paths(input_, output_, report_);
     MeshRun run(cage_options(scheme_, settings), settings);
     run.read(input_);
+    run.check_outputs(output_, report_);
     MeshResult result = run.mesh(input_, progress);
     run.write(result, output_, report_);
     progress.clear();
-    if (!is_quiet_) fmt::print("{}", to_text(result.report));
+    int status = status_of(result);
+    if (!is_quiet_) status = print_summary(to_text(result.report), status);
     print_notices(result.report.notices);
-    return has_shortfall(result.report.notices) ? kFellShort : kDone;
+    return status;
   } catch (const std::exception& error) {
     return tell_failure(error, progress);
   }

@@ -5,21 +5,13 @@
 #include <exception>
 #include <string>
 
+#include "exit_status.hh"
 #include "progress.hh"
 #include "settings.hh"
 #include "surfmesh/cage/cage.hh"
 #include "surfmesh/core/notice.hh"
 
 namespace surfmesh {
-
-/// How the program ends.
-enum ExitStatus : int {
-  kDone = 0,
-  kFailed = 1,
-  kWrongUsage = 2,
-  kFellShort = 3,        ///< done, but something asked for was not reached
-  kKilledBySignal = 128  ///< plus the number of the signal
-};
 
 /// Tell on stderr why a command ends without its result: an error, or a signal that stopped it.
 /// Returns an exit status.

@@ -23,6 +23,18 @@ void check_writable(const fs::path& path) {
   }
 }
 
+void check_not_overwritten(std::span<const fs::path> inputs, const fs::path& output) {
+  if (inputs.empty()) return;
+  for (const fs::path& input : inputs) {
+    if (!is_same_file(input, output)) continue;
+    throw Error(ErrorCode::Io,
+                &input == &inputs.front()
+                    ? fmt::format("{} is the input, it is not overwritten", output.string())
+                    : fmt::format("{} is read for {}, it is not overwritten", output.string(),
+                                  inputs.front().string()));
+  }
+}
+
 bool is_same_file(const fs::path& a, const fs::path& b) {
   std::error_code ignored;
   return fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored);

@@ -5,15 +5,10 @@
 #include <string>
 #include <string_view>
 
+#include "signals.hh"
 #include "surfmesh/core/observer.hh"
 
 namespace surfmesh {
-
-/// Remember SIGINT and SIGTERM instead of ending at once; a second one ends the program.
-void catch_signals();
-
-/// The signal that came, 0 for none.
-int caught_signal();
 
 /// Shows the progress of a run in one line of the terminal, and stops the run on a signal.
 class Progress : public Observer {

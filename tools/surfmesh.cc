@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,8 @@
 #include "control_command.hh"
 #include "convert_command.hh"
 #include "mesh_command.hh"
+#include "signals.hh"
+#include "standard_output.hh"
 #include "surfmesh/core/version.hh"
 #include "usage.hh"
 
@@ -23,7 +26,12 @@ int tell_wrong_usage(const CLI::App& app, const std::string& fault) {
 
 /// CLI11 has many codes; the documentation has one for wrong usage.
 int exit_status(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+  if (error.get_exit_code() == 0) {  // --help, --version
+    std::ostringstream text;
+    app.exit(error, text);
+    surfmesh::print(text.str());
+    return surfmesh::kDone;
+  }
   return tell_wrong_usage(app, surfmesh::usage_fault(app, error));
 }
 
@@ -71,6 +79,8 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  surfmesh::keep_closed_streams_closed();
+  surfmesh::take_errors_for_signals();
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {

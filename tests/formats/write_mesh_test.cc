@@ -172,11 +172,16 @@ TEST(WhatIsLost, TellsWhatAFormatCannotHold) {
 TEST(WriteMesh, TellsThatADeviceIsFull) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   const TestFolder folder;
-  for (const std::string name : {"a.obj", "a.off", "a.ply", "a.stl", "a.om"}) {
-    std::filesystem::create_symlink("/dev/full", folder / name);
-    const std::string path = (folder / name).string();
-    EXPECT_EQ(error_of([&] { write_mesh(wavy_grid(40, 2), path); }),
-              "io: cannot write " + path + ": No space left on device");
+  // The smaller one fits into the buffer of the file, the larger one does not.
+  for (const int side : {40, 200}) {
+    PolyMesh mesh = wavy_grid(side, 2);
+    attach_result_properties(mesh);
+    for (const std::string ending : {".obj", ".off", ".ply", ".stl", ".om"}) {
+      const std::string path = (folder / (std::to_string(side) + ending)).string();
+      std::filesystem::create_symlink("/dev/full", path);
+      EXPECT_EQ(error_of([&] { write_mesh(mesh, path); }),
+                "io: cannot write " + path + ": No space left on device");
+    }
   }
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "support/errors.hh"
 #include "support/folders.hh"
 
@@ -86,6 +88,50 @@ TEST(OutputFile, TellsThatADeviceIsFull) {
   EXPECT_EQ(error_of([] { write_file("/dev/full", "text"); }),
             "io: cannot write /dev/full: No space left on device");
   EXPECT_FALSE(fs::is_regular_file("/dev/full"));
+}
+
+TEST(OutputFile, CommitsAllFilesOfARun) {
+  const TestFolder folder;
+  write_text(folder / "a.txt", "old");
+  OutputFile a(folder / "a.txt"), b(folder / "b.txt");
+  a.write("new a");
+  b.write("new b");
+  OutputFile::commit_all(std::array{&a, &b});
+  EXPECT_EQ(read_text(folder / "a.txt"), "new a");
+  EXPECT_EQ(read_text(folder / "b.txt"), "new b");
+  EXPECT_EQ(folder.count(), 2);
+}
+
+TEST(OutputFile, CommitsNothingIfADeviceIsFull) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const TestFolder folder;
+  {
+    OutputFile a(folder / "a.txt"), full("/dev/full");
+    a.write("new");
+    full.write("new");
+    EXPECT_EQ(error_of([&] {
+                OutputFile::commit_all(std::array{&a, &full});
+              }),
+              "io: cannot write /dev/full: No space left on device");
+  }
+  EXPECT_EQ(folder.count(), 0);
+}
+
+TEST(OutputFile, PutsOldFilesBackIfALaterOneCannotBeReplaced) {
+  const TestFolder folder;
+  write_text(folder / "old.txt", "old");
+  {
+    OutputFile old(folder / "old.txt"), made(folder / "made.txt"), last(folder / "last.txt");
+    for (OutputFile* file : {&old, &made, &last}) file->write("new");
+    fs::create_directory(folder / "last.txt");
+    EXPECT_EQ(error_of([&] {
+                OutputFile::commit_all(std::array{&old, &made, &last});
+              }),
+              "io: cannot write " + (folder / "last.txt").string() + ": Is a directory");
+  }
+  EXPECT_EQ(read_text(folder / "old.txt"), "old");
+  EXPECT_FALSE(fs::exists(folder / "made.txt"));
+  EXPECT_EQ(folder.count(), 2);
 }
 
 TEST(OutputFile, StepsOverTemporaryFilesOfOthers) {

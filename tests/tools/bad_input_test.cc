@@ -93,9 +93,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"PointsOnALine", "a.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nf 1 2 3 4\n",
                  "a.obj: the points of the cage lie on a line: its surface has no area"},
         BadInput{"EqualPoints", "a.obj", "v 1 0 0\nv 1 0 0\nv 1 0 0\nf 1 2 3\n",
-                 "the model's diagonal is 0: it has no extent"},
+                 "a.obj: the model's diagonal is 0: it has no extent"},
         BadInput{"TooLarge", "a.obj", "v 0 0 0\nv 1e300 0 0\nv 0 1e300 0\nf 1 2 3\n",
-                 "the model's diagonal is inf: it is too large"}),
+                 "a.obj: the model's diagonal is inf: it is too large"}),
     fact_of);
 
 TEST_F(BadInputs, LoopCagesWithQuadsAreRefused) {

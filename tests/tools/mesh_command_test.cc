@@ -359,7 +359,7 @@ TEST_F(MeshProgram, TellsOutputThatCannotBeWrittenBeforeItReads) {
   expect_error(run("mesh none.obj -o no/out.obj"), "there is no folder no");
   expect_error(run("mesh none.obj -o a.obj --report no/r.json"), "there is no folder no");
   expect_error(run("mesh none.obj -o none.obj"), "is the input");
-  expect_error(run("mesh none.obj -o a.obj --report a.obj"), "or the output");
+  expect_error(run("mesh none.obj -o a.obj --report a.obj"), "a.obj is the output, too");
 }
 
 TEST_F(MeshProgram, KeepsTheOldFileAfterAnError) {

@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <exception>
 #include <mutex>
+#include <new>
 #include <sstream>
 #include <streambuf>
 
@@ -269,20 +271,27 @@ std::string names_value(const MeshNames& names) {
 
 /// Hands all that is written on to a file but the last bytes, the end mark, so that a chunk can be
 /// put before it: a mesh property would have to be added to the mesh, which is not ours.
+///
+/// OpenMesh stops the program where its stream takes fewer bytes than it is given. So an error is
+/// kept until the end, and whatever comes after it is dropped.
 class WithoutEndMark : public std::streambuf {
  public:
   explicit WithoutEndMark(FileWriter& writer) : writer_(writer) {}
 
-  void finish() { hand_on(); }
+  /// Throws   the first error of the file
+  void finish() {
+    if (error_) std::rethrow_exception(error_);
+    hand_on();
+  }
 
  protected:
   std::streamsize xsputn(const char* text, std::streamsize size) override {
-    std::string_view rest(text, static_cast<std::size_t>(size));
-    if (held_.size() + rest.size() > kPiece) {
-      hand_on();
-      if (rest.size() > kPiece) rest = hand_on_but_end(rest);
+    if (error_) return size;
+    try {
+      put({text, static_cast<std::size_t>(size)});
+    } catch (...) {
+      error_ = std::current_exception();
     }
-    held_ += rest;
     return size;
   }
 
@@ -294,6 +303,14 @@ class WithoutEndMark : public std::streambuf {
 
  private:
   static constexpr std::size_t kPiece = std::size_t{1} << 16;
+
+  void put(std::string_view text) {
+    if (held_.size() + text.size() > kPiece) {
+      hand_on();
+      if (text.size() > kPiece) text = hand_on_but_end(text);
+    }
+    held_ += text;
+  }
 
   void hand_on() {
     const std::size_t size = held_.size() - std::min(held_.size(), sizeof(kEndMark));
@@ -313,6 +330,7 @@ class WithoutEndMark : public std::streambuf {
 
   FileWriter& writer_;
   std::string held_;
+  std::exception_ptr error_;
 };
 
 /// True if `heh` is one halfedge of a proper mesh, as far as its neighbours go.
@@ -384,6 +402,8 @@ void read_checked(std::string bytes, const OmCheck& check, const std::string& na
     const Silence silence;
     OpenMesh::IO::Options options = with_properties();
     is_read = OpenMesh::IO::read_mesh(mesh, stream, ".om", options);
+  } catch (const std::bad_alloc&) {
+    throw;  // which is no fault of the file
   } catch (const std::exception& error) {
     fail(name, error.what());
   }

@@ -2,7 +2,6 @@
 #include "surfmesh/formats/write_mesh.hh"
 
 #include "surfmesh/formats/mesh_format.hh"
-#include "surfmesh/io/output_file.hh"
 
 namespace surfmesh {
 
@@ -11,10 +10,14 @@ std::vector<std::string> what_is_lost(const PolyMesh& mesh, const std::filesyste
   return format_of(path).what_is_lost(mesh, names);
 }
 
+void write_mesh(const PolyMesh& mesh, OutputFile& file, const MeshNames& names) {
+  format_of(file.path()).write(mesh, names, file);
+}
+
 void write_mesh(const PolyMesh& mesh, const std::filesystem::path& path, const MeshNames& names) {
-  const MeshFormat& format = format_of(path);
+  format_of(path);  // an unknown ending is told before a file is made
   OutputFile file(path);
-  format.write(mesh, names, file);
+  write_mesh(mesh, file, names);
   file.commit();
 }
 

@@ -8,6 +8,7 @@
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/core/mesh_names.hh"
 #include "surfmesh/formats/mesh_endings.hh"
+#include "surfmesh/io/output_file.hh"
 
 namespace surfmesh {
 
@@ -31,6 +32,10 @@ namespace surfmesh {
 /// Cost     0.1 µs per triangle for .obj, .off and .ply, 0.05 µs for .stl, 0.2 to 0.5 µs for .om
 void write_mesh(const PolyMesh& mesh, const std::filesystem::path& path,
                 const MeshNames& names = {});
+
+/// Write a mesh to a file that is not finished yet, so that it can appear together with others
+/// (OutputFile::commit_all). Otherwise as above.
+void write_mesh(const PolyMesh& mesh, OutputFile& file, const MeshNames& names = {});
 
 /// List what the format of the ending cannot store of this mesh, in plain English. Each entry reads
 /// well after "lost: "; empty if the format stores everything.

@@ -24,11 +24,36 @@ constexpr int kTemporaryNames = 10000;
   throw Error(ErrorCode::Io, fmt::format("cannot write {}: {}", path.string(), reason));
 }
 
-/// Make a file of a name that nobody else has; false if there is one of this name.
-bool create_exclusively(const fs::path& path) {
+/// Make a file of a name that nobody else has. Returns 0, or the error: EEXIST if there is one.
+int create_exclusively(const fs::path& path) {
+  errno = 0;
   std::FILE* file = std::fopen(path.string().c_str(), "wbx");
-  if (file != nullptr) std::fclose(file);
-  return file != nullptr;
+  if (file == nullptr) return errno;
+  std::fclose(file);
+  return 0;
+}
+
+/// Give a file a second name, or copy it where the file system has no links to files. Returns 0, or
+/// the error: EEXIST if there is a file of that name.
+int duplicate(const fs::path& file, const fs::path& name) {
+  std::error_code error;
+  fs::create_hard_link(file, name, error);
+  if (error && error != std::errc::file_exists) fs::copy_file(file, name, error);
+  return error.value();
+}
+
+/// Call `make(name)` with names in the folder of `target` until it made a file, which was not there
+/// before. Returns the name; `path` stands in messages.
+template <class Make>
+fs::path make_beside(const fs::path& target, const fs::path& path, Make make) {
+  fs::path name = target;
+  for (int i = 0; i < kTemporaryNames; ++i) {
+    name.replace_filename(fmt::format(".surfmesh-{}.tmp", i));
+    const int error = make(name);
+    if (error == 0) return name;
+    if (error != EEXIST) fail_for(path, std::strerror(error));
+  }
+  fail_for(path, "its folder is full of temporary files named .surfmesh-*.tmp");
 }
 
 }  // namespace
@@ -58,26 +83,17 @@ OutputFile::OutputFile(fs::path path)
 }
 
 OutputFile::~OutputFile() {
+  drop_old();
   if (temporary_.empty()) return;
-  file_.close();
   std::error_code ignored;
+  file_.close();
   fs::remove(temporary_, ignored);
 }
 
 void OutputFile::open_temporary() {
-  for (int i = 0; i < kTemporaryNames; ++i) {
-    fs::path name = target_;
-    name.replace_filename(fmt::format(".surfmesh-{}.tmp", i));
-    if (!create_exclusively(name)) {
-      if (errno == EEXIST) continue;
-      fail();
-    }
-    temporary_ = std::move(name);
-    file_.open(temporary_, std::ios::binary);
-    if (!file_) fail();
-    return;
-  }
-  fail_for(path_, "its folder is full of temporary files named .surfmesh-*.tmp");
+  temporary_ = make_beside(target_, path_, create_exclusively);
+  file_.open(temporary_, std::ios::binary);
+  if (!file_) fail();
 }
 
 void OutputFile::fail() {
@@ -97,10 +113,28 @@ void OutputFile::write(std::string_view text) {
   if (!file_) fail();
 }
 
-void OutputFile::commit() {
+void OutputFile::finish() {
   if (file_) errno = 0;
-  file_.close();
+  if (file_.is_open()) file_.close();
   if (!file_) fail();
+}
+
+/// Keep the old file under another name.
+void OutputFile::keep_old() {
+  std::error_code ignored;
+  if (temporary_.empty() || !fs::exists(target_, ignored)) return;
+  old_ = make_beside(target_, path_,
+                     [this](const fs::path& name) { return duplicate(target_, name); });
+}
+
+void OutputFile::drop_old() {
+  if (old_.empty()) return;
+  std::error_code ignored;
+  fs::remove(old_, ignored);
+  old_.clear();
+}
+
+void OutputFile::publish() {
   if (temporary_.empty()) return;
   std::error_code error;
   fs::rename(temporary_, target_, error);
@@ -109,6 +143,40 @@ void OutputFile::commit() {
     fail();
   }
   temporary_.clear();
+  is_published_ = true;
+}
+
+/// Undo publish(), as far as the file system lets us.
+void OutputFile::take_back() {
+  if (!is_published_) return;
+  std::error_code ignored;
+  if (old_.empty()) {
+    fs::remove(target_, ignored);
+  } else {
+    fs::rename(old_, target_, ignored);
+    old_.clear();
+  }
+}
+
+void OutputFile::commit() {
+  finish();
+  publish();
+}
+
+void OutputFile::commit_all(std::span<OutputFile* const> files) {
+  for (OutputFile* file : files) file->finish();
+  std::size_t published = 0;
+  try {
+    for (; published < files.size(); ++published) {
+      // Nothing comes after the last one that could fail.
+      if (published + 1 < files.size()) files[published]->keep_old();
+      files[published]->publish();
+    }
+  } catch (const Error&) {
+    while (published > 0) files[--published]->take_back();
+    throw;
+  }
+  for (OutputFile* file : files) file->drop_old();
 }
 
 void write_file(const fs::path& path, std::string_view text) {

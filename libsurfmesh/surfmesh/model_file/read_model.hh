@@ -52,8 +52,9 @@ struct ModelFile {
   std::vector<PatchInput> patches;  ///< formula surfaces on rectangles, with their loops
   std::vector<ContourInput> contours;
   std::vector<CageInput> cages;
-  Sources sources;                  ///< `patch` is an index into patches
-  std::vector<GroupSource> groups;  ///< sources for groups
+  std::vector<std::filesystem::path> tables;  ///< their files
+  Sources sources;                            ///< `patch` is an index into patches
+  std::vector<GroupSource> groups;            ///< sources for groups
   std::vector<AlongContour> along_contours;
   std::vector<FileOption> options;  ///< those of `sizing` first, not checked
 };

@@ -111,14 +111,15 @@ void read_field(const JsonNode& node, const PatchScope& patch, Sources& sources)
   sources.fields.push_back(std::move(source));
 }
 
-void read_table_source(const JsonNode& node, const PatchScope& patch, Sources& sources) {
+void read_table_source(const JsonNode& node, const PatchScope& patch, ModelFile& model) {
   refuse(node, "a table", {"size", "angle", "radius", "outer"});
   const JsonNode table = node.at("table");
   const std::string file = table.text();
   if (file.empty()) table.fail("must not be empty");
   try {
-    sources.tables.push_back(
-        {patch.index, read_table(patch.folder / file, patch.domain), read_precision(node)});
+    model.tables.push_back(patch.folder / file);
+    model.sources.tables.push_back(
+        {patch.index, read_table(model.tables.back(), patch.domain), read_precision(node)});
   } catch (const Error& error) {
     if (error.code() != ErrorCode::Io) throw;
     table.fail(error.what());
@@ -157,7 +158,7 @@ void read_patch_source(const JsonNode& node, const PatchScope& patch, ModelFile&
   Sources& sources = model.sources;
   const std::string kind = kind_of(node, kPatchSources);
   if (kind == "field") return read_field(node, patch, sources);
-  if (kind == "table") return read_table_source(node, patch, sources);
+  if (kind == "table") return read_table_source(node, patch, model);
   refuse(node, "a size that is not of a field or table", {"precision"});
   if (kind == "everywhere") {
     refuse(node, "a whole patch", {"radius", "outer"});

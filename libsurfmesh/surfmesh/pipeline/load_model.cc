@@ -15,6 +15,7 @@
 #include "surfmesh/core/at_location.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/length.hh"
+#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/formats/mesh_endings.hh"
 #include "surfmesh/formats/read_cage.hh"
 #include "surfmesh/io/input_file.hh"
@@ -236,14 +237,15 @@ ModelInput load_model_file(const std::filesystem::path& path, const CageOptions&
   }
   append_cages(file, name, cage_options, input);
   input.sources = file.sources;
+  for (const CageInput& cage : file.cages) input.files.push_back(cage.file);
+  input.files.insert(input.files.end(), file.tables.begin(), file.tables.end());
   add_group_sources(file, name, input);
   add_along_sources(file, name, input);
   return input;
 }
 
-}  // namespace
-
-ModelInput load_model(const std::filesystem::path& path, const CageOptions& cage_options) {
+/// By the ending, see load_model.
+ModelInput load(const std::filesystem::path& path, const CageOptions& cage_options) {
   if (has_cage_ending(path)) return load_cage(path, cage_options);
   if (lower_case_ending(path) != ".json") {
     throw Error(ErrorCode::InvalidInput,
@@ -251,6 +253,16 @@ ModelInput load_model(const std::filesystem::path& path, const CageOptions& cage
                             path.string(), cage_endings()));
   }
   return load_model_file(path, cage_options);
+}
+
+}  // namespace
+
+ModelInput load_model(const std::filesystem::path& path, const CageOptions& cage_options) {
+  ModelInput input = tell_out_of_memory([&] { return load(path, cage_options); },
+                                        [&] { return "while reading " + path.string(); });
+  at_file(path.string(), [&] { check(input.model); });
+  input.files.insert(input.files.begin(), path);
+  return input;
 }
 
 }  // namespace surfmesh

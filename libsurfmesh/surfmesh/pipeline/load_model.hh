@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/model/model.hh"
@@ -15,6 +16,7 @@ struct ModelInput {
   Model model;  ///< its notices include those from reading
   Sources sources;
   PipelineOptions options;  ///< defaults, overridden by the sizing and options of a model file
+  std::vector<std::filesystem::path> files;  ///< all that were read: with cages and tables
 };
 
 /// Read a control cage (.obj, .off) or a model file (.json), chosen by the ending in upper or lower
@@ -26,7 +28,8 @@ struct ModelInput {
 /// cages. In the file, the kind given with a cage overrides the option.
 ///
 /// Throws   Io if a file cannot be read; InvalidInput for an unknown ending, an error in a file
-///          (naming it and the location) or a scheme for a model file without cages; Geometry
+///          (naming it and the location) or a scheme for a model file without cages; Geometry;
+///          Limit if memory runs out
 ModelInput load_model(const std::filesystem::path& path, const CageOptions& cage_options = {});
 
 }  // namespace surfmesh

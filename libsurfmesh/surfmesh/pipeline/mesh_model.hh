@@ -50,5 +50,8 @@ Report estimate_mesh(const Model& model, const Sources& sources = {},
 inline void write_mesh(const MeshResult& result, const std::filesystem::path& path) {
   write_mesh(result.mesh, path, result.names);
 }
+inline void write_mesh(const MeshResult& result, OutputFile& file) {
+  write_mesh(result.mesh, file, result.names);
+}
 
 }  // namespace surfmesh

@@ -122,16 +122,18 @@ void check_control_ending(const std::filesystem::path& path) {
               fmt::format("{}: control meshes are written as .vtu or .obj", path.string()));
 }
 
+void write_control(const std::vector<ControlPicture>& pictures, OutputFile& file) {
+  check_control_ending(file.path());
+  if (lower_case_ending(file.path()) == ".vtu") return write_vtu(grid_of(pictures), file);
+  const MeshFile mesh = mesh_from({join(pictures), {}, {}}, file.path().string());
+  write_mesh(mesh.mesh, file, mesh.names);
+}
+
 void write_control(const std::vector<ControlPicture>& pictures, const std::filesystem::path& path) {
   check_control_ending(path);
-  if (lower_case_ending(path) == ".vtu") {
-    OutputFile file(path);
-    write_vtu(grid_of(pictures), file);
-    file.commit();
-    return;
-  }
-  const MeshFile file = mesh_from({join(pictures), {}, {}}, path.string());
-  write_mesh(file.mesh, path, file.names);
+  OutputFile file(path);
+  write_control(pictures, file);
+  file.commit();
 }
 
 }  // namespace surfmesh

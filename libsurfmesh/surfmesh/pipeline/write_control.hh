@@ -7,6 +7,7 @@
 
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/geometry/surface.hh"
+#include "surfmesh/io/output_file.hh"
 
 namespace surfmesh {
 
@@ -32,5 +33,8 @@ void check_control_ending(const std::filesystem::path& path);
 /// Cost     about 2 µs and 200 bytes per node
 /// Throws   Io; Geometry for a position that is not finite; MissingProperty
 void write_control(const std::vector<ControlPicture>& pictures, const std::filesystem::path& path);
+
+/// The same to a file that is not finished yet.
+void write_control(const std::vector<ControlPicture>& pictures, OutputFile& file);
 
 }  // namespace surfmesh

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "signals.hh"
+
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <ctime>
+#include <string_view>
+
+#include "exit_status.hh"
+#include "surfmesh/core/error.hh"
+
+namespace surfmesh {
+namespace {
+
+/// What a run has to end by itself, which mostly takes some milliseconds.
+constexpr long kGraceNanoseconds = 250'000'000;
+
+/// More than any command writes at once.
+constexpr std::size_t kMostTemporaries = 4;
+
+constexpr int kNotDone = -1;
+
+// A handler may use lock-free atomics, and few functions: see signal-safety(7).
+std::atomic<int> signal_number = 0;
+std::atomic<bool> is_committing = false;
+std::atomic<int> status_when_done = kNotDone;
+std::array<std::atomic<const char*>, kMostTemporaries> temporaries = {};
+std::atomic<timer_t> timer = {};
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
+              std::atomic<const char*>::is_always_lock_free &&
+              std::atomic<timer_t>::is_always_lock_free);
+
+void start_timer() {
+  itimerspec time = {};
+  time.it_value.tv_nsec = kGraceNanoseconds;
+  timer_settime(timer, 0, &time, nullptr);
+}
+
+void end_at_once() {
+  if (is_committing) return start_timer();
+  if (status_when_done != kNotDone) _exit(status_when_done);
+  for (const auto& temporary : temporaries) {
+    if (const char* path = temporary) unlink(path);
+  }
+  constexpr std::string_view kText = "surfmesh: stopped by a signal\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, kText.data(), kText.size());
+  _exit(kKilledBySignal + signal_number);
+}
+
+extern "C" void stop(int number) {
+  const int code = errno;
+  int none = 0;
+  if (signal_number.compare_exchange_strong(none, number) && status_when_done == kNotDone) {
+    start_timer();
+  } else {
+    end_at_once();
+  }
+  errno = code;
+}
+
+extern "C" void stop_late(int /*number*/) {
+  const int code = errno;
+  end_at_once();
+  errno = code;
+}
+
+void handle(int number, void (*handler)(int), int flags) {
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  sigaction(number, &action, nullptr);
+}
+
+}  // namespace
+
+void catch_signals() {
+  sigevent event = {};
+  event.sigev_notify = SIGEV_SIGNAL;
+  event.sigev_signo = SIGALRM;
+  timer_t made = {};
+  if (timer_create(CLOCK_MONOTONIC, &event, &made) == 0) timer = made;
+  handle(SIGALRM, stop_late, SA_RESTART);
+  // Without SA_RESTART: who waits for a pipe wakes up.
+  handle(SIGINT, stop, 0);
+  handle(SIGTERM, stop, 0);
+}
+
+void take_errors_for_signals() {
+  handle(SIGXFSZ, SIG_IGN, 0);
+  handle(SIGPIPE, SIG_IGN, 0);
+}
+
+int caught_signal() { return signal_number; }
+
+void throw_if_signalled() {
+  if (caught_signal() != 0) throw Error(ErrorCode::Cancelled, "stopped by a signal");
+}
+
+void commit_against_signals(int status, const std::function<void()>& commit) {
+  is_committing = true;
+  try {
+    throw_if_signalled();
+    commit();
+  } catch (...) {
+    is_committing = false;
+    throw;
+  }
+  status_when_done = status;
+  is_committing = false;
+}
+
+RemovedOnSignal::RemovedOnSignal(const std::filesystem::path& path) : path_(path.string()) {
+  if (path_.empty()) return;
+  for (auto& temporary : temporaries) {
+    const char* none = nullptr;
+    if (temporary.compare_exchange_strong(none, path_.c_str())) return;
+  }
+}
+
+RemovedOnSignal::~RemovedOnSignal() {
+  for (auto& temporary : temporaries) {
+    const char* own = path_.c_str();
+    if (temporary.compare_exchange_strong(own, nullptr)) return;
+  }
+}
+
+}  // namespace surfmesh

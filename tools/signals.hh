@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace surfmesh {
+
+/// Remember SIGINT and SIGTERM, so that the run can end by itself. Where it does not within a
+/// quarter of a second, or at a second signal, the program ends at once. Either way the exit status
+/// is 128 plus the signal, and no file of a RemovedOnSignal is left behind.
+void catch_signals();
+
+/// Make a file that is too large and a pipe that nobody reads errors of who writes, instead of
+/// signals that end the program.
+void take_errors_for_signals();
+
+/// The signal that came, 0 for none.
+int caught_signal();
+
+/// Throws   Cancelled if a signal came
+void throw_if_signalled();
+
+/// Run `commit` without interruption. With it the work is done: a signal that comes later still
+/// ends the program, but with this exit status.
+void commit_against_signals(int status, const std::function<void()>& commit);
+
+/// A temporary file that is removed where a signal ends the program at once.
+class RemovedOnSignal {
+ public:
+  /// `path` may be empty.
+  explicit RemovedOnSignal(const std::filesystem::path& path);
+  ~RemovedOnSignal();
+  RemovedOnSignal(const RemovedOnSignal&) = delete;
+  RemovedOnSignal& operator=(const RemovedOnSignal&) = delete;
+
+ private:
+  std::string path_;
+};
+
+}  // namespace surfmesh
