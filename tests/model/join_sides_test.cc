@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <set>
+#include <string>
 
 #include "support/analytic.hh"
 #include "support/notices.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/geometry/callable_surface.hh"
 #include "surfmesh/model/patch_sides.hh"
 
 namespace surfmesh {
@@ -526,6 +529,24 @@ TEST(JoinSides, RefusesPatchesTooLargeToMeasure) {
   EXPECT_EQ(error.code(), ErrorCode::Geometry);
   EXPECT_STREQ(error.what(),
                "patch wide: its surface is too large: the diagonal of its box is inf");
+}
+
+Shape wave(double amplitude, double frequency) {
+  return make_callable_surface({0, 1, 0, 1}, [=](auto u, auto v) {
+    return std::array{u, v, amplitude * sin(frequency * u)};
+  });
+}
+
+TEST(JoinSides, RefusesWavesThatNoSampleResolves) {
+  const Error error = error_of({{"wave", wave(1, 1e9)}});
+  EXPECT_EQ(error.code(), ErrorCode::Geometry);
+  EXPECT_TRUE(
+      std::string(error.what())
+          .starts_with(
+              "patch wave: its surface goes to and fro too often to be meshed: its area is about "))
+      << error.what();
+  EXPECT_EQ(model_from_patches({{"waves", wave(1, 1000)}}).patches.size(), 1u);
+  EXPECT_EQ(model_from_patches({{"flat", wave(1e-9, 1e9)}}).patches.size(), 1u);
 }
 
 TEST(JoinSides, RefusesInvalidInput) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "support/errors.hh"
 #include "surfmesh/geometry/plane_surface.hh"
 #include "surfmesh/model/join_sides.hh"
@@ -40,6 +42,20 @@ TEST(CheckModel, NamesPatchesWithoutSurfaceOrLoop) {
   EXPECT_EQ(fault(model), "invalid input: patch p has no loop");
   model.patches[0].surface = nullptr;
   EXPECT_EQ(fault(model), "invalid input: patch p has no surface");
+}
+
+TEST(CheckModel, RefusesCoordinatesWithoutDigitsForTheShape) {
+  for (const double distance : {1e9, 1e10, 1e12, 1e15}) {
+    const auto plane = std::make_shared<PlaneSurface>(Vec3(0, -distance, 0), Vec3::UnitX(),
+                                                      Vec3::UnitY(), Domain{0, 1, 0, 1});
+    const std::string told = fault(model_from_patches({{"p", plane}}));
+    if (distance < 1e11) {
+      EXPECT_EQ(told, "no error") << distance;
+    } else {
+      EXPECT_TRUE(told.starts_with("invalid input: the model lies too far from the origin"))
+          << told;
+    }
+  }
 }
 
 TEST(Model, LeadsFromALoopToTheUseOfItsPatch) {

@@ -229,6 +229,17 @@ TEST(TrimPatchesFaults, OfCurvesThatAreNotFinite) {
             "geometry: contour a: the curve at t = 0 is not finite");
 }
 
+TEST(TrimPatchesFaults, OfCurvesThatNoSampleResolves) {
+  const auto wave = [](double t) { return 0.5 + 0.01 * std::sin(1e9 * t); };
+  const std::string fault =
+      "geometry: contour a: the curve goes to and fro too often to be meshed: it is more than 5000 "
+      "times as long as its box";
+  const auto on = std::make_shared<CallableCurve>([&](double t) { return Uv{wave(t), t}; });
+  EXPECT_EQ(error_of([&] { square({{"-a"}}, {{"a", nullptr, {{"p", on}}}}); }), fault);
+  const auto xyz = in_space([&](double t) { return Vec3(wave(t), t, 0); });
+  EXPECT_EQ(error_of([&] { square({{"-a"}}, {{"a", xyz, {}}}); }), fault);
+}
+
 TEST(TrimPatchesFaults, OfNames) {
   EXPECT_EQ(error_of([] { square({{"-hol"}}, {hole()}); }),
             "invalid input: patch p: loop 1: there is no contour or side hol");

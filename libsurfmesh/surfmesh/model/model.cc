@@ -19,6 +19,10 @@ constexpr double kLoopGap = 1e-6;
 constexpr double kLeastDiagonal = 1e-70;
 constexpr double kGreatestDiagonal = 1e70;
 
+/// Beyond so many diagonals from the origin, coordinates are rounded to 1e-5 of the diagonal: a
+/// hundredth of the smallest elements, unless smaller ones are asked for.
+constexpr double kMostDistance = 1e11;
+
 bool is_index(int i, std::size_t count) { return i >= 0 && static_cast<std::size_t>(i) < count; }
 
 const ContourUse& use_of(const Model& model, std::size_t patch, const LoopEntry& entry) {
@@ -84,6 +88,15 @@ void check_extent(double diagonal) {
               fmt::format("the model's diagonal is {}: {}", diagonal, reason));
 }
 
+void check_distance(const Model& model) {
+  const double distance = model.box.center().cwiseAbs().maxCoeff();
+  if (!(distance > kMostDistance * model.diagonal)) return;
+  throw Error(ErrorCode::InvalidInput,
+              fmt::format("the model lies too far from the origin: coordinates of {:.3g} have too "
+                          "few digits for a shape whose diagonal is {:.3g}; move it to the origin",
+                          distance, model.diagonal));
+}
+
 }  // namespace
 
 int find_contour(const Model& model, std::string_view name) {
@@ -109,6 +122,7 @@ MeshNames mesh_names(const Model& model) {
 void check(const Model& model) {
   if (model.patches.empty()) throw Error(ErrorCode::InvalidInput, "the model has no patches");
   check_extent(model.diagonal);
+  check_distance(model);
   for (const Contour& contour : model.contours) {
     if (!is_index(contour.start, model.vertices.size()) ||
         !is_index(contour.end, model.vertices.size())) {

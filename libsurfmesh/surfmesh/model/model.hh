@@ -109,8 +109,8 @@ MeshNames mesh_names(const Model& model);
 /// The index of the contour of a name; -1 if there is none.
 int find_contour(const Model& model, std::string_view name);
 
-/// Check that indices are valid, that the diagonal is between 1e-70 and 1e70, and that all loops
-/// close in space, to 1e-6 of the diagonal.
+/// Check that indices are valid, that the diagonal is between 1e-70 and 1e70 and no less than 1e-11
+/// of the distance from the origin, and that all loops close in space, to 1e-6 of the diagonal.
 ///
 /// Throws   InvalidInput or Geometry, naming the patch and the contour
 /// Cost     O(contour uses), two surface evaluations each

@@ -10,6 +10,7 @@
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
+#include "surfmesh/geometry/quasirandom.hh"
 
 namespace surfmesh {
 namespace {
@@ -21,10 +22,6 @@ constexpr double kJoinShare = 1e-9;
 /// Share of the diagonal within which sides that are not joined were perhaps meant to be.
 constexpr double kNearShare = 1e-4;
 
-/// Evaluations round to a few units in the last place of the coordinates, which is more than
-/// kJoinShare where a model is far from the origin.
-constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
-
 /// Samples of a side among which the places of other sides' ends are looked for.
 constexpr int kSideSamples = 64;
 
@@ -32,6 +29,11 @@ constexpr int kSideSamples = 64;
 constexpr double kGolden = 0.6180339887498949;
 
 constexpr int kPatchIntervals = 16;
+constexpr int kAreaSamples = 256;
+
+/// Greatest area of a patch in squares of its diagonal. A spiral of 10,000 turns has less; what has
+/// more is a wave that no sample of sides, sizes or curvature resolves, such as sin(1e9*u).
+constexpr double kMostFolds = 1e5;
 
 Box3 bounds(const PatchInput& patch) try {
   const Domain domain = patch.surface->domain();
@@ -47,20 +49,42 @@ Box3 bounds(const PatchInput& patch) try {
   throw Error(error.code(), fmt::format("{}: {}", label(patch), error.what()));
 }
 
-/// Area by the rule of midpoints, which does not touch poles.
-double area(const Surface& surface) {
+/// The area of a surface by samples that no wave is in step with, and that do not touch poles.
+struct SampledArea {
+  double mean = 0;
+  double median = 0;  ///< half of it is below the area, whatever singular derivatives there are
+};
+
+SampledArea area(const Surface& surface) {
   const Domain domain = surface.domain();
+  const double whole = (domain.u1 - domain.u0) * (domain.v1 - domain.v0);
+  std::vector<double> areas;
   double sum = 0;
-  for (int i = 0; i < kPatchIntervals; ++i) {
-    for (int j = 0; j < kPatchIntervals; ++j) {
-      const Uv uv = domain.at((i + 0.5) / kPatchIntervals, (j + 0.5) / kPatchIntervals);
-      const Jet jet = surface.evaluate(uv, Order::First);
-      sum += jet.du.cross(jet.dv).norm();
-    }
+  for (int i = 1; i <= kAreaSamples; ++i) {
+    const Jet jet = surface.evaluate(quasirandom_point(domain, i), Order::First);
+    areas.push_back(whole * jet.du.cross(jet.dv).norm());
+    sum += areas.back();
   }
-  const double cell =
-      (domain.u1 - domain.u0) / kPatchIntervals * (domain.v1 - domain.v0) / kPatchIntervals;
-  return sum * cell;
+  const auto middle = areas.begin() + kAreaSamples / 2;
+  std::nth_element(areas.begin(), middle, areas.end());
+  return {sum / kAreaSamples, *middle};
+}
+
+/// Fail if a surface has no area, or so much that it is folded beyond all sampling. `extent` is the
+/// diagonal of its box; what is no wider than `width` is a point or a line.
+void check_area(const PatchInput& patch, double extent, double width) {
+  const bool is_point = !(extent > width);
+  const SampledArea sampled = area(*patch.surface);
+  if (is_point || !(sampled.mean > width * extent)) {
+    throw Error(ErrorCode::Geometry, fmt::format("{}: its surface is a {}, without area",
+                                                 label(patch), is_point ? "point" : "line"));
+  }
+  if (sampled.median > kMostFolds * extent * extent) {
+    throw Error(ErrorCode::Geometry,
+                fmt::format("{}: its surface goes to and fro too often to be meshed: its area is "
+                            "about {:.2g}, within a box of diagonal {:.3g}",
+                            label(patch), sampled.mean, extent));
+  }
 }
 
 void check_domain(const PatchInput& patch) {
@@ -162,21 +186,20 @@ Box3 measure_patches(const std::vector<PatchInput>& patches) {
   }
   const double diagonal = all.diagonal().norm();
   for (std::size_t i = 0; i < patches.size(); ++i) {
-    const double width = kJoinShare * diagonal;
-    const bool is_point = !(extents[i] > width);
-    if (is_point || !(area(*patches[i].surface) > width * extents[i])) {
-      throw Error(ErrorCode::Geometry, fmt::format("{}: its surface is a {}, without area",
-                                                   label(patches[i]), is_point ? "point" : "line"));
-    }
+    check_area(patches[i], extents[i], kJoinShare * diagonal);
   }
   return all;
 }
 
+double rounding_at(const Vec3& point) {
+  return 16 * std::numeric_limits<double>::epsilon() * point.lpNorm<Eigen::Infinity>();
+}
+
 JoinLengths join_lengths(const Box3& box) {
   const double diagonal = box.diagonal().norm();
-  const double coordinate =
-      std::max(box.min().lpNorm<Eigen::Infinity>(), box.max().lpNorm<Eigen::Infinity>());
-  return {std::max(kJoinShare * diagonal, kRounding * coordinate), kNearShare * diagonal};
+  // The rounding is more than the share where a model is far from the origin.
+  const double rounding = std::max(rounding_at(box.min()), rounding_at(box.max()));
+  return {std::max(kJoinShare * diagonal, rounding), kNearShare * diagonal};
 }
 
 std::vector<PatchSide> sides_of(const std::vector<PatchInput>& patches) {

@@ -76,10 +76,15 @@ std::string label(const PatchInput& patch);
 
 /// The bounding box of 17 x 17 samples of every patch.
 ///
-/// Throws   Geometry for a patch that is a point or a line, as seen from the diagonal
+/// Throws   Geometry for a patch that is a point or a line, as seen from the diagonal, or a wave
+///          too short for any sample
 Box3 measure_patches(const std::vector<PatchInput>& patches);
 
-/// The tolerances for a model of this diagonal.
+/// Greatest rounding of an evaluation that gives this point: a few units in the last place of its
+/// coordinates.
+double rounding_at(const Vec3& point);
+
+/// The tolerances for a model of this box.
 JoinLengths join_lengths(const Box3& box);
 
 /// All sides, four a patch in the order of kSideNames, without is_degenerate.

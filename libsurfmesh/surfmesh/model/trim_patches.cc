@@ -22,6 +22,11 @@ namespace {
 /// diagonal.
 constexpr double kContourGap = 1e-6;
 
+/// Greatest length of a contour in diagonals of its box: what is longer is a wave that no sample of
+/// the contour resolves, such as sin(1e9*t). Speeds are measured over this step of t, which is in
+/// step with no wave.
+constexpr double kMostLength = 1e4, kSpeedStep = 0.6180339887e-8;
+
 std::string label(const ContourInput& contour) {
   return fmt::format("{}{}contour {}", contour.origin, contour.origin.empty() ? "" : ": ",
                      contour.name);
@@ -40,6 +45,41 @@ void check_finite(const ContourInput& contour) {
     throw Error(ErrorCode::Geometry,
                 fmt::format("the curve at t = {} is not finite", contour.range.at(t)));
   }
+}
+
+/// True if a curve is far longer than its box: by the median of its speeds, at least half of which
+/// is below its length.
+template <class PointAt>
+bool is_too_long(PointAt point_at) {
+  Box3 box;
+  std::vector<double> speeds;
+  for (const double t : sample_parameters(kLineSamples)) {
+    const double near = t < 0.5 ? t + kSpeedStep : t - kSpeedStep;
+    const Vec3 point = point_at(t);
+    const double step = (point_at(near) - point).norm();
+    box.extend(point);
+    speeds.push_back((step - rounding_at(point)) / kSpeedStep);
+  }
+  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
+  std::nth_element(speeds.begin(), middle, speeds.end());
+  return *middle > kMostLength * box.diagonal().norm();
+}
+
+/// Fail if a curve is a wave that no sample resolves.
+void check_length(const ContourInput& contour) {
+  bool is_long =
+      contour.xyz && is_too_long([&](double t) -> Vec3 { return contour.xyz->evaluate(t); });
+  for (const ContourInput::On& on : contour.on) {
+    is_long = is_long || (on.curve && is_too_long([&](double t) -> Vec3 {
+                            const Uv uv = on.curve->evaluate(t);
+                            return {uv.u, uv.v, 0};
+                          }));
+  }
+  if (!is_long) return;
+  throw Error(ErrorCode::Geometry,
+              fmt::format("the curve goes to and fro too often to be meshed: it is more than {} "
+                          "times as long as its box",
+                          kMostLength / 2));
 }
 
 using NamedInputs = std::map<std::string, const ContourInput*, std::less<>>;
@@ -133,6 +173,7 @@ void Trimmer::check_names(const ContourInput& contour) {
   if (!has_curve) refuse("it needs a curve in space, or one on a patch");
   try {
     check_finite(contour);
+    check_length(contour);
   } catch (const Error& error) {
     throw Error(error.code(), fmt::format("{}: {}", label(contour), error.what()));
   }

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/estimate/coarse_estimate.hh"
@@ -16,6 +19,10 @@
 
 namespace surfmesh {
 namespace {
+
+/// Share of the sample of a patch, in cells too short for elements, that misses the precision from
+/// which on it is told. Around small sources there are always some.
+constexpr double kShareUnfollowed = 0.5;
 
 void check_patches(const Model& model, const Sources& sources) {
   const auto check_all = [&](const auto& list) {
@@ -53,6 +60,26 @@ void tell_coarse(const Model& model, const std::vector<ControlInput>& inputs, No
       NoticeKind::CoarseControl, model, is_coarse,
       "the control space does not hold its precision, for sizes change faster than elements can "
       "follow; a larger hmin or precision helps");
+  if (notice) notices.push_back(std::move(*notice));
+}
+
+/// Tell where sizes jump about within elements nearly everywhere: a wave that no sample resolves.
+void tell_unfollowed(const Model& model, const std::vector<ControlInput>& inputs,
+                     Notices& notices) {
+  std::vector<char> is_unfollowed;
+  double greatest = 0;
+  for (const ControlInput& input : inputs) {
+    const PrecisionSample& sample = input.sampling.precision;
+    const double most = kShareUnfollowed * static_cast<double>(sample.points);
+    is_unfollowed.push_back(static_cast<double>(sample.over_in_short_cells) > most);
+    if (is_unfollowed.back() != 0) greatest = std::max(greatest, sample.greatest_in_short_cells);
+  }
+  auto notice = detail::shortfall_of_patches(
+      NoticeKind::MissedPrecision, model, is_unfollowed,
+      fmt::format("sizes go up and down within two elements, by a factor of up to {:.3g}, nearly "
+                  "everywhere: elements get some of them by chance; sizes that change over several "
+                  "elements are followed",
+                  std::exp(greatest)));
   if (notice) notices.push_back(std::move(*notice));
 }
 
@@ -112,6 +139,7 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
   tell_coarse(model, inputs, result.notices);
   for (const ControlInput& input : inputs) result.precision += input.sampling.precision;
   tell_missed(result.precision, result.notices);
+  tell_unfollowed(model, inputs, result.notices);
   tell_unsearched(model, inputs, result.notices);
   grade_across_contours(model, inputs, result.spaces, context);
   share_indices(result.spaces.size(), [&](std::size_t p) { finish(*result.spaces[p]); });
