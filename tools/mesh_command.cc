@@ -25,24 +25,24 @@ namespace {
 constexpr const char* kFooter =
     "Examples:\n"
     "  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report knob.json\n"
-    "  surfmesh mesh wave.json -o wave.obj --nodes 40000 --set smoothing=4 --quiet\n";
+    "  surfmesh mesh wave.json -o wave.obj --nodes 40000 --set smoothing=4 --quiet\n"
+    "  surfmesh mesh wave.json --hmax 0.1 --dry-run\n";
 
+/// Output and report are empty for none.
 void check_paths(const std::string& input, const std::string& output, const std::string& report) {
-  check_mesh_ending(output);
-  check_writable(output);
   const std::array inputs = {std::filesystem::path(input)};
-  check_not_overwritten(inputs, output);
-  if (report.empty()) return;
-  check_writable(report);
-  check_not_overwritten(inputs, report);
-  if (is_same_file(output, report)) {
+  for (const std::string& path : {output, report}) {
+    if (path.empty()) continue;
+    check_writable(path);
+    check_not_overwritten(inputs, path);
+  }
+  if (!output.empty()) check_mesh_ending(output);
+  if (!output.empty() && !report.empty() && is_same_file(output, report)) {
     throw Error(ErrorCode::Io, fmt::format("{} is the output, too", report));
   }
 }
 
-int status_of(const MeshResult& result) {
-  return has_shortfall(result.report.notices) ? kFellShort : kDone;
-}
+int status_of(const Report& report) { return has_shortfall(report.notices) ? kFellShort : kDone; }
 
 /// One run of the command, with the clocks of reading and writing.
 class MeshRun {
@@ -60,8 +60,9 @@ class MeshRun {
 
   /// Throws   Io where a mesh or a report would replace a file that was read
   void check_outputs(const std::string& mesh_path, const std::string& report_path) const {
-    check_not_overwritten(input_.files, mesh_path);
-    if (!report_path.empty()) check_not_overwritten(input_.files, report_path);
+    for (const std::string& path : {mesh_path, report_path}) {
+      if (!path.empty()) check_not_overwritten(input_.files, path);
+    }
   }
 
   /// Made where it is returned to: a mesh cannot be moved, and a copy takes time.
@@ -73,6 +74,23 @@ class MeshRun {
     return result;
   }
 
+  Report estimate(const std::string& path, Progress& progress) const {
+    Report report = estimate_mesh(input_.model, input_.sources, input_.options, &progress);
+    report.input = path;
+    report.seconds[Stage::Read] = read_seconds_;
+    throw_if_signalled();
+    return report;
+  }
+
+  /// Write the report of an estimate.
+  void write(Report& report, const std::string& path) const {
+    report.wall_seconds = seconds_so_far();
+    if (path.empty()) return;
+    Outputs outputs;
+    outputs.add(path).write(to_json(report));
+    outputs.commit(status_of(report));
+  }
+
   /// Write the mesh, and the report with its last clocks if it has a path.
   void write(MeshResult& result, const std::string& mesh_path,
              const std::string& report_path) const {
@@ -82,13 +100,16 @@ class MeshRun {
     write_mesh(result, mesh_file);
     mesh_file.finish();
     result.report.seconds[Stage::Write] = processor_seconds() - start;
-    result.report.wall_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    result.report.wall_seconds = seconds_so_far();
     if (!report_path.empty()) outputs.add(report_path).write(to_json(result.report));
-    outputs.commit(status_of(result));
+    outputs.commit(status_of(result.report));
   }
 
  private:
+  double seconds_so_far() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   CageOptions cage_options_;
   const Settings& settings_;
@@ -132,11 +153,26 @@ void MeshCommand::add_files(CLI::App& command) {
       ->type_name("");
   command
       .add_option("-o,--output", output_,
-                  fmt::format("mesh to write: {}; .om keeps everything", mesh_endings()))
-      ->required()
+                  fmt::format("mesh to write: {}; .om keeps everything. REQUIRED without --dry-run",
+                              mesh_endings()))
       ->type_name("FILE");
+  command.add_flag("--dry-run", is_dry_run_,
+                   "estimate the number of triangles only, and write no mesh");
+  command.parse_complete_callback([this] {
+    if (output_.empty() && !is_dry_run_) throw CLI::RequiredError("--output");
+  });
   command.add_option("--report", report_, "write the report as JSON")->type_name("FILE.json");
   command.add_flag("--quiet", is_quiet_, "print warnings and errors only");
+}
+
+/// Print what the run has made. Returns the exit status.
+int MeshCommand::finish(const Report& report, const std::string& summary,
+                        Progress& progress) const {
+  progress.clear();
+  int status = status_of(report);
+  if (!is_quiet_) status = print_summary(summary, status);
+  print_notices(report.notices);
+  return status;
 }
 
 int MeshCommand::run() const {
@@ -145,17 +181,19 @@ int MeshCommand::run() const {
   settings.insert(settings.end(), set_.begin(), set_.end());
   Progress progress(!is_quiet_ && is_terminal());
   try {
-    check_paths(input_, output_, report_);
+    const std::string output = is_dry_run_ ? std::string() : output_;
+    check_paths(input_, output, report_);
     MeshRun run(cage_options(scheme_, settings), settings);
     run.read(input_);
-    run.check_outputs(output_, report_);
+    run.check_outputs(output, report_);
+    if (is_dry_run_) {
+      Report report = run.estimate(input_, progress);
+      run.write(report, report_);
+      return finish(report, estimate_text(report), progress);
+    }
     MeshResult result = run.mesh(input_, progress);
     run.write(result, output_, report_);
-    progress.clear();
-    int status = status_of(result);
-    if (!is_quiet_) status = print_summary(to_text(result.report), status);
-    print_notices(result.report.notices);
-    return status;
+    return finish(result.report, to_text(result.report), progress);
   } catch (const std::exception& error) {
     return tell_failure(error, progress);
   }

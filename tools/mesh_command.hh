@@ -13,6 +13,8 @@
 
 namespace surfmesh {
 
+struct Report;
+
 /// Tell on stderr why a command ends without its result: an error, or a signal that stopped it.
 /// Returns an exit status.
 int tell_failure(const std::exception& error, Progress& progress);
@@ -31,14 +33,16 @@ class MeshCommand {
 
  private:
   void add_files(CLI::App& command);
+  int finish(const Report& report, const std::string& summary, Progress& progress) const;
 
   std::string input_;
-  std::string output_;
+  std::string output_;  ///< empty for none, in a dry run
   std::string report_;  ///< empty for none
   Settings named_;      ///< by flags of their own
   Settings set_;        ///< by --set, which beats them
   Scheme scheme_ = Scheme::Auto;
   bool is_quiet_ = false;
+  bool is_dry_run_ = false;
 };
 
 }  // namespace surfmesh

@@ -216,6 +216,25 @@ TEST_F(MeshProgram, ShowsStagesAndPatchesOnATerminal) {
   }
 }
 
+TEST_F(MeshProgram, EstimatesInADryRun) {
+  EXPECT_EQ(run("mesh '" + own_model("wave.json") + "' --dry-run --report report.json"), 0) << err_;
+  EXPECT_NE(out_.find("estimate about 1.45e+04 triangles"), std::string::npos) << out_;
+  EXPECT_NEAR(report()["estimated_triangles"].get<double>(), 14500, 100);
+  EXPECT_EQ(folder_.count(), 1);
+  EXPECT_EQ(mesh("wave.json", "--dry-run"), 0);
+  EXPECT_EQ(folder_.count(), 1);
+}
+
+TEST_F(MeshProgram, NeedsAnOutputUnlessItOnlyEstimates) {
+  expect_wrong_usage(run("mesh '" + own_model("wave.json") + "'"), "--output is required");
+}
+
+TEST_F(MeshProgram, RefusesMoreTrianglesThanItMayMake) {
+  expect_error(mesh("wave.json", "--hmin 1e-6 --hmax 1e-5"),
+               "triangles, more than max_elements = 50000000; hmin = ");
+  expect_error(mesh("wave.json", "--hmin 1e-6 --hmax 1e-5 --dry-run"), "about 6e+12 triangles");
+}
+
 TEST_F(MeshProgram, IsQuiet) {
   EXPECT_EQ(mesh("torus.obj", "--quiet"), 0);
   EXPECT_EQ(out_ + err_, "");
