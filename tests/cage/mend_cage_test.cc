@@ -186,6 +186,22 @@ TEST(MendCage, WeldsAFaceThatLiesOnAnother) {
   EXPECT_EQ(mended.notices.size(), 2U);
 }
 
+TEST(MendCage, TellsAClosedSurfaceThatIsGivenTwice) {
+  Cage cage = testing::cube();
+  cage.points.insert(cage.points.end(), cage.points.begin(), cage.points.end());
+  for (std::vector<int> face : testing::cube().faces) {
+    for (int& vertex : face) vertex += 8;
+    cage.faces.push_back(face);
+  }
+  const Notices told = mend_cage(cage).notices;
+  EXPECT_EQ(only_kind(told), NoticeKind::RepeatedFaces);
+  EXPECT_TRUE(told[0].text.starts_with("6 faces lie on others")) << told[0].text;
+  EXPECT_EQ(mend_cage(cage, {.weld = 1e-6}).cage.faces, testing::cube().faces);
+  // Two cubes that touch in a face are something else.
+  for (std::size_t i = 8; i < 16; ++i) cage.points[i].x() += 2;
+  EXPECT_TRUE(mend_cage(cage).notices.empty());
+}
+
 TEST(MendCage, TellsFacesWithSidesWithoutLength) {
   Cage cage = testing::cube();
   for (Vec3& point : cage.points) point.z() *= 1e-16;

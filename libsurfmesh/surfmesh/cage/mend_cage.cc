@@ -42,7 +42,7 @@ class Mender {
   MendedCage run() {
     if (options_.weld > 0) weld_vertices();
     leave_out_copies();
-    tell_open_seams();
+    if (!tell_open_seams()) tell_doubled_faces();
     tell_flat_faces();
     look_at_turned_faces();
     result_.parent_faces = taken_faces(result_.stand_ins);
@@ -108,10 +108,11 @@ class Mender {
     }
   }
 
-  void tell_open_seams() {
+  /// Returns  true if there are some
+  bool tell_open_seams() {
     const double tolerance = ranges::kWeld.on * diagonal_;
     const OpenSeams seams = find_open_seams(result_.cage, tolerance);
-    if (seams.edges == 0) return;
+    if (seams.edges == 0) return false;
     const std::string flag = seams.gap <= tolerance
                                  ? "--weld"
                                  : fmt::format("--weld {:.2g}", kAdvisedTolerance * seams.gap);
@@ -121,6 +122,27 @@ class Mender {
                      "the surface is open there, {} joins them",
                      counted(seams.edges, "open edge lies", "open edges lie"), seams.first[0],
                      seams.first[1], point_text(at), flag));
+    return true;
+  }
+
+  /// Faces that would be copies if vertices were welded: of closed surfaces that are given twice.
+  void tell_doubled_faces() {
+    const auto stand_ins = coincident_points(result_.cage.points, ranges::kWeld.on * diagonal_);
+    Cage welded = result_.cage;
+    if (weld(welded, stand_ins).vertices.empty()) return;
+    const std::vector<int> kept = find_copies(welded.faces);
+    std::size_t count = 0;
+    int first = -1;
+    for (int f = 0; static_cast<std::size_t>(f) < kept.size(); ++f) {
+      if (kept[static_cast<std::size_t>(f)] != f && count++ == 0) first = f;
+    }
+    if (count == 0) return;
+    const Vec3 at = middle_of(first);
+    tell(NoticeKind::RepeatedFaces, at,
+         fmt::format("{} on others, but with vertices of their own, the first: face {} on face {} "
+                     "at {}; --weld leaves them out",
+                     counted(count, "face lies", "faces lie"), first,
+                     kept[static_cast<std::size_t>(first)], point_text(at)));
   }
 
   bool is_flat(const std::vector<int>& face) const {

@@ -36,9 +36,9 @@ struct MendedCage {
 ///
 /// A face that is given again is always left out; the first one is then in the groups of both.
 /// Told, and mended only if asked for, are: open edges that lie on others but have vertices of
-/// their own, faces that are turned against their neighbours, and faces with sides without length.
-/// Of each kind there is one notice, with the number and the first place. Points keep their
-/// numbers; a welded vertex is where the first one was.
+/// their own, faces of closed surfaces that do so, faces that are turned against their neighbours,
+/// and faces with sides without length. Of each kind there is one notice, with the number and the
+/// first place. Points keep their numbers; a welded vertex is where the first one was.
 ///
 /// Throws   InvalidInput as check_ranges
 /// Cost     O(n log n) for n face corners, about 1 µs a face
