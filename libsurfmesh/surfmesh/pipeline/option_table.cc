@@ -72,8 +72,8 @@ constexpr OptionGroup kMeshing = OptionGroup::Meshing;
 constexpr OptionGroup kCages = OptionGroup::Cages;
 
 constexpr auto kTable = std::to_array<Option>({
-    {kSizes, true, "",
-     "size as a share of the radius of curvature; off by default where sag is given", kCurvature},
+    {kSizes, true, "", "size as a share of the radius of curvature; off by default with sag",
+     kCurvature},
     {kSizes, true, kLengthUnit, "greatest distance between mesh and surface",
      length(
          ranges::kSag, [](auto& o) -> auto& { return o.sizing.sag; })},
@@ -140,7 +140,7 @@ constexpr auto kTable = std::to_array<Option>({
     {kMeshing, false, "", "connection of new nodes: by their cavity, or by edge swaps",
      number(
          ranges::kKernel, [](auto& o) -> auto& { return o.refine.kernel; })},
-    {kMeshing, true, "sweeps", "smoothing sweeps over the inner nodes; best is 2",
+    {kMeshing, false, "sweeps", "smoothing sweeps over the inner nodes; best is 2",
      number(
          ranges::kSmoothing, [](auto& o) -> auto& { return o.improve.sweeps; })},
     {kMeshing, false, "passes",
