@@ -90,27 +90,27 @@ TEST_F(MeshProgram, TakesWhatFollowsASwitchForTheInput) {
 
 TEST_F(MeshProgram, WeldsWithAndWithoutATolerance) {
   const std::string input = own_model("cube.obj");
-  const auto weld = [&](const std::string& arguments) {
-    EXPECT_EQ(run("mesh " + arguments + " -o a.obj --report report.json"), 0) << err_;
+  const auto weld = [&](const std::string& before, const std::string& after) {
+    EXPECT_EQ(run("mesh " + before + " '" + input + "' -o a.obj --report report.json " + after), 0)
+        << err_;
     return report()["options"]["weld"];
   };
-  EXPECT_EQ(weld("'" + input + "'"), "off");
-  EXPECT_EQ(weld("--weld '" + input + "'"), "0.0001%");
-  EXPECT_EQ(weld("'" + input + "' --weld"), "0.0001%");
-  EXPECT_EQ(weld("--weld 0.001 '" + input + "'"), "0.001");
-  EXPECT_EQ(weld("--weld=0.1% '" + input + "'"), "0.1%");
-  EXPECT_EQ(weld("--weld off '" + input + "'"), "off");
+  EXPECT_EQ(weld("", ""), "off");
+  EXPECT_EQ(weld("--weld", ""), "0.0001%");
+  EXPECT_EQ(weld("", "--weld"), "0.0001%");
+  EXPECT_EQ(weld("--weld 0.001", ""), "0.001");
+  EXPECT_EQ(weld("--weld=0.1%", ""), "0.1%");
+  EXPECT_EQ(weld("--weld off", ""), "off");
 }
 
 TEST_F(MeshProgram, MendsACageForAllCommands) {
-  const std::string input =
-      "'" + std::string(SURFMESH_SOURCE_DIR) + "/tests/pipeline/turned_face.obj'";
-  EXPECT_EQ(run("mesh " + input + " -o a.om"), 0);
+  const std::string input = " '" SURFMESH_SOURCE_DIR "/tests/pipeline/turned_face.obj'";
+  EXPECT_EQ(run("mesh" + input + " -o a.om"), 0);
   EXPECT_NE(err_.find("1 face is turned against its neighbours"), std::string::npos) << err_;
-  EXPECT_EQ(run("mesh " + input + " -o a.om --orient"), 0);
+  EXPECT_EQ(run("mesh" + input + " -o a.om --orient"), 0);
   EXPECT_NE(err_.find("turned 1 face to agree with its neighbours"), std::string::npos) << err_;
-  EXPECT_EQ(run("check a.om --model " + input + " --orient"), 0) << err_;
-  EXPECT_EQ(run("control " + input + " -o a.vtu --orient --weld"), 0) << err_;
+  EXPECT_EQ(run("check a.om --model" + input + " --orient"), 0) << err_;
+  EXPECT_EQ(run("control" + input + " -o a.vtu --orient --weld"), 0) << err_;
 }
 
 TEST_F(MeshProgram, SetsEveryOptionByAFlag) {
