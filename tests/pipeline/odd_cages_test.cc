@@ -157,6 +157,29 @@ double least_shape(const PolyMesh& mesh) {
   return least;
 }
 
+/// A pyramid without its base, of triangles around its tip.
+Cage open_pyramid(int n) {
+  Cage cage;
+  cage.points = {{0, 0, 1}};
+  for (int i = 0; i < n; ++i) {
+    cage.points.emplace_back(std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n), 0);
+    cage.faces.push_back({0, 1 + i, 1 + (i + 1) % n});
+  }
+  return cage;
+}
+
+TEST(PyramidOfManySides, HasNoTurnedElements) {
+  // Elements far wider than the faces, which zigzag around the tip where they are refined.
+  PipelineOptions options;
+  options.sizing.curvature = 0;
+  for (const Scheme scheme : {Scheme::CatmullClark, Scheme::Loop}) {
+    const MeshResult result =
+        mesh_model(model_from_cage(open_pyramid(100), {.scheme = scheme}), {}, options);
+    testing::expect_valid(result.mesh);
+    EXPECT_EQ(texts_of(result.report.notices), std::vector<std::string>{});
+  }
+}
+
 TEST(PrismOfManySides, HasNoSliversBesideItsCentres) {
   // The parts of its ends are narrow quads around a vertex.
   PipelineOptions options;
