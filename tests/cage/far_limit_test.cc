@@ -110,8 +110,20 @@ Cage slices_in_a_sheet() {
   return cage;
 }
 
+/// Two triangles back to back within others, for Loop's scheme.
+Cage triangles_back_to_back() {
+  Cage cage;
+  cage.points = {{0, 0, 0}, {1, 0, 0.2}, {0.3, 1, 0}, {0.4, 0.3, 1}};
+  cage.faces = {{0, 1, 2}, {2, 1, 3}, {3, 1, 0}, {0, 2, 3}};
+  cage.points.emplace_back(0.5, 0.2, -0.7);
+  cage.faces[0] = {0, 1, 4};
+  cage.faces.push_back({0, 4, 1});
+  return cage;
+}
+
 TEST(FarLimit, IsThatAtInnerVerticesOfTwoFaces) {
-  for (const Cage& cage : {two_quads(), three_slices(), slices_in_a_sheet(), testing::pillow()}) {
+  for (const Cage& cage : {two_quads(), three_slices(), slices_in_a_sheet(), testing::pillow(),
+                           triangles_back_to_back()}) {
     expect_far_limit(cage);
     for (unsigned seed = 1; seed <= 3; ++seed) expect_far_limit(moved_at_random(cage, seed));
   }
