@@ -37,7 +37,9 @@ std::vector<Uv> samples(const Domain& domain) {
 /// Points of all faces by Far's limit stencils, those of a face after each other.
 std::vector<Vec3> far_points(const Cage& cage, const std::vector<Uv>& at) {
   const CageTopology topology = make_topology(cage, resolve_scheme(cage, Scheme::Auto));
-  topology.refiner->RefineAdaptive(Far::TopologyRefiner::AdaptiveOptions(kLevel));
+  Far::TopologyRefiner::AdaptiveOptions options(kLevel);
+  options.useInfSharpPatch = true;  // sharp edges are exact, not near to it
+  topology.refiner->RefineAdaptive(options);
   std::vector<double> u, v;
   for (const Uv uv : at) {
     u.push_back(uv.u);
@@ -138,6 +140,22 @@ Cage triangle_fan(int n) {
     cage.faces.push_back({0, 1 + i, 1 + (i + 1) % n});
   }
   return cage;
+}
+
+TEST(FarLimit, IsThatAtTaggedInnerVerticesOfTwoFaces) {
+  for (const double sharpness : {0.6, 1.5, 10.0}) {
+    Cage cage = two_quads();
+    cage.creases = {{{2, 3}, sharpness}};
+    expect_far_limit(cage);
+    cage.creases.push_back({{0, 3}, sharpness});
+    expect_far_limit(cage);
+    cage = two_quads();
+    cage.corners = {{3, sharpness}};
+    expect_far_limit(cage);
+    cage = three_slices();
+    cage.creases = {{{0, 1}, sharpness}, {{1, 2}, sharpness}};
+    expect_far_limit(cage);
+  }
 }
 
 TEST(FarLimit, IsThatAtVerticesOfManyFaces) {

@@ -256,6 +256,7 @@ class SurfaceMaker {
         options_(options),
         level_(refiner.GetLevel(0)),
         scheme_(refiner.GetSchemeType()),
+        shared_vertices_(shared_vertices(level_, scheme_)),
         factory_(refiner, factory_options(level_, options)) {}
 
   /// The surfaces of all faces, null for those that have none.
@@ -266,7 +267,7 @@ class SurfaceMaker {
     for (int face = 0; face < count; ++face) {
       if (!factory_.FaceHasLimitSurface(face)) continue;
       check_size(face);
-      if (is_at_wide_fan(face)) {
+      if (is_shared(face)) {
         shared.push_back(face);
       } else {
         surfaces[static_cast<std::size_t>(face)] = make_alone(face);
@@ -295,7 +296,7 @@ class SurfaceMaker {
 
   static bool has_valence_two(const Far::TopologyLevel& level) {
     for (int v = 0; v < level.GetNumVertices(); ++v) {
-      if (level.GetVertexFaces(v).size() == 2 && level.GetVertexEdges(v).size() == 2) return true;
+      if (has_two_faces(level, v)) return true;
     }
     return false;
   }
@@ -315,12 +316,33 @@ class SurfaceMaker {
     return result;
   }
 
-  bool is_at_wide_fan(int face) const {
+  static bool has_two_faces(const Far::TopologyLevel& level, int vertex) {
+    return level.GetVertexFaces(vertex).size() == 2 && level.GetVertexEdges(vertex).size() == 2;
+  }
+
+  /// Mark the vertices whose faces share a refinement: of wide fans, and around inner vertices of
+  /// two faces. There Bfr 3.5.0 takes one of the two edges for the other: it gives creases to edges
+  /// that have none, or reads memory out of bounds.
+  static std::vector<char> shared_vertices(const Far::TopologyLevel& level,
+                                           Sdc::SchemeType scheme) {
+    std::vector<char> is_shared(static_cast<std::size_t>(level.GetNumVertices()), 0);
+    if (scheme == Sdc::SCHEME_BILINEAR) return is_shared;
+    for (int v = 0; v < level.GetNumVertices(); ++v) {
+      const Far::ConstIndexArray faces = level.GetVertexFaces(v);
+      if (faces.size() >= kWideFan) is_shared[static_cast<std::size_t>(v)] = 1;
+      if (!has_two_faces(level, v)) continue;
+      for (const int face : faces) {
+        for (const int w : level.GetFaceVertices(face)) is_shared[static_cast<std::size_t>(w)] = 1;
+      }
+    }
+    return is_shared;
+  }
+
+  bool is_shared(int face) const {
     const Far::ConstIndexArray vertices = level_.GetFaceVertices(face);
-    return scheme_ != Sdc::SCHEME_BILINEAR &&
-           std::any_of(vertices.begin(), vertices.end(), [this](int vertex) {
-             return level_.GetVertexFaces(vertex).size() >= kWideFan;
-           });
+    return std::any_of(vertices.begin(), vertices.end(), [this](int vertex) {
+      return shared_vertices_[static_cast<std::size_t>(vertex)] != 0;
+    });
   }
 
   std::shared_ptr<const Surface> make_alone(int face) const {
@@ -385,6 +407,7 @@ class SurfaceMaker {
   LimitSurfaceOptions options_;
   Far::TopologyLevel level_;
   Sdc::SchemeType scheme_;
+  std::vector<char> shared_vertices_;  ///< by vertex: its faces share a refinement
   Bfr::RefinerSurfaceFactory<> factory_;
 };
 
