@@ -69,6 +69,12 @@ TEST(SegmentsForSag, AreNotFewerThanLengthOrLeastAskFor) {
   EXPECT_EQ(rim.count(pi / 10, {12, 1, 1}), 12);
 }
 
+TEST(SegmentsForSag, AreMoreByAFactor) {
+  const Rim rim;
+  EXPECT_EQ(rim.count(pi / 10, {1, 1, 1, 1.5}), 11);
+  EXPECT_NEAR(rim.count(pi / 3, {1, 1, 1e-6, 2}), 24, 1);
+}
+
 TEST(SegmentsForSag, AreAtMostFourTimesTheLength) {
   EXPECT_NEAR(Rim().count(pi / 3, {1, 1, 1e-6}), 12, 1);
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 #include "support/errors.hh"
@@ -10,6 +11,7 @@
 #include "support/notices.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/geometry/callable_surface.hh"
+#include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 #include "surfmesh/pipeline/set_option.hh"
 #include "surfmesh/quality/sag.hh"
@@ -95,6 +97,47 @@ TEST(ReachSag, IsAShortfallWhereTheLeastSizeIsInTheWay) {
   EXPECT_GE(notice.patch, 0);
   EXPECT_TRUE(notice.point.has_value());
   EXPECT_GT(*result.report.sag.reached, 1e-4);
+}
+
+TEST(ReachSag, NamesHminWhereItIsInTheWay) {
+  PipelineOptions options = with_sag(1e-4);
+  options.sizing.hmin = Length::units(0.2);
+  const MeshResult result = mesh_model(testing::torus_of(3), {}, options);
+  EXPECT_NE(result.report.notices.back().text.find("hmin = 0.2 is in the way"), std::string::npos);
+}
+
+/// Counts the meshes that are begun.
+class MeshCounter : public Observer {
+ public:
+  void progress(std::string_view stage, std::size_t done, std::size_t) override {
+    if (stage == "boundary" && done == 0) ++count;
+  }
+  int count = 0;
+};
+
+TEST(ReachSag, MeshesOnceWhereHminIsInTheWayEverywhere) {
+  for (const double sag : {1e-9, 1e-12}) {
+    PipelineOptions options = with_sag(sag);
+    options.sizing.hmin = Length::units(0.1);
+    MeshCounter counter;
+    const MeshResult result = mesh_model(testing::torus_of(3), {}, options, &counter);
+    EXPECT_EQ(counter.count, 1);
+    EXPECT_NE(result.report.notices.back().text.find("hmin = 0.1"), std::string::npos);
+  }
+}
+
+TEST(ReachSag, HoldsBesideRoundedCreases) {
+  const std::filesystem::path mug =
+      std::filesystem::path(SURFMESH_SHARED_DIR) / "cases" / "trial" / "mug.obj";
+  if (!std::filesystem::exists(mug)) GTEST_SKIP() << mug;
+  ModelInput input = load_model(mug);
+  for (const double sag : {0.0005, 0.0002}) {
+    input.options.sizing.sag = Length::share(sag);
+    const MeshResult result = mesh_model(input.model, input.sources, input.options);
+    EXPECT_LE(*result.report.sag.reached, *result.report.sag.asked);
+    EXPECT_TRUE(texts_of(result.report.notices, Severity::Shortfall).empty());
+    EXPECT_GT(result.report.quality.mean, 0.93);
+  }
 }
 
 TEST(ReachSag, HoldsTogetherWithCurvature) {

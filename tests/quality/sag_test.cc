@@ -90,6 +90,62 @@ TEST(PlaneSag, SeesABendBetweenTheSamples) {
   EXPECT_LT(detail::plane_sag(*surface, triangle, 1), 0.95 * greatest);
 }
 
+/// A triangle of a surface by its parameters.
+detail::SurfaceTriangle triangle_on(const Surface& surface, const std::array<Uv, 3>& uvs) {
+  detail::SurfaceTriangle triangle{{}, uvs};
+  for (std::size_t k = 0; k < 3; ++k) {
+    triangle.points[k] = surface.evaluate(uvs[k], Order::Position).point;
+  }
+  return triangle;
+}
+
+TEST(EstimatePlaneSag, IsExactOverAParaboloid) {
+  const auto bowl = make_callable_surface({-1, 1, -1, 1}, [](auto u, auto v) {
+    return std::array{u, v, u * u + 0.5 * u * v - v * v};
+  });
+  const auto triangle = triangle_on(*bowl, {Uv{0, 0}, Uv{0.3, 0.1}, Uv{0.1, 0.4}});
+  const auto estimate = detail::estimate_plane_sag(*bowl, triangle);
+  EXPECT_NEAR(estimate.sag, detail::plane_sag(*bowl, triangle), 1e-4);
+  EXPECT_LT(estimate.error, 1e-12);
+}
+
+TEST(EstimatePlaneSag, IsGreatestInsideOverASphere) {
+  const auto cap = make_callable_surface({-1, 1, -1, 1}, [](auto u, auto v) {
+    return std::array{u, v, sqrt(4 - u * u - v * v)};
+  });
+  const auto triangle = triangle_on(*cap, {Uv{0.2, 0}, Uv{-0.1, 0.1732}, Uv{-0.1, -0.1732}});
+  const auto estimate = detail::estimate_plane_sag(*cap, triangle);
+  const double exact = 2 - std::sqrt(4 - 0.04);
+  EXPECT_NEAR(estimate.sag, exact, 0.01 * exact);
+  EXPECT_LT(estimate.error, 0.05 * exact);
+}
+
+TEST(EstimatePlaneSag, TellsThatItMissesANarrowBend) {
+  const auto surface = make_callable_surface({0, 1, 0, 1}, [](auto u, auto v) {
+    return std::array{u, v, 0.0 * u + narrow_bend(v)};
+  });
+  const auto triangle = triangle_on(*surface, {Uv{0, 0}, Uv{1, 0}, Uv{0, 1}});
+  const auto estimate = detail::estimate_plane_sag(*surface, triangle);
+  EXPECT_GT(estimate.sag + estimate.error, detail::plane_sag(*surface, triangle));
+}
+
+TEST(EstimatePlaneSag, KnowsNothingWhereParametersAreUneven) {
+  const auto surface = make_callable_surface({0, 1, 0, 1}, [](auto u, auto v) {
+    return std::array{u * u * u * u, v, 0.0 * u};
+  });
+  const auto triangle = triangle_on(*surface, {Uv{0, 0}, Uv{1, 0}, Uv{0, 1}});
+  EXPECT_TRUE(std::isinf(detail::estimate_plane_sag(*surface, triangle).error));
+}
+
+TEST(EstimateSag, IsNearTheMeasureOnASphere) {
+  const Model model = testing::model_of({testing::sphere()});
+  PolyMesh mesh = triangle_on_sphere(0.1);
+  const SurfaceSearch search(model);
+  project_mesh(mesh, {}, model, search);
+  const double exact = 1 - std::cos(0.1);
+  EXPECT_NEAR(estimate_sag(mesh, model).front(), exact, 0.03 * exact);
+}
+
 TEST(Sag, IsToldOfEachFace) {
   const PolyMesh mesh =
       testing::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});

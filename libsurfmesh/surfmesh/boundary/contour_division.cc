@@ -48,13 +48,13 @@ void ContourDivision::measure(const ContourUse& use, const MetricField& field) {
   }
 }
 
-void ContourDivision::divide(int least, int multiple, std::optional<double> sag) {
+void ContourDivision::divide(int least, int multiple, std::optional<double> sag, double more) {
   const MetricArc& arc = arcs_[selected_];
   const int wanted = static_cast<int>(std::lround(arc.length() / multiple)) * multiple;
   const int rounded_least = rounded_up(least, multiple);
-  const int count =
-      sag ? segments_for_sag(model_, contour_.uses[selected_], arc, {rounded_least, multiple, *sag})
-          : std::max(wanted, rounded_least);
+  const int count = sag ? segments_for_sag(model_, contour_.uses[selected_], arc,
+                                           {rounded_least, multiple, *sag, more})
+                        : std::max(wanted, rounded_least);
   for (int i = 0; i <= count; ++i) {
     append(i == 0 ? 0.0 : i == count ? 1.0 : arc.parameter(i * arc.length() / count));
   }

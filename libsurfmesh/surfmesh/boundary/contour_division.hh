@@ -26,7 +26,8 @@ class ContourDivision {
                   const std::vector<const MetricField*>& fields, const RunContext& context);
 
   /// Place the nodes at equal metric arcs: as many segments as the length, or the sag, asks for.
-  void divide(int least, int multiple, std::optional<double> sag);
+  /// `more` is a factor of the latter.
+  void divide(int least, int multiple, std::optional<double> sag, double more = 1);
 
   /// Halve the segments that are too long for some patch.
   /// Returns  true if there were any

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "surfmesh/boundary/contour_division.hh"
 #include "surfmesh/boundary/segment_counts.hh"
 #include "surfmesh/boundary/uncrossing.hh"
@@ -16,6 +18,11 @@ void check(const ContourDemands& demands) {
   if (demands.multiple < 1) {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("the number of segments cannot be a multiple of {}", demands.multiple));
+  }
+  for (const double factor : demands.more_segments) {
+    if (factor >= 1 && std::isfinite(factor)) continue;
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("a factor of segments of {} is not 1 or above", factor));
   }
   if (demands.sag && !(*demands.sag > 0)) {
     throw Error(ErrorCode::InvalidInput, fmt::format("a sag of {} is not above 0", *demands.sag));
@@ -42,7 +49,8 @@ BoundaryNodes place_contour_nodes(const Model& model, const std::vector<const Me
     const Contour& contour = model.contours[c];
     if (contour.uses.empty() || contour.is_degenerate) return;
     ContourDivision& division = divisions[c].emplace(model, contour, fields, context);
-    division.divide(least(contour), demands.multiple, demands.sag);
+    division.divide(least(contour), demands.multiple, demands.sag,
+                    demands.more_segments.empty() ? 1 : demands.more_segments[c]);
     if (division.halve_long_segments() && !demands.sag) {
       division.even_out(least(contour), demands.multiple);
     }

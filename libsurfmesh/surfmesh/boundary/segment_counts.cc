@@ -53,9 +53,9 @@ int rounded_up(int count, int multiple) { return (count + multiple - 1) / multip
 int segments_for_sag(const Model& model, const ContourUse& use, const MetricArc& arc,
                      const SegmentBounds& bounds) {
   const int step = bounds.multiple;
-  int count =
-      std::max(bounds.least, step * static_cast<int>(std::ceil(kFewest * arc.length() / step)));
-  while (count < kMost * arc.length() && !holds(model, use, arc, count, bounds.sag)) count += step;
+  const double length = bounds.factor * arc.length();
+  int count = std::max(bounds.least, step * static_cast<int>(std::ceil(kFewest * length / step)));
+  while (count < kMost * length && !holds(model, use, arc, count, bounds.sag)) count += step;
   return count;
 }
 

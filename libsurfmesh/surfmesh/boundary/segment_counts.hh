@@ -32,11 +32,12 @@ int rounded_up(int count, int multiple);
 struct SegmentBounds {
   int least = 1;  ///< number of them
   int multiple = 1;
-  double sag = 0;  ///< greatest distance from the contour, model units
+  double sag = 0;     ///< greatest distance from the contour, model units
+  double factor = 1;  ///< of the numbers that are tried
 };
 
 /// The least number of segments of equal metric arc, a multiple, that hold the sag: from √½ of the
-/// length up, and at most four times the length.
+/// length up, and at most four times the length, both times a factor.
 ///
 /// `arc` is that of the use.
 /// Cost     five evaluations a segment and number

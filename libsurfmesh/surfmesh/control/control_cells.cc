@@ -28,6 +28,17 @@ CellTree::MakeNode ControlCells::make_node() {
   return [this](Uv uv) { return add_node(sample_(uv)); };
 }
 
+std::unique_ptr<LatticeSpace> ControlCells::changed_copy(const ChangeSize& change) const {
+  auto copy = std::make_unique<ControlCells>(*this);
+  copy->change_sizes(change);
+  copy->sample_ = [sample = sample_, change](Uv uv) {
+    ControlNode node = sample(uv);
+    node.size = change(node);
+    return node;
+  };
+  return copy;
+}
+
 void ControlCells::halve(int leaf, bool along_u) { tree_.halve(leaf, along_u, make_node()); }
 
 LatticeSpace::Support ControlCells::support(Uv uv, int near) const {

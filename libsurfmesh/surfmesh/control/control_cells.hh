@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "surfmesh/control/cell_tree.hh"
@@ -30,6 +31,8 @@ class ControlCells : public LatticeSpace {
 
   /// Halve a leaf (CellTree::halve).
   void halve(int leaf, bool along_u);
+
+  std::unique_ptr<LatticeSpace> changed_copy(const ChangeSize& change) const override;
 
   Uv cell_extent(int cell) const override { return tree_.extent(tree_.cell(cell)); }
 

@@ -33,6 +33,12 @@ ControlGrid::ControlGrid(const Domain& domain, const std::vector<ControlNode>& r
   for (const ControlNode& node : regular) add_node(node);
 }
 
+std::unique_ptr<LatticeSpace> ControlGrid::changed_copy(const ChangeSize& change) const {
+  auto copy = std::make_unique<ControlGrid>(*this);
+  copy->change_sizes(change);
+  return copy;
+}
+
 LatticeSpace::Support ControlGrid::support(Uv uv, int /*near*/) const {
   const double last = side_ - 2;  // the last node belongs to the last cell
   const double x = std::clamp((uv.u - domain().u0) * cells_per_u_, 0.0, last + 1);

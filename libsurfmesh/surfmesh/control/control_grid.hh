@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "surfmesh/control/lattice_space.hh"
@@ -18,6 +19,8 @@ class ControlGrid : public LatticeSpace {
   /// Throws   InvalidInput if the number of nodes is not a square of at least 4; InvalidOption
   ControlGrid(const Domain& domain, const std::vector<ControlNode>& regular,
               const ControlSpaceOptions& options, const std::vector<ControlNode>& discs = {});
+
+  std::unique_ptr<LatticeSpace> changed_copy(const ChangeSize& change) const override;
 
   Uv cell_extent(int) const override { return {1 / cells_per_u_, 1 / cells_per_v_}; }
 

@@ -49,6 +49,13 @@ int LatticeSpace::add_node(const ControlNode& node) {
   return vh.idx();
 }
 
+void LatticeSpace::change_sizes(const ChangeSize& change) {
+  for (int node = 0; node < node_count(); ++node) {
+    const SurfacePoint at = surface_point(node);
+    set_size(node, change({at.uv, at.point, at.form, size(node), {}}));
+  }
+}
+
 std::vector<int> LatticeSpace::nodes_from(int first) const {
   std::vector<int> nodes(static_cast<std::size_t>(node_count() - first));
   std::iota(nodes.begin(), nodes.end(), first);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -37,6 +39,15 @@ class LatticeSpace : public ControlSpace {
   /// The vertices of this mesh are the nodes. After finish(), its faces are the parts between them,
   /// with surf:class, and each node has surf:radius and surf:outer_radius.
   const PolyMesh& mesh() const override { return mesh_; }
+
+  /// Gives a node another size than it has.
+  using ChangeSize = std::function<SizeTensor(const ControlNode&)>;
+
+  /// A copy in which every node has another size, also those that it gets later.
+  ///
+  /// Cost     that of `change` at each node; no node is sampled
+  /// Pre      finish() has not been called
+  virtual std::unique_ptr<LatticeSpace> changed_copy(const ChangeSize& change) const = 0;
 
   const Domain& domain() const { return domain_; }
   int node_count() const { return static_cast<int>(mesh_.n_vertices()); }
@@ -133,6 +144,9 @@ class LatticeSpace : public ControlSpace {
   SizeTensor interpolate(const SurfacePoint& at, QueryHint& hint) const override;
 
   int add_node(const ControlNode& node);
+
+  /// Change the sizes of all nodes.
+  void change_sizes(const ChangeSize& change);
 
   /// The nodes from a number on.
   std::vector<int> nodes_from(int first) const;

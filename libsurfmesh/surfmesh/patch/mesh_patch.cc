@@ -66,7 +66,7 @@ class PatchRun {
     context_.throw_if_cancelled();
     result_.turned = mend_turned_triangles(patch_);
     if (task_.corrected_sag > 0) {
-      detail::correct_sag(patch_, task_.corrected_sag);
+      detail::correct_sag(patch_, task_.corrected_sag, context_);
       result_.turned = find_turned_triangles(patch_);
     }
     result_.mesh = finish_patch(std::move(patch_));

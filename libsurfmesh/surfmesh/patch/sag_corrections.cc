@@ -2,6 +2,7 @@
 #include "surfmesh/patch/sag_corrections.hh"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "surfmesh/delaunay/predicates.hh"
@@ -14,6 +15,9 @@ namespace {
 
 constexpr int kMostRounds = 8;
 
+/// Faces that are measured between two questions whether the run is cancelled.
+constexpr std::size_t kFacesBetweenCancellation = 256;
+
 /// Beside half of the triangles of a patch, so many may be corrected.
 constexpr std::size_t kFreeFaces = 20;
 
@@ -23,6 +27,11 @@ constexpr double kLeastShape = 0.3;
 
 /// Shape below which no node must lead at all.
 constexpr double kLeastSplitShape = 0.2;
+
+/// Shares of the way to the middle of its triangle by which a node is moved, and the shape below
+/// which that must not lead, unless it was worse before.
+constexpr std::array<double, 2> kMovedShares = {0.25, 0.5};
+constexpr double kLeastMovedShape = 0.5;
 
 /// Ratio of the sags after and before from which a node is worth it.
 constexpr double kLeastReduction = 0.99;
@@ -36,8 +45,12 @@ constexpr double kGoodShape = 0.6;
 /// Corrects the triangles of one patch.
 class SagCorrector {
  public:
-  SagCorrector(TriangulatedPatch& patch, double aim)
-      : patch_(patch), delaunay_(*patch.delaunay), aim_(aim), meter_(*patch.surface, aim) {}
+  SagCorrector(TriangulatedPatch& patch, double aim, const RunContext& context)
+      : patch_(patch),
+        delaunay_(*patch.delaunay),
+        aim_(aim),
+        context_(context),
+        meter_(*patch.surface, aim) {}
 
   SagCorrections run() {
     boundary_count_ = boundary_vertices(patch_.boundary).size();
@@ -48,7 +61,10 @@ class SagCorrector {
       // Where most triangles are too far the sizes are to blame, or hmin is in the way.
       if (far.empty() || far.size() > limit || result_.nodes > limit) break;
       const SagCorrections before = result_;
-      for (const FaceHandle fh : far) correct(fh);
+      for (const FaceHandle fh : far) {
+        context_.throw_if_cancelled();
+        correct(fh);
+      }
       if (result_.swaps == before.swaps && result_.nodes == before.nodes) break;
     }
     return result_;
@@ -64,13 +80,14 @@ class SagCorrector {
     double sag = meter_.sag_of(
         CornerTriangle{corner_of(patch_, v[0]), corner_of(patch_, v[1]), corner_of(patch_, v[2])});
     for (const EdgeHandle eh : inner_edges(patch_, fh)) {
-      sag = std::max(sag, meter_.ridge_sag(diamond_of(patch_, eh).triangles()));
+      sag = std::max(sag, meter_.ridge_sag(diamond_of(patch_, eh).triangles(), kSharpCosine));
     }
     return sag;
   }
 
   void measure_new_faces() {
     while (sags_.size() < delaunay_.n_faces()) {
+      if (sags_.size() % kFacesBetweenCancellation == 0) context_.throw_if_cancelled();
       sags_.push_back(sag_now(FaceHandle(static_cast<int>(sags_.size()))));
     }
   }
@@ -97,7 +114,42 @@ class SagCorrector {
     const std::vector<EdgeHandle> edges = inner_edges(patch_, fh);
     const bool is_swapped =
         std::any_of(edges.begin(), edges.end(), [this](EdgeHandle eh) { return swap_for_sag(eh); });
-    if (!is_swapped) split_longest(edges);
+    if (!is_swapped && !move_for_sag(fh)) split_longest(edges);
+  }
+
+  /// Move an inner node of the face towards its middle if that brings all triangles around near
+  /// enough: those beside have often room to spare.
+  bool move_for_sag(FaceHandle fh) {
+    const TriangleVertices corners = vertices(mesh(), fh);
+    Uv middle{0, 0};
+    for (const VertexHandle vh : corners) middle = middle + 1.0 / 3 * delaunay_.uv(vh);
+    for (const double share : kMovedShares) {
+      for (const VertexHandle vh : corners) {
+        if (index(vh) < boundary_count_) continue;
+        const PatchCorner now = corner_of(patch_, vh);
+        const PatchCorner then = corner_at(patch_, lerp(now.uv, middle, share));
+        if (!can_move(vh, now, then)) continue;
+        move(vh, then);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// True if no triangle around a node is turned, of a bad shape that was better before, or too
+  /// far, were the node elsewhere.
+  bool can_move(VertexHandle vh, const PatchCorner& now, const PatchCorner& then) const {
+    const CornerTriangles moved = star_of(patch_, vh, then);
+    return are_upright(moved) &&
+           shape_of(moved) >= std::min(kLeastMovedShape, shape_of(star_of(patch_, vh, now))) &&
+           meter_.holds(moved);
+  }
+
+  /// True if none is turned in the parameters.
+  static bool are_upright(const CornerTriangles& triangles) {
+    return std::all_of(triangles.begin(), triangles.end(), [](const CornerTriangle& t) {
+      return orient2d(t[0].uv, t[1].uv, t[2].uv) > 0;
+    });
   }
 
   /// Swap the edge if both new triangles are near enough and no worse in shape than is allowed.
@@ -106,7 +158,7 @@ class SagCorrector {
     const Diamond diamond = diamond_of(patch_, eh);
     const double shape = shape_of(diamond.swapped());
     if (shape < kLeastShape && shape < shape_of(diamond.triangles())) return false;
-    if (meter_.sag_of(diamond.swapped()) > aim_) return false;
+    if (!meter_.holds(diamond.swapped())) return false;
     flip(eh);
     return true;
   }
@@ -184,10 +236,7 @@ class SagCorrector {
     for (const double share : {1.0, 0.5, 0.25}) {
       const PatchCorner then = corner_at(patch_, lerp(now.uv, middle, share));
       const CornerTriangles moved = star_of(patch_, vh, then);
-      const bool is_valid = std::all_of(moved.begin(), moved.end(), [](const CornerTriangle& t) {
-        return orient2d(t[0].uv, t[1].uv, t[2].uv) > 0;
-      });
-      if (!is_valid || shape_of(moved) < shape + kLeastGain) continue;
+      if (!are_upright(moved) || shape_of(moved) < shape + kLeastGain) continue;
       if (meter_.sag_of(moved) > std::max(aim_, meter_.sag_of(star_of(patch_, vh, now)))) continue;
       move(vh, then);
       return;
@@ -207,6 +256,7 @@ class SagCorrector {
   TriangulatedPatch& patch_;
   DelaunayMesh& delaunay_;
   double aim_;
+  const RunContext& context_;
   SagMeter meter_;
   std::size_t boundary_count_ = 0;
   std::vector<double> sags_;  ///< by face
@@ -215,8 +265,8 @@ class SagCorrector {
 
 }  // namespace
 
-SagCorrections correct_sag(TriangulatedPatch& patch, double aim) {
-  const SagCorrections result = SagCorrector(patch, aim).run();
+SagCorrections correct_sag(TriangulatedPatch& patch, double aim, const RunContext& context) {
+  const SagCorrections result = SagCorrector(patch, aim, context).run();
   patch.delaunay->shrink();
   return result;
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "surfmesh/core/run_context.hh"
 #include "surfmesh/patch_mesh/triangulated_patch.hh"
 
 namespace surfmesh::detail {
@@ -13,17 +14,20 @@ struct SagCorrections {
   std::size_t nodes = 0;
 };
 
-/// Swap and split inner edges of the triangles that are farther from the surface than `aim`.
+/// Correct the triangles that are farther from the surface than `aim`.
 ///
-/// Each such triangle gets the swap of an edge that is enough, else a node in the middle of its
-/// longest inner edge, with swaps around for quality. Everything else stays as it is: where sizes
-/// are made smaller instead, all triangles around are others, and some of these too far again.
+/// Each such triangle gets the swap of an edge or the move of a node that is enough, else a node in
+/// the middle of its longest inner edge, with swaps around for quality. Everything else stays as it
+/// is: where sizes are made smaller instead, all triangles around are others, and some of these too
+/// far again.
 ///
 /// Reads    surf:uv, surf:metric, surf:constrained
 /// Writes   surf:uv, surf:metric of new vertices; points and normals of the patch
-/// Error    distances from the planes of triangles, at 25 samples each
-/// Cost     25 surface evaluations a triangle, 100 a triangle that is too far
+/// Error    that of SagMeter
+/// Cost     10 surface evaluations a triangle, some hundreds a triangle that is too far
 /// Pre      evaluate_vertices has been called
-SagCorrections correct_sag(TriangulatedPatch& patch, double aim);
+/// Throws   Cancelled
+SagCorrections correct_sag(TriangulatedPatch& patch, double aim,
+                           const RunContext& context = RunContext());
 
 }  // namespace surfmesh::detail

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/patch/sag_meter.hh"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "surfmesh/quality/surface_search.hh"
@@ -10,8 +11,8 @@
 namespace surfmesh::detail {
 namespace {
 
-/// Share of the sag from which its greatest value in a triangle is searched for beyond samples.
-constexpr double kSearchedShare = 0.5;
+/// Triangles whose estimate is below this share of the aim, error included, are not sampled.
+constexpr double kSampledShare = 0.95;
 
 /// True if the triangle has the edge from one of these parameters to the other.
 bool has_edge(const CornerTriangle& t, Uv from, Uv to) {
@@ -19,6 +20,15 @@ bool has_edge(const CornerTriangle& t, Uv from, Uv to) {
     if (t[k].uv == from && t[(k + 1) % 3].uv == to) return true;
   }
   return false;
+}
+
+/// Of the angle between the normals of two triangles.
+double cosine(const CornerTriangle& s, const CornerTriangle& t) {
+  const auto normal = [](const CornerTriangle& triangle) {
+    const auto& [a, b, c] = triangle;
+    return (b.point - a.point).cross(c.point - a.point).stableNormalized().eval();
+  };
+  return normal(s).dot(normal(t));
 }
 
 double distance(const Vec3& point, const CornerTriangle& t) {
@@ -29,22 +39,29 @@ double distance(const Vec3& point, const CornerTriangle& t) {
 
 double SagMeter::sag_of(const CornerTriangle& t) const {
   return plane_sag(surface_, {{t[0].point, t[1].point, t[2].point}, {t[0].uv, t[1].uv, t[2].uv}},
-                   kSearchedShare * aim_);
+                   kSampledShare * aim_);
 }
 
 double SagMeter::sag_of(const CornerTriangles& triangles) const {
-  double sag = ridge_sag(triangles);
+  double sag = ridge_sag(triangles, kSharpCosine);
   for (const CornerTriangle& t : triangles) sag = std::max(sag, sag_of(t));
   return sag;
 }
 
-double SagMeter::ridge_sag(const CornerTriangles& triangles) const {
+bool SagMeter::holds(const CornerTriangles& triangles) const {
+  return std::all_of(triangles.begin(), triangles.end(),
+                     [this](const CornerTriangle& t) { return sag_of(t) <= aim_; }) &&
+         ridge_sag(triangles, kSharpCosine) <= aim_;
+}
+
+double SagMeter::ridge_sag(const CornerTriangles& triangles, double most_cosine) const {
   double sag = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       const PatchCorner &a = triangles[i][k], &b = triangles[i][(k + 1) % 3];
       for (std::size_t j = 0; j < i; ++j) {
-        if (has_edge(triangles[j], b.uv, a.uv)) {
+        if (has_edge(triangles[j], b.uv, a.uv) &&
+            cosine(triangles[i], triangles[j]) <= most_cosine) {
           sag = std::max(sag, ridge_sag(a, b, triangles[i], triangles[j]));
         }
       }

@@ -1,26 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 #include "surfmesh/patch/corner_triangles.hh"
+#include "surfmesh/quality/triangle_sag.hh"
 
 namespace surfmesh::detail {
 
 /// Measures the distance of triangles from a surface.
 ///
-/// Error    from the planes of triangles, at 25 samples each; those that are below half of the aim
-///          are not searched for beyond samples
+/// Error    from the planes of triangles, at 25 samples each and beyond; those that are surely
+/// below
+///          the aim are estimated
 class SagMeter {
  public:
   SagMeter(const Surface& surface, double aim) : surface_(surface), aim_(aim) {}
 
   double sag_of(const CornerTriangle& triangle) const;
 
-  /// The greatest one of triangles and of the edges between them.
+  /// The greatest one of triangles and of the sharp edges between them.
   double sag_of(const CornerTriangles& triangles) const;
 
+  /// True if none of them is above the aim.
+  bool holds(const CornerTriangles& triangles) const;
+
   /// The greatest distance between the surface and the middles of the edges between some triangles,
-  /// both ways: over a sharp bend the planes of the two triangles pass nearer than their edge.
-  double ridge_sag(const CornerTriangles& triangles) const;
+  /// both ways: over a sharp bend the planes of the two triangles pass nearer than their edge. Only
+  /// edges where the cosine between the normals is at most `most_cosine` count.
+  double ridge_sag(const CornerTriangles& triangles, double most_cosine = INFINITY) const;
 
  private:
   double ridge_sag(const PatchCorner& a, const PatchCorner& b, const CornerTriangle& left,

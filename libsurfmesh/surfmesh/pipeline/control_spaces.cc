@@ -40,7 +40,6 @@ void check_patches(const Model& model, const Sources& sources) {
   check_all(sources.inside);
   check_all(sources.fields);
   check_all(sources.tables);
-  check_all(sources.sag);
 }
 
 /// What the work for the control space of a patch goes by, roughly.
@@ -121,29 +120,46 @@ void refuse_hopeless_sizes(const Model& model, const std::vector<PatchSources>& 
 ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
                                   const ResolvedSizing& sizing, const ControlOptions& options,
                                   const RunContext& context) {
+  detail::ControlBases bases = detail::make_control_bases(model, sources, sizing, options, context);
+  detail::finish_control_spaces(model, bases.inputs, bases.control.spaces, context);
+  return std::move(bases.control);
+}
+
+namespace detail {
+
+ControlBases make_control_bases(const Model& model, const Sources& sources,
+                                const ResolvedSizing& sizing, const ControlOptions& options,
+                                const RunContext& context) {
   check(options);
   check_patches(model, sources);
-  ControlSpaces result;
+  ControlBases result;
+  ControlSpaces& control = result.control;
   if (auto notice = clamp_notice(model, sources, sizing.bounds)) {
-    result.notices.push_back(std::move(*notice));
+    control.notices.push_back(std::move(*notice));
   }
-  const auto patch_sources = model_sources(model, sources, sizing);
-  refuse_hopeless_sizes(model, patch_sources, sizing, context);
-  std::vector<ControlInput> inputs(model.patches.size());
-  result.spaces.resize(model.patches.size());
+  result.sources = model_sources(model, sources, sizing);
+  refuse_hopeless_sizes(model, result.sources, sizing, context);
+  result.inputs.resize(model.patches.size());
+  control.spaces.resize(model.patches.size());
   for_each_patch(model, "control", context, cells_of_patches(model), [&](std::size_t p) {
-    inputs[p] = collect_control_input(*model.patches[p].surface, sizing, patch_sources[p], options,
-                                      context);
-    result.spaces[p] = make_control(inputs[p], context);
+    result.inputs[p] = collect_control_input(*model.patches[p].surface, sizing, result.sources[p],
+                                             options, context);
+    control.spaces[p] = make_control(result.inputs[p], context);
   });
-  tell_coarse(model, inputs, result.notices);
-  for (const ControlInput& input : inputs) result.precision += input.sampling.precision;
-  tell_missed(result.precision, result.notices);
-  tell_unfollowed(model, inputs, result.notices);
-  tell_unsearched(model, inputs, result.notices);
-  grade_across_contours(model, inputs, result.spaces, context);
-  share_indices(result.spaces.size(), [&](std::size_t p) { finish(*result.spaces[p]); });
+  tell_coarse(model, result.inputs, control.notices);
+  for (const ControlInput& input : result.inputs) control.precision += input.sampling.precision;
+  tell_missed(control.precision, control.notices);
+  tell_unfollowed(model, result.inputs, control.notices);
+  tell_unsearched(model, result.inputs, control.notices);
   return result;
 }
 
+void finish_control_spaces(const Model& model, std::vector<ControlInput>& inputs,
+                           std::vector<std::unique_ptr<ControlSpace>>& spaces,
+                           const RunContext& context) {
+  grade_across_contours(model, inputs, spaces, context);
+  share_indices(spaces.size(), [&](std::size_t p) { finish(*spaces[p]); });
+}
+
+}  // namespace detail
 }  // namespace surfmesh

@@ -29,4 +29,26 @@ ControlSpaces make_control_spaces(const Model& model, const Sources& sources,
                                   const ResolvedSizing& sizing, const ControlOptions& options,
                                   const RunContext& context = RunContext());
 
+namespace detail {
+
+/// The first half of make_control_spaces: control spaces that are graded within their patches only,
+/// and what they were made from.
+struct ControlBases {
+  ControlSpaces control;
+  std::vector<ControlInput> inputs;   ///< in the order of the patches
+  std::vector<PatchSources> sources;  ///< likewise
+};
+
+/// Throws   as make_control_spaces
+ControlBases make_control_bases(const Model& model, const Sources& sources,
+                                const ResolvedSizing& sizing, const ControlOptions& options,
+                                const RunContext& context);
+
+/// The second half: grade across contours, and prepare for queries.
+/// Throws   Cancelled
+void finish_control_spaces(const Model& model, std::vector<ControlInput>& inputs,
+                           std::vector<std::unique_ptr<ControlSpace>>& spaces,
+                           const RunContext& context);
+
+}  // namespace detail
 }  // namespace surfmesh

@@ -26,6 +26,7 @@
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/fine_cage.hh"
 #include "surfmesh/pipeline/for_each_patch.hh"
+#include "surfmesh/pipeline/patch_cache.hh"
 #include "surfmesh/pipeline/patch_names.hh"
 #include "surfmesh/pipeline/reach_sag.hh"
 #include "surfmesh/quality/patch_measures.hh"
@@ -38,47 +39,43 @@ constexpr double kFlatQuality = 0.1;
 
 class Run {
  public:
-  Run(const Model& model, const Sources& sources, const ResolvedSizing& sizing,
-      const PipelineOptions& options, const RunContext& context, double corrected_sag = 0)
-      : model_(model),
-        sources_(sources),
-        options_(options),
-        context_(context),
-        sizing_(sizing),
-        corrected_sag_(corrected_sag) {
+  Run(const Model& model, const ResolvedSizing& sizing, const PipelineOptions& options,
+      const RunContext& context)
+      : model_(model), options_(options), context_(context), sizing_(sizing) {
+    if (sizing.sag > 0) demands_.sag = sizing.sag;
     report_.options = options;
     append(model.notices, report_.notices);
   }
 
   /// What is known without a mesh.
-  Report estimate_only() {
-    const auto start = std::chrono::steady_clock::now();
+  Report estimate_only(ControlSpaces control) {
     context_.begin_mesh();
-    make_spaces();
-    report_.wall_seconds = seconds_since(start);
+    take_spaces(std::move(control));
     return std::move(report_);
   }
 
-  void mesh(MeshResult& result) {
-    const auto start = std::chrono::steady_clock::now();
+  /// Correct triangles above a sag one by one (0 is off), give contours more segments, and take
+  /// patches from a cache if nothing has changed for them.
+  void demand(double corrected_sag, std::vector<double> more_segments, detail::PatchCache& cache) {
+    corrected_sag_ = corrected_sag;
+    demands_.more_segments = std::move(more_segments);
+    cache_ = &cache;
+  }
+
+  /// Mesh with the sizes of control spaces.
+  void mesh(ControlSpaces control, MeshResult& result) {
     context_.begin_mesh();
-    make_spaces();
+    take_spaces(std::move(control));
     place_nodes();
     mesh_patches();
     assemble_patches(result.mesh);
     measure(result.mesh);
-    report_.wall_seconds = seconds_since(start);
     result.report = std::move(report_);
   }
 
  private:
-  static double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  }
-
-  void make_spaces() {
+  void take_spaces(ControlSpaces made) {
     const StageClock clock(report_.seconds[Stage::Control]);
-    ControlSpaces made = make_control_spaces(model_, sources_, sizing_, options_.control, context_);
     append(std::move(made.notices), report_.notices);
     spaces_ = std::move(made.spaces);
     report_.control.kind = effective_kind(options_.control);
@@ -129,17 +126,11 @@ class Run {
   void place_nodes() {
     const StageClock clock(report_.seconds[Stage::Boundary]);
     context_.tell("boundary", 0, model_.contours.size());
-    BoundaryNodes boundary = place_contour_nodes(model_, fields_, demands(), context_);
+    BoundaryNodes boundary = place_contour_nodes(model_, fields_, demands_, context_);
     nodes_ = std::move(boundary.contours);
     report_.control.queries[Stage::Boundary] = boundary.report.queries;
     numbers_ = std::make_unique<NodeNumbers>(model_, nodes_);
     context_.tell("boundary", model_.contours.size(), model_.contours.size());
-  }
-
-  ContourDemands demands() const {
-    ContourDemands demands;
-    if (sizing_.sag > 0) demands.sag = sizing_.sag;
-    return demands;
   }
 
   void mesh_patches() {
@@ -166,14 +157,26 @@ class Run {
       const StageClock clock(seconds);
       return collect_boundary(model_, static_cast<int>(p), nodes_, *numbers_, *fields_[p]);
     };
-    PatchResult result = mesh_patch({.surface = *model_.patches[p].surface,
-                                     .field = *fields_[p],
-                                     .boundary = boundary(),
-                                     .refine = options_.refine,
-                                     .improve = options_.improve,
-                                     .corrected_sag = corrected_sag_},
-                                    context_);
+    PatchTask task{.surface = *model_.patches[p].surface,
+                   .field = *fields_[p],
+                   .boundary = boundary(),
+                   .refine = options_.refine,
+                   .improve = options_.improve,
+                   .corrected_sag = corrected_sag_};
+    PatchResult result =
+        cache_ ? mesh_unless_kept(p, std::move(task)) : mesh_patch(std::move(task), context_);
     result.seconds[Stage::Triangulate] += seconds;
+    return result;
+  }
+
+  PatchResult mesh_unless_kept(std::size_t p, PatchTask task) {
+    const PolyMesh& control = spaces_[p]->mesh();
+    if (auto kept = cache_->find(p, control, task)) {
+      context_.add_elements(kept->mesh.mesh->n_faces());
+      return std::move(*kept);
+    }
+    PatchResult result = mesh_patch(std::move(task), context_);
+    cache_->keep(p, control, corrected_sag_, result);
     return result;
   }
 
@@ -279,11 +282,12 @@ class Run {
   }
 
   const Model& model_;
-  const Sources& sources_;
   const PipelineOptions& options_;
   const RunContext& context_;
   const ResolvedSizing& sizing_;
-  double corrected_sag_;  ///< triangles above this are corrected one by one; 0 is off
+  ContourDemands demands_;
+  detail::PatchCache* cache_ = nullptr;
+  double corrected_sag_ = 0;  ///< triangles above this are corrected one by one; 0 is off
   Report report_;
   std::vector<std::unique_ptr<ControlSpace>> spaces_;
   std::vector<std::unique_ptr<SurfaceMetricField>> surface_fields_;
@@ -294,20 +298,45 @@ class Run {
   std::vector<TurnedTriangles> turned_;  ///< by patch
 };
 
+/// Hand new control spaces to `work`, and add their times to the report that it makes.
+template <class Work>
+void work_with_control(const Model& model, const Sources& sources, const ResolvedSizing& sizing,
+                       const PipelineOptions& options, const RunContext& context, Report& report,
+                       Work work) {
+  const auto start = std::chrono::steady_clock::now();
+  ControlSpaces control;
+  double seconds = 0;
+  {
+    const StageClock clock(seconds);
+    control = make_control_spaces(model, sources, sizing, options.control, context);
+  }
+  work(std::move(control));
+  report.seconds[Stage::Control] += seconds;
+  report.wall_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 /// Mesh the model once or until the sag is reached.
 void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOptions& options,
                    const RunContext& context, MeshResult& result) {
   const ResolvedSizing sizing = resolve(options.sizing, model.diagonal);
   if (sizing.sag == 0) {
-    Run(model, sources, sizing, options, context).mesh(result);
+    work_with_control(model, sources, sizing, options, context, result.report,
+                      [&](ControlSpaces control) {
+                        Run(model, sizing, options, context).mesh(std::move(control), result);
+                      });
     return;
   }
-  result = detail::reach_sag(
-      model, sources, sizing, [&](const Sources& corrected, double corrected_sag) {
-        MeshResult once;
-        Run(model, corrected, sizing, options, context, corrected_sag).mesh(once);
-        return once;
-      });
+  detail::PatchCache cache(model.patches.size());
+  const auto mesh_with = [&](ControlSpaces control, double corrected_sag,
+                             const std::vector<double>& more_segments) {
+    MeshResult once;
+    Run run(model, sizing, options, context);
+    run.demand(corrected_sag, more_segments, cache);
+    run.mesh(std::move(control), once);
+    return once;
+  };
+  result = detail::reach_sag({model, sources, sizing, options.control, context}, mesh_with);
 }
 
 /// Of a cancelled run no other error counts, for which patch was at work then is a matter of
@@ -347,9 +376,13 @@ Report estimate_mesh(const Model& model, const Sources& sources, const PipelineO
   const RunContext context(observer, options.max_elements);
   const ResolvedSizing sizing = resolve(options.sizing, model.diagonal);
   Report report;
+  const auto estimate = [&](ControlSpaces control) {
+    report = Run(model, sizing, options, context).estimate_only(std::move(control));
+  };
   with_threads(options.threads, [&] {
-    do_or_cancel(context,
-                 [&] { report = Run(model, sources, sizing, options, context).estimate_only(); });
+    do_or_cancel(context, [&] {
+      work_with_control(model, sources, sizing, options, context, report, estimate);
+    });
   });
   report.mesh.patches = model.patches.size();
   report.patches = measure_patches(PolyMesh(), mesh_names(model));

@@ -6,57 +6,66 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/metric/size_tensor.hh"
+#include "surfmesh/pipeline/scaled_spaces.hh"
+#include "surfmesh/quality/face_set_check.hh"
 #include "surfmesh/quality/sag.hh"
-#include "surfmesh/sizes/size_bounds.hh"
-#include "surfmesh/sizes/tables_from_mesh.hh"
 
 namespace surfmesh::detail {
 namespace {
 
-/// Meshes whose sizes are scaled everywhere, and then those whose sizes get smaller in places.
-constexpr int kBalancedMeshes = 1;
+/// Meshes that are corrected.
 constexpr int kMostCorrectedMeshes = 7;
 
 /// Corrections see a little less than the measure: they aim below the sag.
 constexpr double kCorrectedShare = 0.97;
 
-/// Share of the sag at which the scaling of sizes aims, and bounds of one scaling.
-constexpr double kAim = 0.9;
+/// Share of the sag at which the scaling of sizes aims, and bounds of one scaling. Sags scatter:
+/// with 0.85 a tenth of the triangles is corrected, which takes nearly as many triangles and costs
+/// shape.
+constexpr double kAim = 0.7;
 constexpr double kMostShrinking = 0.5;
 constexpr double kMostGrowth = 2;
 
 /// Sizes at a triangle that is still too far shrink at least so much.
 constexpr double kLeastShrinking = 0.93;
 
-/// Radius, in the smaller size, within which they hold: that of the triangle.
-constexpr double kReach = 0.6;
+/// Triangles that are so many times too far have sizes that were not made for the sag.
+constexpr double kFarBeyond = 4;
+
+/// Sizes up to so many times hmin are held up by it.
+constexpr double kAtLeastSize = 1.1;
+
+/// Segments of a contour beside such a triangle become so many times as many.
+constexpr double kMoreSegments = 1.2;
 
 class SagLoop {
  public:
-  SagLoop(const Model& model, const Sources& sources, const ResolvedSizing& sizing,
-          const MeshOnce& mesh_once)
-      : model_(model),
-        sources_(sources),
-        bounds_(sizing.bounds),
-        asked_(sizing.sag),
-        mesh_once_(mesh_once),
-        search_(model) {}
+  SagLoop(const SagTask& task, const MeshWith& mesh_with)
+      : task_(task),
+        mesh_with_(mesh_with),
+        search_(task.model),
+        more_segments_(task.model.contours.size(), 1) {}
 
   MeshResult run() {
-    for (int i = 0; i < kBalancedMeshes; ++i) {
+    make_spaces();
+    if (spaces_->can_scale()) {
       mesh(0);
-      balance();
-    }
-    for (int i = 0; i < kMostCorrectedMeshes; ++i) {
-      mesh(kCorrectedShare * asked_);
-      if (sag_.max <= asked_ || !shrink_locally()) break;
+      if (balance()) {
+        correct();
+      } else {
+        measure();
+      }
+    } else {
+      mesh(kCorrectedShare * asked());
+      measure();
     }
     tell_if_not_reached();
     return std::move(best_);
@@ -65,13 +74,39 @@ class SagLoop {
   const PerStage<double>& seconds() const { return seconds_; }
 
  private:
-  /// Mesh the model, measure the mesh, and keep it if it is the best.
-  void mesh(double corrected_sag) {
-    now_ = mesh_once_(sources_, corrected_sag);
-    seconds_ += now_.report.seconds;
+  double asked() const { return task_.sizing.sag; }
+
+  void make_spaces() {
     const StageClock clock(seconds_[Stage::Control]);
-    sag_ = measure_sag(now_.mesh, model_, search_);
-    now_.report.sag = {asked_, sag_.max};
+    spaces_ = std::make_unique<ScaledSpaces>(task_.model, task_.sources, task_.sizing,
+                                             task_.control, task_.context);
+  }
+
+  ControlSpaces scaled_spaces() {
+    const StageClock clock(seconds_[Stage::Control]);
+    return spaces_->make();
+  }
+
+  void mesh(double corrected_sag) {
+    now_ = mesh_with_(scaled_spaces(), corrected_sag, more_segments_);
+    seconds_ += now_.report.seconds;
+    task_.context.throw_if_cancelled();
+  }
+
+  /// Mesh until the sag is reached or nothing more can be done.
+  void correct() {
+    for (int i = 0; i < kMostCorrectedMeshes; ++i) {
+      mesh(kCorrectedShare * asked());
+      measure();
+      if (!shrink_locally()) return;
+    }
+  }
+
+  /// Measure the mesh, and keep it if it is the best.
+  void measure() {
+    const StageClock clock(seconds_[Stage::Assemble]);
+    sag_ = measure_sag(now_.mesh, task_.model, search_, task_.context);
+    now_.report.sag = {asked(), sag_.max};
     if (!is_better()) return;
     best_ = now_;
     const auto worst = std::max_element(sag_.of_faces.begin(), sag_.of_faces.end());
@@ -80,110 +115,119 @@ class SagLoop {
 
   void tell_if_not_reached() {
     const double reached = *best_.report.sag.reached;
-    if (reached <= asked_) return;
+    if (reached <= asked()) return;
     Notice notice = shortfall(
         NoticeKind::SagNotReached,
         fmt::format("mesh and surface are up to {:.6g} from each other, more than sag = {:.6g} (in "
-                    "model units) allows; try a smaller hmin where that is in the way",
-                    reached, asked_));
+                    "model units) allows",
+                    reached, asked()));
     notice.patch = best_.mesh.property(require(best_.mesh, keys::face_patch), worst_face_);
     notice.point = to_eigen(best_.mesh.calc_face_centroid(worst_face_));
+    notice.text += fmt::format(", in patch {} at {}: {}", task_.model.patch(notice.patch).name,
+                               point_text(*notice.point), cause());
     best_.report.notices.push_back(std::move(notice));
+  }
+
+  /// Why the worst face of the best mesh is too far, and what helps.
+  std::string cause() const {
+    const double hmin = task_.sizing.bounds.hmin;
+    if (least_size(worst_face_) <= kAtLeastSize * hmin) {
+      return fmt::format("hmin = {:.6g} is in the way, a smaller one helps", hmin);
+    }
+    if (!spaces_->can_scale()) return "control = mesh does not scale sizes, control = cells does";
+    return "the surface bends there within less than triangles can follow without being flat";
+  }
+
+  /// The smaller size that was asked for at a face of the best mesh.
+  double least_size(FaceHandle fh) const {
+    const PolyMesh& mesh = best_.mesh;
+    const auto uv_of = require(mesh, keys::corner_uv);
+    const auto metric_of = require(mesh, keys::corner_metric);
+    const Surface& surface =
+        task_.model.surface(mesh.property(require(mesh, keys::face_patch), fh));
+    double least = task_.sizing.bounds.hmax;
+    for (const HalfedgeHandle corner : mesh.fh_range(fh)) {
+      const Jet jet = surface.evaluate(mesh.property(uv_of, corner), Order::First);
+      const FirstFormFactor form = first_form_factor(jet.du, jet.dv);
+      if (!is_regular(form)) continue;
+      const Metric& metric = mesh.property(metric_of, corner);
+      least = std::min(least, size_range(size_from_metric(form, metric)).least);
+    }
+    return least;
   }
 
   bool is_better() const {
     if (!best_.report.sag.reached) return true;
     const double best = *best_.report.sag.reached;
-    if (sag_.max > asked_) return sag_.max < best;
-    return best > asked_ || now_.mesh.n_faces() < best_.mesh.n_faces();
+    if (sag_.max > asked()) return sag_.max < best;
+    return best > asked() || now_.mesh.n_faces() < best_.mesh.n_faces();
   }
 
-  double sag_of(FaceHandle fh) const { return sag_.of_faces[index(fh)]; }
-
-  /// Sag goes by the square of sizes.
-  double scale(double sag) const {
-    return std::clamp(std::sqrt(kAim * asked_ / sag), kMostShrinking, kMostGrowth);
+  /// The logarithm of a scale for sizes: the sag goes by their square.
+  double log_scale(double sag) const {
+    return std::log(std::clamp(std::sqrt(kAim * asked() / sag), kMostShrinking, kMostGrowth));
   }
 
-  /// The geometric mean over the faces around.
-  double scale_at(VertexHandle vh) const {
-    double sum = 0;
-    int count = 0;
-    for (const FaceHandle fh : now_.mesh.vf_range(vh)) {
-      sum += std::log(scale(sag_of(fh)));
-      ++count;
-    }
-    return std::exp(sum / count);
-  }
-
-  /// Make the vertices of the mesh the nodes of the next control spaces, with scaled sizes.
-  void balance() {
-    PolyMesh& mesh = now_.mesh;
-    const auto metric_of = require(mesh, keys::corner_metric);
-    for (const VertexHandle vh : mesh.vertices()) {
-      const double squared = std::pow(scale_at(vh), -2);
-      for (const HalfedgeHandle corner : mesh.vih_range(vh)) {
-        Metric& m = mesh.property(metric_of, corner);
-        m = {squared * m.m11, squared * m.m12, squared * m.m22};
-      }
-    }
-    sources_.sag = tables_from_mesh(mesh);
-  }
-
-  /// Ask for smaller sizes at the faces that are too far. Returns false if sizes are at hmin at all
-  /// of them.
-  bool shrink_locally() {
-    bool is_any = false;
+  /// Multiply sizes by what the sag of the triangles allows. Returns false if most triangles are
+  /// far beyond the sag although sizes were made for it: then hmin is in the way everywhere.
+  bool balance() {
+    const StageClock clock(seconds_[Stage::Assemble]);
+    const std::vector<double> sags = estimate_sag(now_.mesh, task_.model, task_.context);
+    WantedByPatch wanted(task_.model.patches.size());
     for (const FaceHandle fh : now_.mesh.faces()) {
-      if (sag_of(fh) > asked_ && shrink_at(fh)) is_any = true;
+      wanted[patch_of(fh)].push_back({middle_of(fh), log_scale(sags[index(fh)])});
     }
-    return is_any;
-  }
-
-  bool shrink_at(FaceHandle fh) {
-    const Middle middle = middle_of(fh);
-    const double factor = std::min(kLeastShrinking, scale(sag_of(fh)));
-    const double along = bounds_.clamp(factor * middle.sizes.l_s);
-    const double across = bounds_.clamp(factor * middle.sizes.l_t);
-    if (along >= middle.sizes.l_s && across >= middle.sizes.l_t) return false;
-    AtSource source{
-        middle.patch, middle.uv, {Length::units(along), Length::units(across), middle.sizes.angle}};
-    source.radius = Length::units(kReach * middle.sizes.l_t);
-    sources_.at.push_back(source);
+    const auto is_far = [this](double sag) { return sag > kFarBeyond * asked(); };
+    if (2 * std::count_if(sags.begin(), sags.end(), is_far) > std::ssize(sags)) return false;
+    share_indices(wanted.size(), [&](std::size_t p) { spaces_->factors(p).multiply(wanted[p]); });
     return true;
   }
 
-  /// The barycentre of a face in its parameters, and the sizes there.
-  struct Middle {
-    int patch;
-    Uv uv{0, 0};
-    PrincipalSizes sizes{};
-  };
-
-  Middle middle_of(FaceHandle fh) const {
-    const PolyMesh& mesh = now_.mesh;
-    const auto uv_of = require(mesh, keys::corner_uv);
-    const auto metric_of = require(mesh, keys::corner_metric);
-    Middle middle{mesh.property(require(mesh, keys::face_patch), fh)};
-    Metric metric{0, 0, 0};
-    const double share = 1.0 / mesh.valence(fh);
-    for (const HalfedgeHandle corner : mesh.fh_range(fh)) {
-      const Metric& m = mesh.property(metric_of, corner);
-      middle.uv = middle.uv + share * mesh.property(uv_of, corner);
-      metric = {metric.m11 + share * m.m11, metric.m12 + share * m.m12, metric.m22 + share * m.m22};
+  /// Make sizes smaller around the faces that are too far, and segments beside them shorter: a
+  /// contour has as few as it needs itself, and takes no notice of smaller sizes. Returns false if
+  /// no face is too far.
+  bool shrink_locally() {
+    if (sag_.max <= asked()) return false;
+    std::set<int> contours;
+    const auto contour_of = require(now_.mesh, keys::edge_contour);
+    WantedByPatch wanted(task_.model.patches.size());
+    for (const FaceHandle fh : now_.mesh.faces()) {
+      const double sag = sag_.of_faces[index(fh)];
+      if (sag <= asked()) continue;
+      wanted[patch_of(fh)].push_back(
+          {middle_of(fh), std::min(std::log(kLeastShrinking), log_scale(sag))});
+      for (const EdgeHandle eh : now_.mesh.fe_range(fh)) {
+        contours.insert(now_.mesh.property(contour_of, eh));
+      }
     }
-    const Surface& surface = model_.surface(middle.patch);
-    const Jet jet = surface.evaluate(middle.uv, Order::First);
-    middle.sizes = principal_sizes(size_from_metric(first_form_factor(jet.du, jet.dv), metric));
+    contours.erase(-1);
+    for (const int c : contours) more_segments_[static_cast<std::size_t>(c)] *= kMoreSegments;
+    for (std::size_t p = 0; p < wanted.size(); ++p) spaces_->factors(p).lower(wanted[p]);
+    return true;
+  }
+
+  std::size_t patch_of(FaceHandle fh) const {
+    return static_cast<std::size_t>(now_.mesh.property(require(now_.mesh, keys::face_patch), fh));
+  }
+
+  /// The barycentre of a face in its parameters.
+  Uv middle_of(FaceHandle fh) const {
+    const auto uv_of = require(now_.mesh, keys::corner_uv);
+    const double share = 1.0 / now_.mesh.valence(fh);
+    Uv middle{0, 0};
+    for (const HalfedgeHandle corner : now_.mesh.fh_range(fh)) {
+      middle = middle + share * now_.mesh.property(uv_of, corner);
+    }
     return middle;
   }
 
-  const Model& model_;
-  Sources sources_;
-  SizeBounds bounds_;
-  double asked_;
-  const MeshOnce& mesh_once_;
+  using WantedByPatch = std::vector<std::vector<SizeFactors::Wanted>>;
+
+  const SagTask& task_;
+  const MeshWith& mesh_with_;
   SurfaceSearch search_;
+  std::unique_ptr<ScaledSpaces> spaces_;
+  std::vector<double> more_segments_;  ///< by contour
   MeshResult now_;
   Sag sag_;  ///< of the mesh now
   MeshResult best_;
@@ -193,10 +237,9 @@ class SagLoop {
 
 }  // namespace
 
-MeshResult reach_sag(const Model& model, const Sources& sources, const ResolvedSizing& sizing,
-                     const MeshOnce& mesh_once) {
+MeshResult reach_sag(const SagTask& task, const MeshWith& mesh_with) {
   const auto start = std::chrono::steady_clock::now();
-  SagLoop loop(model, sources, sizing, mesh_once);
+  SagLoop loop(task, mesh_with);
   MeshResult result = loop.run();
   result.report.seconds = loop.seconds();
   result.report.wall_seconds =

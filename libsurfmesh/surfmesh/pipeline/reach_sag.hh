@@ -3,30 +3,38 @@
 
 #include <functional>
 
+#include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 
 namespace surfmesh::detail {
 
-/// Mesh a model with these sources; correct the triangles above a sag one by one, unless it is 0.
-using MeshOnce = std::function<MeshResult(const Sources&, double corrected_sag)>;
+/// What is to be meshed within a sag, and the sizes that are wanted beside.
+struct SagTask {
+  const Model& model;
+  const Sources& sources;
+  const ResolvedSizing& sizing;  ///< has a sag
+  const ControlOptions& control;
+  const RunContext& context;
+};
+
+/// Mesh the model with these sizes; correct the triangles above a sag one by one, unless it is 0.
+/// The last are ContourDemands::more_segments.
+using MeshWith = std::function<MeshResult(ControlSpaces, double corrected_sag,
+                                          const std::vector<double>& more_segments)>;
 
 /// Mesh a model so that mesh and surface are nowhere farther from each other than the sag asks.
 ///
-/// The first mesh has the sizes that the curvature asks for. It is measured, and its vertices
-/// become the control nodes of the next one, with sizes scaled by what the sag around them allows,
-/// larger or smaller. In the next mesh triangles that are still too far are corrected one by one;
-/// where that is not enough, smaller sizes are asked for at them alone, and the model is meshed
+/// The first mesh has the sizes that the curvature asks for. Its sag is estimated, and the sizes at
+/// the nodes of its control spaces are multiplied by what the sag around them allows, larger or
+/// smaller, and smoothed. In the next mesh triangles that are still too far are corrected one by
+/// one; where that is not enough, sizes are made smaller around them alone, and the model is meshed
 /// again, up to six times. Of those that reach the sag the mesh with the fewest triangles is taken,
 /// else the nearest.
 ///
-/// Reads    surf:patch (face), surf:uv, surf:metric (halfedge) of the meshes
 /// Returns  the mesh; its report has the times of all meshes and the sag, with a shortfall if that
 ///          is not reached
 /// Error    the sag is measured as by measure_sag
-/// Cost     two to eight meshes, 15 µs a triangle to measure each
-/// Pre      the sizing has a sag
 /// Throws   as mesh_model
-MeshResult reach_sag(const Model& model, const Sources& sources, const ResolvedSizing& sizing,
-                     const MeshOnce& mesh_once);
+MeshResult reach_sag(const SagTask& task, const MeshWith& mesh_with);
 
 }  // namespace surfmesh::detail

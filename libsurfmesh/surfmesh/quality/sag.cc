@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/quality/sag.hh"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
@@ -12,6 +15,9 @@
 
 namespace surfmesh {
 namespace {
+
+/// Faces between two questions whether the run is cancelled: some milliseconds.
+constexpr std::size_t kFacesBetweenCancellation = 64;
 
 /// The greatest distance so far, and where it is.
 struct Greatest {
@@ -24,55 +30,131 @@ struct Greatest {
   }
 };
 
+/// The triangles that a face is taken to consist of.
+std::vector<detail::SurfaceTriangle> triangles_of(const PolyMesh& mesh, FaceHandle fh) {
+  const auto uv_of = require(mesh, keys::corner_uv);
+  const std::vector<HalfedgeHandle> corners = detail::corners_of(mesh, fh);
+  std::vector<detail::SurfaceTriangle> triangles;
+  for (std::size_t k = 2; k < corners.size(); ++k) {
+    const std::array<HalfedgeHandle, 3> own = {corners[0], corners[k - 1], corners[k]};
+    detail::SurfaceTriangle& triangle = triangles.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      triangle.points[i] = detail::point_of(mesh, own[i]);
+      triangle.uvs[i] = mesh.property(uv_of, own[i]);
+    }
+  }
+  return triangles;
+}
+
 /// Measures the faces of a mesh.
 class SagMeter {
  public:
-  SagMeter(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search)
+  SagMeter(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search,
+           const RunContext& context)
       : mesh_(mesh),
         model_(model),
         search_(search),
-        patch_of_(require(mesh, keys::face_patch)),
-        uv_of_(require(mesh, keys::corner_uv)) {}
+        context_(context),
+        patch_of_(require(mesh, keys::face_patch)) {}
 
   Sag run() {
+    estimate_faces();
+    measure_where([](const Face& face) { return !std::isfinite(face.error); });
+    // What is below the greatest one so far can be estimated; its error shows in its own samples.
+    double least = 0;
+    for (const Face& face : faces_) least = std::max(least, face.sag - face.error);
+    measure_where([least](const Face& face) { return face.sag + face.error > least; });
     Sag result;
-    result.of_faces.assign(mesh_.n_faces(), 0);
-    std::vector<Greatest> of_faces(mesh_.n_faces());
-    share_ranges(mesh_.n_faces(), [&](std::size_t first, std::size_t end) {
-      for (std::size_t f = first; f < end; ++f) {
-        of_faces[f] = measure(FaceHandle(static_cast<int>(f)));
-        result.of_faces[f] = of_faces[f].sag;
-      }
-    });
     Greatest greatest;
-    for (const Greatest& of_face : of_faces) greatest.take(of_face.sag, of_face.at);
+    for (const Face& face : faces_) {
+      result.of_faces.push_back(face.sag);
+      if (face.is_measured) greatest.take(face.sag, face.at);
+    }
     result.max = greatest.sag;
     result.max_at = greatest.at;
     return result;
   }
 
  private:
-  struct Triangle {
+  /// What is known of a face.
+  struct Face {
+    double sag = 0;
+    double error = 0;  ///< of an estimate
+    bool is_measured = false;
+    Vec3 at = Vec3::Zero();  ///< where it is measured
+  };
+
+  struct Triangle : detail::SurfaceTriangle {
     FaceHandle face;
     const Surface& surface;
-    std::array<Vec3, 3> points;
-    std::array<Uv, 3> uvs;
   };
+
+  void estimate_faces() {
+    faces_.resize(mesh_.n_faces());
+    share_ranges(faces_.size(), [&](std::size_t first, std::size_t end) {
+      for (std::size_t f = first; f < end; ++f) {
+        if (f % kFacesBetweenCancellation == 0) context_.throw_if_cancelled();
+        faces_[f] = estimate(FaceHandle(static_cast<int>(f)));
+      }
+    });
+  }
+
+  Face estimate(FaceHandle fh) const {
+    const Surface& surface = model_.surface(mesh_.property(patch_of_, fh));
+    Face face;
+    double aside = 0;
+    for (const detail::SurfaceTriangle& triangle : triangles_of(mesh_, fh)) {
+      const detail::SagEstimate estimate = detail::estimate_plane_sag(surface, triangle);
+      face.sag = std::max(face.sag, estimate.sag);
+      face.error = std::max(face.error, estimate.error);
+      aside = std::max(aside, estimate.aside);
+    }
+    // The edge there is at most so far from the surface.
+    if (is_beside_sharp_bend(fh)) face.error += aside;
+    return face;
+  }
+
+  /// True if the planes of a face and of one beside it do not tell how far their edge is from the
+  /// surface.
+  bool is_beside_sharp_bend(FaceHandle fh) const {
+    const Vec3 normal = normal_of(fh);
+    for (const FaceHandle other : mesh_.ff_range(fh)) {
+      if (normal.dot(normal_of(other)) < detail::kSharpCosine) return true;
+    }
+    return false;
+  }
+
+  Vec3 normal_of(FaceHandle fh) const {
+    const std::vector<HalfedgeHandle> corners = detail::corners_of(mesh_, fh);
+    const Vec3 a = detail::point_of(mesh_, corners[0]);
+    return (detail::point_of(mesh_, corners[1]) - a)
+        .cross(detail::point_of(mesh_, corners[2]) - a)
+        .stableNormalized();
+  }
+
+  /// Measure the faces that are to be measured and have not been.
+  template <class IsToMeasure>
+  void measure_where(IsToMeasure is_to_measure) {
+    std::vector<std::size_t> chosen;
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      if (!faces_[f].is_measured && is_to_measure(faces_[f])) chosen.push_back(f);
+    }
+    share_ranges(chosen.size(), [&](std::size_t first, std::size_t end) {
+      for (std::size_t i = first; i < end; ++i) {
+        if (i % kFacesBetweenCancellation == 0) context_.throw_if_cancelled();
+        const Greatest greatest = measure(FaceHandle(static_cast<int>(chosen[i])));
+        faces_[chosen[i]] = {greatest.sag, 0, true, greatest.at};
+      }
+    });
+  }
 
   /// The sag of a face, and the sample at which it is.
   Greatest measure(FaceHandle fh) const {
     const int patch = mesh_.property(patch_of_, fh);
     const Surface& surface = model_.surface(patch);
-    const std::vector<HalfedgeHandle> corners = detail::corners_of(mesh_, fh);
     Greatest greatest;
-    for (std::size_t k = 2; k < corners.size(); ++k) {
-      const std::array<HalfedgeHandle, 3> own = {corners[0], corners[k - 1], corners[k]};
-      Triangle triangle{fh, surface, {}, {}};
-      for (std::size_t i = 0; i < 3; ++i) {
-        triangle.points[i] = detail::point_of(mesh_, own[i]);
-        triangle.uvs[i] = mesh_.property(uv_of_, own[i]);
-      }
-      const Greatest own_greatest = greatest_sample(triangle);
+    for (const detail::SurfaceTriangle& triangle : triangles_of(mesh_, fh)) {
+      const Greatest own_greatest = greatest_sample({triangle, fh, surface});
       greatest.take(own_greatest.sag, own_greatest.at);
     }
     return greatest;
@@ -146,14 +228,33 @@ class SagMeter {
   const PolyMesh& mesh_;
   const Model& model_;
   const SurfaceSearch& search_;
+  const RunContext& context_;
   decltype(keys::face_patch)::Handle patch_of_;
-  decltype(keys::corner_uv)::Handle uv_of_;
+  std::vector<Face> faces_;
 };
 
 }  // namespace
 
-Sag measure_sag(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search) {
-  return SagMeter(mesh, model, search).run();
+Sag measure_sag(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search,
+                const RunContext& context) {
+  return SagMeter(mesh, model, search, context).run();
+}
+
+std::vector<double> estimate_sag(const PolyMesh& mesh, const Model& model,
+                                 const RunContext& context) {
+  const auto patch_of = require(mesh, keys::face_patch);
+  std::vector<double> sags(mesh.n_faces(), 0);
+  share_ranges(mesh.n_faces(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t f = first; f < end; ++f) {
+      if (f % kFacesBetweenCancellation == 0) context.throw_if_cancelled();
+      const FaceHandle fh(static_cast<int>(f));
+      const Surface& surface = model.surface(mesh.property(patch_of, fh));
+      for (const detail::SurfaceTriangle& triangle : triangles_of(mesh, fh)) {
+        sags[f] = std::max(sags[f], detail::estimate_plane_sag(surface, triangle).sag);
+      }
+    }
+  });
+  return sags;
 }
 
 }  // namespace surfmesh

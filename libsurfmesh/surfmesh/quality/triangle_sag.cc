@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "surfmesh/quality/triangle_distance.hh"
 
@@ -26,6 +27,77 @@ std::vector<Weights> make_samples() {
   return samples;
 }
 
+/// The middles of the sides, and points inside at which the fit to them is tested.
+constexpr std::array<Weights, 3> kMiddles = {{{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}}};
+constexpr std::array<Weights, 4> kTests = {{{1.0 / 3, 1.0 / 3, 1.0 / 3},
+                                            {2.0 / 3, 1.0 / 6, 1.0 / 6},
+                                            {1.0 / 6, 2.0 / 3, 1.0 / 6},
+                                            {1.0 / 6, 1.0 / 6, 2.0 / 3}}};
+
+/// Misses elsewhere are up to so many times those at the tests.
+constexpr double kErrorPerMiss = 2;
+
+/// Share of the distance up to which nothing is sought from which the search goes on from samples:
+/// they may miss a narrow bend.
+constexpr double kSearchedShare = 0.5;
+
+/// Share of the least height of a triangle that the middle of a side may lie aside, above which
+/// nothing is known.
+constexpr double kMostAside = 0.3;
+
+/// The polynomial of second order that is 0 at the corners of a triangle, by its values at the
+/// middles of the sides: d = 4 (a w0 w1 + b w1 w2 + c w2 w0).
+struct Bulge {
+  double a, b, c;
+
+  double at(const Weights& w) const {
+    return 4 * (a * w[0] * w[1] + b * w[1] * w[2] + c * w[2] * w[0]);
+  }
+
+  /// The greatest absolute value on the triangle: on a side, or where the gradient is 0.
+  double greatest() const {
+    const double on_sides = std::max({std::abs(a), std::abs(b), std::abs(c)});
+    const Weights w = {b * (a + c - b), c * (a + b - c), a * (b + c - a)};
+    const double sum = w[0] + w[1] + w[2];
+    const bool is_inside = w[0] * sum > 0 && w[1] * sum > 0 && w[2] * sum > 0;
+    return is_inside ? std::max(on_sides, std::abs(4 * a * b * c / sum)) : on_sides;
+  }
+};
+
+/// The distance of the surface from the plane of a triangle, at the parameters of a point in it.
+class PlaneDistance {
+ public:
+  PlaneDistance(const Surface& surface, const SurfaceTriangle& triangle)
+      : surface_(surface), triangle_(triangle) {
+    const auto& [a, b, c] = triangle.points;
+    normal_ = (b - a).cross(c - a).stableNormalized();
+  }
+
+  /// From the point of the triangle to that of the surface.
+  Vec3 offset(const Weights& w) const {
+    const auto& [points, uvs] = triangle_;
+    const Uv uv = w[0] * uvs[0] + w[1] * uvs[1] + w[2] * uvs[2];
+    const Vec3 on_triangle = w[0] * points[0] + w[1] * points[1] + w[2] * points[2];
+    return surface_.evaluate(uv, Order::Position).point - on_triangle;
+  }
+
+  double along_normal(const Vec3& offset) const { return normal_.dot(offset); }
+
+  double operator()(const Weights& w) const { return std::abs(along_normal(offset(w))); }
+
+ private:
+  const Surface& surface_;
+  const SurfaceTriangle& triangle_;
+  Vec3 normal_;
+};
+
+double least_height(const SurfaceTriangle& triangle) {
+  const auto& [a, b, c] = triangle.points;
+  const double longest =
+      std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+  return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
+}
+
 }  // namespace
 
 const std::vector<Weights>& sag_samples() {
@@ -34,19 +106,40 @@ const std::vector<Weights>& sag_samples() {
 }
 
 double plane_sag(const Surface& surface, const SurfaceTriangle& triangle, double searched_from) {
-  const auto& [a, b, c] = triangle.points;
-  const Vec3 normal = (b - a).cross(c - a).stableNormalized();
-  const auto distance = [&](const Weights& w) {
-    const Uv uv = w[0] * triangle.uvs[0] + w[1] * triangle.uvs[1] + w[2] * triangle.uvs[2];
-    return std::abs(normal.dot(surface.evaluate(uv, Order::Position).point - a));
-  };
+  if (searched_from > 0) {
+    const SagEstimate estimate = estimate_plane_sag(surface, triangle);
+    if (estimate.sag + estimate.error < searched_from) return estimate.sag;
+  }
+  const PlaneDistance distance(surface, triangle);
   SagSample greatest;
   for (const Weights& w : sag_samples()) {
     const double there = distance(w);
     if (there > greatest.distance) greatest = {w, there};
   }
-  if (greatest.distance > searched_from) greatest = search_sag(greatest, distance);
+  if (greatest.distance > kSearchedShare * searched_from) greatest = search_sag(greatest, distance);
   return greatest.distance;
+}
+
+SagEstimate estimate_plane_sag(const Surface& surface, const SurfaceTriangle& triangle) {
+  const PlaneDistance distance(surface, triangle);
+  std::array<double, 3> middles;
+  double aside = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 offset = distance.offset(kMiddles[k]);
+    middles[k] = distance.along_normal(offset);
+    aside = std::max(aside, offset.squaredNorm() - middles[k] * middles[k]);
+  }
+  const Bulge bulge{middles[0], middles[1], middles[2]};
+  SagEstimate estimate{bulge.greatest()};
+  for (const Weights& w : kTests) {
+    const double miss = std::abs(distance.along_normal(distance.offset(w)) - bulge.at(w));
+    estimate.error = std::max(estimate.error, kErrorPerMiss * miss);
+  }
+  estimate.aside = std::sqrt(std::max(0.0, aside));
+  if (!(estimate.aside < kMostAside * least_height(triangle))) {
+    estimate.error = std::numeric_limits<double>::infinity();
+  }
+  return estimate;
 }
 
 }  // namespace surfmesh::detail

@@ -17,6 +17,10 @@ struct SurfaceTriangle {
 
 using Weights = std::array<double, 3>;
 
+/// Cosine of the angle between two triangles up to which the bend between them is sharp: beyond it
+/// their planes tell how far their edge is from the surface, to within 4 %.
+inline constexpr double kSharpCosine = 0.87;
+
 /// The 25 points at which a triangle is compared with its surface, those nearest to the middle
 /// first, where the distance is greatest.
 const std::vector<Weights>& sag_samples();
@@ -41,11 +45,28 @@ template <class Distance>
 SagSample search_sag(SagSample sample, Distance distance);
 
 /// The greatest distance of the surface from the plane of the triangle, over the samples, and
-/// around the greatest one if that is above `searched_from`.
+/// around the greatest one if that is above half of `searched_from`.
 ///
 /// Unlike the distance from the triangle it does not grow where parameters run unevenly and a
-/// sample lies beyond a side, over the next triangle.
+/// sample lies beyond a side, over the next triangle. Samples are spared where the estimate tells
+/// that they are below `searched_from`.
 double plane_sag(const Surface& surface, const SurfaceTriangle& triangle, double searched_from = 0);
+
+/// About the greatest distance of the surface from the plane of the triangle, and how far off it
+/// may be.
+struct SagEstimate {
+  double sag = 0;
+  double error = 0;  ///< infinite where nothing is known
+  /// How far along the plane the surface is from the middle of a side at the same parameters.
+  double aside = 0;
+};
+
+/// Fit a quadratic polynomial, which a surface of even curvature follows, to the distances at the
+/// middles of the sides. Its greatest value is the estimate; what it misses inside gives the error.
+/// Nothing is known where the parameters are so uneven that the middle of a side lies far aside.
+///
+/// Cost     seven surface evaluations
+SagEstimate estimate_plane_sag(const Surface& surface, const SurfaceTriangle& triangle);
 
 template <class Distance>
 SagSample search_sag(SagSample sample, Distance distance) {

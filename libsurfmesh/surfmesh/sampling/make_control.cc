@@ -80,16 +80,6 @@ void add_inner_nodes(const Surface& surface, const ControlSpaceOptions& options,
   }
 }
 
-/// Nodes where the sizes that hold the sag are known. They come from a mesh with the sizes of all
-/// sources, so that they are as dense as elements can follow.
-std::vector<ControlNode> sag_nodes(const TableSource& sag, const SizeField& field) {
-  const auto known = table_nodes(sag, field.surface(), field.bounds());
-  std::vector<ControlNode> nodes = corners_like_nearest(field.surface(), known);
-  nodes.insert(nodes.end(), known.begin(), known.end());
-  for (ControlNode& node : nodes) node.size = field.at(node.uv).size;
-  return nodes;
-}
-
 /// Takes the field with it.
 ControlCells::SampleNode sample_of(std::shared_ptr<const SizeField> field) {
   return [field = std::move(field)](Uv uv) {
@@ -122,12 +112,9 @@ void make_lattice(const std::shared_ptr<const SizeField>& field, const ControlNo
 }
 
 /// The nodes of a mesh: those that sources give, and others by the precision.
-void collect_mesh_nodes(const SizeField& field, const PatchSources& sources,
-                        const ControlNodeOptions& options, std::vector<ControlNode> places,
-                        ControlInput& input) {
-  if (!sources.sag.empty()) {
-    input.nodes = sag_nodes(sources.sag.front(), field);
-  } else if (input.options.discs_meet_area_sources) {
+void collect_mesh_nodes(const SizeField& field, const ControlNodeOptions& options,
+                        const std::vector<ControlNode>& places, ControlInput& input) {
+  if (input.options.discs_meet_area_sources) {
     take(choose_accurate_nodes(field, options), input);
   } else {
     input.nodes = corners_like_nearest(field.surface(), places);
@@ -185,7 +172,7 @@ ControlInput collect_control_input(const Surface& surface, const ResolvedSizing&
   if (input.kind != ControlKind::Mesh) {
     make_lattice(field, own, places, input, context);
   } else {
-    collect_mesh_nodes(*field, sources, own, std::move(places), input);
+    collect_mesh_nodes(*field, own, places, input);
     if (options.inner_nodes) add_inner_nodes(surface, input.options, input.nodes);
   }
   return input;

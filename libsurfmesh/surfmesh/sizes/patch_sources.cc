@@ -71,8 +71,7 @@ std::optional<double> PatchSources::precision() const {
 PatchSources sources_of_patch(const Sources& sources, int patch) {
   return {select(sources.everywhere, patch), select(sources.at, patch),
           select(sources.along, patch),      select(sources.inside, patch),
-          select(sources.fields, patch),     select(sources.tables, patch),
-          select(sources.sag, patch),        {}};
+          select(sources.fields, patch),     select(sources.tables, patch)};
 }
 
 std::shared_ptr<const SourceTree> near_tree(const Sources& sources, const ResolvedSizing& sizing) {

@@ -21,7 +21,6 @@ struct PatchSources {
   std::vector<InsideSource> inside = {};
   std::vector<FieldSource> fields = {};
   std::vector<TableSource> tables = {};
-  std::vector<TableSource> sag = {};  ///< replaces the sizes from curvature; at most one
   /// Sizes around points and lines in space, possibly shared with other patches: `near`, contours.
   std::vector<std::shared_ptr<const SourceTree>> trees = {};
   std::vector<Ring> rings = {};  ///< short ones, around which hmin does not apply

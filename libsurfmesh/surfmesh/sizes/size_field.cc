@@ -30,14 +30,6 @@ constexpr int kRingSamples = 5;
 /// Share of its width and height at which the field is looked at in each cell of the surface.
 constexpr double kCellShare = 0.45;
 
-/// What the curvature of the surface asks for: where sizes that hold the sag are known, its factor
-/// alone.
-CurvatureLength length_on(const ResolvedSizing& sizing, const PatchSources& sources) {
-  ResolvedSizing used = sizing;
-  if (!sources.sag.empty()) used.sag = 0;
-  return CurvatureLength(used);
-}
-
 /// The length that a size tensor asks for along a unit vector.
 double length_along(const SizeTensor& h, const Eigen::Vector2d& direction) {
   const double x = h.h22 * direction.x() - h.h12 * direction.y();
@@ -55,7 +47,7 @@ SizeField::SizeField(const Surface& surface, const ResolvedSizing& sizing,
                        : nullptr),
       domain_(surface.domain()),
       bounds_(sizing.bounds),
-      length_(length_on(sizing, sources)),
+      length_(sizing),
       stretch_(sizing.stretch) {
   add_all_sources(sources, sizing.grade, precision);
   if (length_.is_off()) return;
@@ -107,10 +99,6 @@ void SizeField::add_all_sources(const PatchSources& sources, double grade, doubl
   for (const TableSource& source : sources.tables) {
     tables_.push_back(std::make_shared<NodeInterpolation>(
         interpolate_table(source, surface_, bounds_, precision)));
-  }
-  for (const TableSource& source : sources.sag) {
-    tables_.push_back(
-        std::make_shared<NodeInterpolation>(surface_, table_nodes(source, surface_, bounds_)));
   }
   std::vector<PlacedSize> placed;
   for (const InsideSource& source : sources.inside) {

@@ -158,9 +158,6 @@ struct Sources {
   std::vector<NearSource> near = {};
   std::vector<FieldSource> fields = {};
   std::vector<TableSource> tables = {};
-  /// Sizes that keep the sag, known from an earlier mesh. In their patches they replace the sizes
-  /// from curvature. At most one per patch.
-  std::vector<TableSource> sag = {};
 };
 
 }  // namespace surfmesh

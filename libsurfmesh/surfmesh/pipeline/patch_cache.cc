@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/pipeline/patch_cache.hh"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "surfmesh/core/properties.hh"
+
+namespace surfmesh::detail {
+namespace {
+
+bool are_same(const BoundaryLoop& a, const BoundaryLoop& b) {
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(), [](const BoundaryNode& m, const BoundaryNode& n) {
+        return m.uv == n.uv && m.contour == n.contour && (m.vertex < 0) == (n.vertex < 0);
+      });
+}
+
+/// True if a patch has the same mesh between both, apart from the numbers of vertices.
+bool are_same(const PatchBoundary& a, const PatchBoundary& b) {
+  return std::equal(a.loops.begin(), a.loops.end(), b.loops.begin(), b.loops.end(),
+                    [](const BoundaryLoop& m, const BoundaryLoop& n) { return are_same(m, n); });
+}
+
+/// Without times and queries.
+PatchResult copy_of(const PatchResult& result, PatchBoundary boundary) {
+  PatchResult copy;
+  copy.mesh.boundary = std::move(boundary);
+  copy.mesh.mesh = std::make_unique<PolyMesh>(*result.mesh.mesh);
+  copy.turned = result.turned;
+  copy.is_given_up = result.is_given_up;
+  return copy;
+}
+
+}  // namespace
+
+std::optional<PatchResult> PatchCache::find(std::size_t patch, const PolyMesh& control,
+                                            const PatchTask& task) const {
+  const std::optional<Kept>& kept = patches_[patch];
+  if (!kept || kept->corrected_sag != task.corrected_sag ||
+      !are_same(kept->result.mesh.boundary, task.boundary) || kept->nodes != nodes_of(control)) {
+    return std::nullopt;
+  }
+  return copy_of(kept->result, task.boundary);
+}
+
+void PatchCache::keep(std::size_t patch, const PolyMesh& control, double corrected_sag,
+                      const PatchResult& result) {
+  patches_[patch] = Kept{nodes_of(control), corrected_sag, copy_of(result, result.mesh.boundary)};
+}
+
+std::vector<PatchCache::Node> PatchCache::nodes_of(const PolyMesh& control) {
+  const auto uv_of = require(control, keys::vertex_uv);
+  const auto size_of = require(control, keys::vertex_size);
+  std::vector<Node> nodes;
+  nodes.reserve(control.n_vertices());
+  for (const VertexHandle vh : control.vertices()) {
+    nodes.push_back({control.property(uv_of, vh), control.property(size_of, vh)});
+  }
+  return nodes;
+}
+
+}  // namespace surfmesh::detail
