@@ -27,9 +27,10 @@ using MeshWith = std::function<MeshResult(ControlSpaces, double corrected_sag,
 /// The first mesh has the sizes that the curvature asks for. Its sag is estimated, and the sizes at
 /// the nodes of its control spaces are multiplied by what the sag around them allows, larger or
 /// smaller, and smoothed. In the next mesh triangles that are still too far are corrected one by
-/// one; where that is not enough, sizes are made smaller around them alone, and the model is meshed
-/// again, up to six times. Of those that reach the sag the mesh with the fewest triangles is taken,
-/// else the nearest.
+/// one; where that is not enough, sizes are made smaller around them alone, or contours beside them
+/// get more segments, and the model is meshed again, up to six times. It is meshed once where hmin
+/// is in the way of most triangles. Of those that reach the sag the mesh with the fewest triangles
+/// is taken, else the nearest.
 ///
 /// Returns  the mesh; its report has the times of all meshes and the sag, with a shortfall if that
 ///          is not reached
