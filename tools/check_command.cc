@@ -35,8 +35,9 @@ constexpr const char* kFooter =
     "ones.\n"
     "Example:\n  surfmesh check knob.om --model knob.obj --json\n";
 
-ModelInput read_model_with(const std::string& path, Scheme scheme, const Settings& settings) {
-  ModelInput input = load_model(path, cage_options(scheme, settings));
+ModelInput read_model_with(const std::string& path, Scheme scheme, const Settings& settings,
+                           Progress& progress) {
+  ModelInput input = load_model(path, cage_options(scheme, settings), &progress);
   for (const auto& [name, value] : settings) set_option(input.options, name, value);
   return input;
 }
@@ -72,7 +73,7 @@ MeshCheck CheckCommand::measure(Progress& progress) const {
   ModelInput input;
   Settings settings = named_;
   settings.insert(settings.end(), set_.begin(), set_.end());
-  if (!model_.empty()) input = read_model_with(model_, scheme_, settings);
+  if (!model_.empty()) input = read_model_with(model_, scheme_, settings, progress);
   throw_if_signalled();
   MeshCheck check = check_mesh(read_mesh_arrays(mesh_));
   check.mesh = mesh_;

@@ -50,9 +50,9 @@ class MeshRun {
   MeshRun(const CageOptions& cage_options, const Settings& settings)
       : cage_options_(cage_options), settings_(settings) {}
 
-  void read(const std::string& path) {
+  void read(const std::string& path, Progress& progress) {
     const double start = processor_seconds();
-    input_ = load_model(path, cage_options_);
+    input_ = load_model(path, cage_options_, &progress);
     for (const auto& [name, value] : settings_) set_option(input_.options, name, value);
     read_seconds_ = processor_seconds() - start;
     throw_if_signalled();
@@ -184,7 +184,7 @@ int MeshCommand::run() const {
     const std::string output = is_dry_run_ ? std::string() : output_;
     check_paths(input_, output, report_);
     MeshRun run(cage_options(scheme_, settings), settings);
-    run.read(input_);
+    run.read(input_, progress);
     run.check_outputs(output, report_);
     if (is_dry_run_) {
       Report report = run.estimate(input_, progress);

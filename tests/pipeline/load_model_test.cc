@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/cancelling.hh"
 #include "support/errors.hh"
 #include "support/folders.hh"
 #include "support/notices.hh"
@@ -36,6 +37,39 @@ TEST(LoadModel, ReadsModelFiles) {
   EXPECT_EQ(input.model.patches.size(), 1u);
   EXPECT_EQ(input.sources.at.size(), 2u);
   EXPECT_EQ(input.options.sizing.hmin.value, 0.005);
+}
+
+TEST(LoadModel, NamesAllFilesThatItReads) {
+  const TestFolder folder;
+  write_text(folder / "sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  write_text(folder / "sizes.csv", "u,v,size\n0,0,0.2\n");
+  write_text(folder / "model.json",
+             R"({"patches": [{"name": "a", "surface": {"z": "1"}, "domain": {"u": [0, 1],
+                 "v": [0, 1]}, "sources": [{"table": "sizes.csv"}]}],
+                 "cages": [{"name": "b", "file": "sheet.obj"}]})");
+  const auto files = load_model(folder / "model.json").files;
+  ASSERT_EQ(files.size(), 3u);
+  EXPECT_EQ(files[0], folder / "model.json");
+  EXPECT_EQ(files[1], folder / "sheet.obj");
+  EXPECT_EQ(files[2], folder / "sizes.csv");
+}
+
+TEST(LoadModel, EndsOnceItIsCancelled) {
+  testing::Cancelling observer;
+  const TestFolder folder;
+  write_text(folder / "sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  EXPECT_EQ(error_of([&] { load_model(folder / "sheet.obj", {}, &observer); }),
+            testing::kCancelled);
+}
+
+TEST(LoadModel, RefusesCagesTooFarFromTheOrigin) {
+  const TestFolder folder;
+  const std::string path = (folder / "far.obj").string();
+  write_text(path,
+             "v 1e15 0 0\nv 1000000000000002 0 0\nv 1000000000000002 2 0\nv 1e15 2 0\n"
+             "f 1 2 3 4\n");
+  const std::string fault = "invalid input: " + path + ": the model lies too far from the origin";
+  EXPECT_TRUE(error_of([&] { load_model(path); }).starts_with(fault));
 }
 
 TEST(LoadModel, TakesTheOptionsOfAModelFile) {

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "support/models.hh"
 #include "support/notices.hh"
@@ -170,6 +171,22 @@ TEST(ClampedSizes, AreCountedInOneWarning) {
       mesh_model(testing::unit_square(), sources, options).report.notices, Severity::Warning);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(warnings[0].starts_with("2 sizes of sources")) << warnings[0];
+}
+
+/// The texts of shortfalls for a size that swings about 0.1 at this frequency.
+std::vector<std::string> told_of_swings(double frequency) {
+  Sources sources;
+  sources.fields.push_back(
+      {0, [=](Uv uv, const Vec3&) { return 0.1 + 0.05 * std::sin(frequency * uv.u); }});
+  return texts_of(mesh_model(testing::unit_square(), sources, coarse()).report.notices,
+                  Severity::Shortfall);
+}
+
+TEST(FieldThatSwings, IsToldWhereElementsCannotFollow) {
+  EXPECT_EQ(told_of_swings(5), std::vector<std::string>());
+  const auto told = told_of_swings(1e9);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_TRUE(told[0].starts_with("patch p0: sizes go up and down within two elements")) << told[0];
 }
 
 TEST(SmallSource, IsSeenByElementsThatAreMuchLargerWithoutGradation) {

@@ -16,6 +16,7 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/length.hh"
 #include "surfmesh/core/out_of_memory.hh"
+#include "surfmesh/core/run_context.hh"
 #include "surfmesh/formats/mesh_endings.hh"
 #include "surfmesh/formats/read_cage.hh"
 #include "surfmesh/io/input_file.hh"
@@ -41,8 +42,10 @@ void at_file(const std::string& location, Body body) {
   }
 }
 
-ModelInput load_cage(const std::filesystem::path& path, const CageOptions& cage_options) {
+ModelInput load_cage(const std::filesystem::path& path, const CageOptions& cage_options,
+                     const RunContext& context) {
   const Cage cage = read_cage(path);
+  context.throw_if_cancelled();
   ModelInput input;
   at_file(path.string(), [&] { input.model = model_from_cage(cage, cage_options); });
   Notices& notices = input.model.notices;
@@ -142,13 +145,13 @@ void check_without_cages(const ModelFile& file, const std::string& name, const C
 
 /// Read the cages of a model file and add them to the model.
 void append_cages(const ModelFile& file, const std::string& name, const CageOptions& given,
-                  ModelInput& result) {
+                  const RunContext& context, ModelInput& result) {
   Model& model = result.model;
   for (const CageInput& input : file.cages) {
     const CageOptions options = options_of(input, given, result.options);
     Model cage;
     at_file(fmt::format("{}: {}/file", name, input.origin),
-            [&] { cage = load_cage(input.file, options).model; });
+            [&] { cage = load_cage(input.file, options, context).model; });
     Group& whole = cage.groups.emplace_back();
     whole.name = input.name;
     for (std::size_t p = 0; p < cage.patches.size(); ++p)
@@ -225,7 +228,8 @@ void add_along_sources(const ModelFile& file, const std::string& name, ModelInpu
   }
 }
 
-ModelInput load_model_file(const std::filesystem::path& path, const CageOptions& cage_options) {
+ModelInput load_model_file(const std::filesystem::path& path, const CageOptions& cage_options,
+                           const RunContext& context) {
   const std::string name = path.string();
   const ModelFile file = read_model(path);
   ModelInput input;
@@ -235,7 +239,7 @@ ModelInput load_model_file(const std::filesystem::path& path, const CageOptions&
     at_file(name, [&] { input.model = model_from_patches(file.patches, file.contours); });
     for (Notice& notice : input.model.notices) notice.text.insert(0, name + ": ");
   }
-  append_cages(file, name, cage_options, input);
+  append_cages(file, name, cage_options, context, input);
   input.sources = file.sources;
   for (const CageInput& cage : file.cages) input.files.push_back(cage.file);
   input.files.insert(input.files.end(), file.tables.begin(), file.tables.end());
@@ -245,21 +249,25 @@ ModelInput load_model_file(const std::filesystem::path& path, const CageOptions&
 }
 
 /// By the ending, see load_model.
-ModelInput load(const std::filesystem::path& path, const CageOptions& cage_options) {
-  if (has_cage_ending(path)) return load_cage(path, cage_options);
+ModelInput load(const std::filesystem::path& path, const CageOptions& cage_options,
+                const RunContext& context) {
+  if (has_cage_ending(path)) return load_cage(path, cage_options, context);
   if (lower_case_ending(path) != ".json") {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("{}: the ending of a cage is {}, that of a model file .json",
                             path.string(), cage_endings()));
   }
-  return load_model_file(path, cage_options);
+  return load_model_file(path, cage_options, context);
 }
 
 }  // namespace
 
-ModelInput load_model(const std::filesystem::path& path, const CageOptions& cage_options) {
-  ModelInput input = tell_out_of_memory([&] { return load(path, cage_options); },
+ModelInput load_model(const std::filesystem::path& path, const CageOptions& cage_options,
+                      Observer* observer) {
+  const RunContext context(observer);
+  ModelInput input = tell_out_of_memory([&] { return load(path, cage_options, context); },
                                         [&] { return "while reading " + path.string(); });
+  context.throw_if_cancelled();
   at_file(path.string(), [&] { check(input.model); });
   input.files.insert(input.files.begin(), path);
   return input;

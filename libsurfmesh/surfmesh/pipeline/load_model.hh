@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "surfmesh/cage/cage_model.hh"
+#include "surfmesh/core/observer.hh"
 #include "surfmesh/model/model.hh"
 #include "surfmesh/pipeline/options.hh"
 #include "surfmesh/sizes/sizing.hh"
@@ -29,7 +30,9 @@ struct ModelInput {
 ///
 /// Throws   Io if a file cannot be read; InvalidInput for an unknown ending, an error in a file
 ///          (naming it and the location) or a scheme for a model file without cages; Geometry;
-///          Limit if memory runs out
-ModelInput load_model(const std::filesystem::path& path, const CageOptions& cage_options = {});
+///          Limit if memory runs out; Cancelled by the observer, which may be null and is asked
+///          between the steps of each cage
+ModelInput load_model(const std::filesystem::path& path, const CageOptions& cage_options = {},
+                      Observer* observer = nullptr);
 
 }  // namespace surfmesh
