@@ -7,6 +7,8 @@
 #include <numbers>
 #include <string>
 
+#include "surfmesh/model/loop_region.hh"
+
 namespace surfmesh {
 namespace {
 
@@ -123,27 +125,33 @@ TEST(LoopOutside, IsToldWithItsPlace) {
 }
 
 TEST(LoopInside, KnowsItsPoints) {
-  EXPECT_TRUE(is_inside(circle(0, 0, 1), {0.5, -0.5}));
-  EXPECT_FALSE(is_inside(circle(0, 0, 1), {0.8, 0.8}));
+  const LoopCurves loop = circle(0, 0, 1);
+  const LoopRegion region(loop);
+  EXPECT_TRUE(region.contains({0.5, -0.5}));
+  EXPECT_FALSE(region.contains({0.8, 0.8}));
 }
 
 TEST(LoopInside, LetsNoRayThroughWhereALoopCloses) {
+  const LoopCurves loop = circle(0, 0, 1);
+  const LoopRegion region(loop);
   // The circle ends at v = -2.4e-16, not at 0 where it begins.
   for (const double v : {0.0, -1e-17, -1.1e-16, -2e-16, 1e-16}) {
-    EXPECT_TRUE(is_inside(circle(0, 0, 1), {-0.9, v})) << v;
-    EXPECT_TRUE(is_inside(circle(0, 0, 1), {0.999, v})) << v;
-    EXPECT_FALSE(is_inside(circle(0, 0, 1), {-2, v})) << v;
-    EXPECT_FALSE(is_inside(circle(0, 0, 1), {2, v})) << v;
+    EXPECT_TRUE(region.contains({-0.9, v})) << v;
+    EXPECT_TRUE(region.contains({0.999, v})) << v;
+    EXPECT_FALSE(region.contains({-2, v})) << v;
+    EXPECT_FALSE(region.contains({2, v})) << v;
   }
 }
 
 TEST(LoopInside, KnowsPointsBetweenTheCurveAndItsChords) {
+  const LoopCurves loop = circle(0, 0, 1);
+  const LoopRegion region(loop);
   // The chords of 64 samples are off by 1e-3 of the radius.
   for (int i = 0; i < 100; ++i) {
     const double c = std::cos(0.1 * i), s = std::sin(0.1 * i);
     for (const double gap : {1e-4, 1e-7, 1e-10}) {
-      EXPECT_TRUE(is_inside(circle(0, 0, 1), {(1 - gap) * c, (1 - gap) * s})) << i << " " << gap;
-      EXPECT_FALSE(is_inside(circle(0, 0, 1), {(1 + gap) * c, (1 + gap) * s})) << i << " " << gap;
+      EXPECT_TRUE(region.contains({(1 - gap) * c, (1 - gap) * s})) << i << " " << gap;
+      EXPECT_FALSE(region.contains({(1 + gap) * c, (1 + gap) * s})) << i << " " << gap;
     }
   }
 }

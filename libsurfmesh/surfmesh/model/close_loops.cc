@@ -7,8 +7,11 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
 #include "surfmesh/core/disjoint_sets.hh"
+#include "surfmesh/geometry/box_tree.hh"
+#include "surfmesh/model/loop_region.hh"
 #include "surfmesh/model/open_contours.hh"
 #include "surfmesh/model/patch_sides.hh"
 
@@ -32,16 +35,21 @@ std::vector<std::size_t> outer_first(const std::vector<double>& areas) {
 /// Check that all loops but the first in order are holes of it, not of each other.
 void check_holes(const PatchInput& patch, const std::vector<LoopCurves>& curves,
                  const std::vector<std::size_t>& order) {
+  if (order.size() < 2) return;
+  std::vector<LoopRegion> regions;
+  for (const std::size_t loop : order) regions.emplace_back(curves[loop]);
+  std::vector<BoxTree::Box> boxes;
+  for (const LoopRegion& region : regions) boxes.push_back(region.box());
+  const BoxTree tree(std::move(boxes));
   for (std::size_t i = 1; i < order.size(); ++i) {
-    const std::size_t hole = order[i];
-    const Uv p = curves[hole].front().at(0.5);
+    const Uv p = curves[order[i]].front().at(0.5);
     const auto fail = [&](const char* reason) {
-      fail_loop(ErrorCode::Geometry, patch, hole,
+      fail_loop(ErrorCode::Geometry, patch, order[i],
                 fmt::format("the loop lies {} at (u,v) = ({:.6g}, {:.6g})", reason, p.u, p.v));
     };
-    if (!is_inside(curves[order[0]], p)) fail("outside of the outer loop");
-    for (std::size_t j = 1; j < order.size(); ++j) {
-      if (j != i && is_inside(curves[order[j]], p)) fail("inside of a hole");
+    if (!regions[0].contains(p)) fail("outside of the outer loop");
+    for (const std::size_t j : tree.meeting(plane_box(p, p))) {
+      if (j != 0 && j != i && regions[j].contains(p)) fail("inside of a hole");
     }
   }
 }

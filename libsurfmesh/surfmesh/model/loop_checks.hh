@@ -53,9 +53,4 @@ struct NearParts {
 /// Cost     O(n log n) for n samples, 64 a curve, and 100 evaluations for each two that seem near
 std::vector<NearParts> near_parts(const std::vector<LoopCurves>& loops, double share);
 
-/// True if a point lies inside of a loop, however near to it.
-///
-/// Cost     64 evaluations a curve, and some for each sample that is near the point
-bool is_inside(const LoopCurves& loop, Uv point);
-
 }  // namespace surfmesh

@@ -15,9 +15,24 @@
 
 namespace surfmesh {
 
+PatchNumbers patch_numbers(const std::vector<PatchInput>& patches) {
+  PatchNumbers numbers;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    numbers.emplace(patches[p].name, static_cast<int>(p));
+  }
+  return numbers;
+}
+
 NamedContours::NamedContours(Model& model, const std::vector<PatchInput>& patches,
-                             const ContourLengths& lengths)
-    : model_(model), patches_(patches), lengths_(lengths), origins_(model.contours.size()) {}
+                             const PatchNumbers& patch_numbers, const ContourLengths& lengths)
+    : model_(model),
+      patches_(patches),
+      patch_numbers_(patch_numbers),
+      lengths_(lengths),
+      points_(lengths.join),
+      origins_(model.contours.size()) {
+  for (const ModelVertex& vertex : model.vertices) points_.add(vertex.position);
+}
 
 int NamedContours::contour_of(const ContourInput& input) {
   const auto [entry, is_new] =
@@ -43,16 +58,15 @@ std::shared_ptr<const SpaceCurve> NamedContours::curve_in_space(const ContourInp
   if (input.xyz) return input.xyz;
   const auto on = std::find_if(input.on.begin(), input.on.end(),
                                [](const ContourInput::On& entry) { return entry.curve; });
-  const auto owner = std::find_if(patches_.begin(), patches_.end(),
-                                  [&](const PatchInput& p) { return p.name == on->patch; });
-  return std::make_shared<CurveOnSurface>(owner->surface, on->curve);
+  const auto owner = static_cast<std::size_t>(patch_numbers_.at(on->patch));
+  return std::make_shared<CurveOnSurface>(patches_[owner].surface, on->curve);
 }
 
-/// The vertex at a point, a new one if there is none.
+/// The vertex at a point, the first one if there are several; a new one if there is none.
 int NamedContours::vertex_at(const Vec3& point) {
-  for (std::size_t i = 0; i < model_.vertices.size(); ++i) {
-    if ((model_.vertices[i].position - point).norm() <= lengths_.join) return static_cast<int>(i);
-  }
+  const std::vector<std::size_t> near = points_.near(point);
+  if (!near.empty()) return static_cast<int>(*std::min_element(near.begin(), near.end()));
+  points_.add(point);
   model_.vertices.push_back({point});
   return static_cast<int>(model_.vertices.size()) - 1;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -9,6 +10,7 @@
 #include "surfmesh/geometry/curve.hh"
 #include "surfmesh/model/join_sides.hh"
 #include "surfmesh/model/model.hh"
+#include "surfmesh/model/point_cells.hh"
 
 namespace surfmesh {
 
@@ -18,12 +20,17 @@ struct ContourLengths {
   double reach = 0;  ///< a contour is nearer than this to its patches and to the next one in a loop
 };
 
+/// The numbers of patches by their names.
+using PatchNumbers = std::map<std::string, int, std::less<>>;
+
+PatchNumbers patch_numbers(const std::vector<PatchInput>& patches);
+
 /// Adds contours to a model, and finds their curves on the patches that use them.
 class NamedContours {
  public:
-  /// `patches` are the inputs of those of the model.
+  /// `patches` are the inputs of those of the model, `patch_numbers` their numbers.
   NamedContours(Model& model, const std::vector<PatchInput>& patches,
-                const ContourLengths& lengths);
+                const PatchNumbers& patch_numbers, const ContourLengths& lengths);
 
   /// The contour of the model that an input makes; made when it is first asked for.
   int contour_of(const ContourInput& input);
@@ -61,7 +68,9 @@ class NamedContours {
 
   Model& model_;
   const std::vector<PatchInput>& patches_;
+  const PatchNumbers& patch_numbers_;
   ContourLengths lengths_;
+  PointCells points_;                           ///< of the vertices of the model
   std::map<const ContourInput*, int> indices_;  ///< of contours that are in the model
   std::vector<Origin> origins_;                 ///< by contour of the model
 };

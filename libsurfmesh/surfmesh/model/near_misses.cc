@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <optional>
+#include <utility>
+
+#include "surfmesh/geometry/box_tree.hh"
 
 namespace surfmesh {
 namespace {
@@ -91,27 +93,16 @@ std::optional<double> gap(const SampledLine& a, const SampledLine& b, const Join
 
 using Pair = std::pair<std::size_t, std::size_t>;
 
-/// Pairs whose boxes meet when one is larger by `margin`, found along the axis of greatest spread.
+/// Pairs whose boxes meet when one is larger by `margin`.
 std::vector<Pair> meeting_pairs(const std::vector<Box3>& boxes, double margin) {
-  Box3 all;
-  for (const Box3& box : boxes) all.extend(box);
-  Eigen::Index axis = 0;
-  all.sizes().maxCoeff(&axis);
-  std::vector<std::size_t> order(boxes.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return boxes[i].min()[axis] < boxes[j].min()[axis];
-  });
+  const BoxTree tree(boxes);
+  const Vec3 reach = Vec3::Constant(margin);
   std::vector<Pair> result;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Vec3 reach = Vec3::Constant(margin);
-    const Box3 box(boxes[order[i]].min() - reach, boxes[order[i]].max() + reach);
-    for (std::size_t j = i + 1; j < order.size(); ++j) {
-      if (boxes[order[j]].min()[axis] > box.max()[axis]) break;
-      if (box.intersects(boxes[order[j]])) result.push_back(std::minmax(order[i], order[j]));
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (const std::size_t j : tree.meeting({boxes[i].min() - reach, boxes[i].max() + reach})) {
+      if (j > i) result.emplace_back(i, j);
     }
   }
-  std::sort(result.begin(), result.end());
   return result;
 }
 

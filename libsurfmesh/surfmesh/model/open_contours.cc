@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "surfmesh/geometry/box_tree.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
 
 namespace surfmesh {
@@ -37,6 +38,23 @@ double distance(const OpenContour& a, const OpenContour& b) {
   return greatest;
 }
 
+void add_if_along(const OpenContour& p, const OpenContour& q, double near,
+                  std::vector<ContourPair>& pairs) {
+  double gap = distance(p, q);
+  bool is_pair = is_along(p, gap, near);
+  if (!is_pair) {
+    gap = distance(q, p);
+    is_pair = is_along(q, gap, near);
+  }
+  if (is_pair) pairs.push_back({p.contour->name, q.contour->name, gap});
+}
+
+std::vector<BoxTree::Box> boxes_of(const std::vector<OpenContour>& contours) {
+  std::vector<BoxTree::Box> boxes;
+  for (const OpenContour& open : contours) boxes.push_back(open.box);
+  return boxes;
+}
+
 }  // namespace
 
 std::vector<OpenContour> open_contours(const Model& model, int first_patch) {
@@ -59,17 +77,22 @@ std::vector<OpenContour> open_contours(const Model& model, int first_patch) {
 
 std::vector<ContourPair> contours_along(const std::vector<OpenContour>& a,
                                         const std::vector<OpenContour>& b, double near) {
+  const BoxTree tree(boxes_of(b));
   std::vector<ContourPair> pairs;
   for (const OpenContour& p : a) {
-    for (const OpenContour& q : b) {
-      if (p.contour == q.contour || !p.box.intersects(q.box)) continue;
-      double gap = distance(p, q);
-      bool is_pair = is_along(p, gap, near);
-      if (!is_pair) {
-        gap = distance(q, p);
-        is_pair = is_along(q, gap, near);
-      }
-      if (is_pair) pairs.push_back({p.contour->name, q.contour->name, gap});
+    for (const std::size_t j : tree.meeting(p.box)) {
+      if (p.contour != b[j].contour) add_if_along(p, b[j], near, pairs);
+    }
+  }
+  return pairs;
+}
+
+std::vector<ContourPair> contours_along(const std::vector<OpenContour>& all, double near) {
+  const BoxTree tree(boxes_of(all));
+  std::vector<ContourPair> pairs;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (const std::size_t j : tree.meeting(all[i].box)) {
+      if (j > i) add_if_along(all[i], all[j], near, pairs);
     }
   }
   return pairs;

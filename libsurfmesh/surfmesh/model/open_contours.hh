@@ -35,8 +35,11 @@ struct ContourPair {
 /// longer than four gaps.
 ///
 /// Error    contours are compared at five places
-/// Cost     O(n m) comparisons of boxes
+/// Cost     O((n + m) log m), and some projections for each two whose boxes meet
 std::vector<ContourPair> contours_along(const std::vector<OpenContour>& a,
                                         const std::vector<OpenContour>& b, double near);
+
+/// The same of any two of some contours, each two once.
+std::vector<ContourPair> contours_along(const std::vector<OpenContour>& all, double near);
 
 }  // namespace surfmesh

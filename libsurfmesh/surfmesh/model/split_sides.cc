@@ -2,13 +2,10 @@
 #include "surfmesh/model/split_sides.hh"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <map>
-#include <numeric>
 
 #include "surfmesh/core/disjoint_sets.hh"
+#include "surfmesh/geometry/box_tree.hh"
+#include "surfmesh/model/point_cells.hh"
 
 namespace surfmesh {
 namespace {
@@ -21,28 +18,12 @@ constexpr double kReachSteps = 2;
 /// units of the tolerance: both ends may be off by one.
 constexpr double kCollapsed = 4;
 
-using Cell = std::array<std::int64_t, 3>;
-
-Cell cell_of(const Vec3& point, double width) {
-  const auto index = [&](double x) { return static_cast<std::int64_t>(std::floor(x / width)); };
-  return {index(point.x()), index(point.y()), index(point.z())};
-}
-
-/// Unite points of neighbouring cells that are within the distance.
+/// Unite points within the distance of each other.
 void unite_near(const std::vector<Vec3>& points, double distance, DisjointSets& sets) {
-  std::map<Cell, std::vector<std::size_t>> cells;
-  const double width = 2 * distance;
+  PointCells cells(distance);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Cell home = cell_of(points[i], width);
-    for (int k = 0; k < 27; ++k) {
-      const auto found =
-          cells.find({home[0] + k % 3 - 1, home[1] + k / 3 % 3 - 1, home[2] + k / 9 - 1});
-      if (found == cells.end()) continue;
-      for (const std::size_t j : found->second) {
-        if ((points[i] - points[j]).norm() <= distance) sets.unite(i, j);
-      }
-    }
-    cells[home].push_back(i);
+    for (const std::size_t j : cells.near(points[i])) sets.unite(i, j);
+    cells.add(points[i]);
   }
 }
 
@@ -62,35 +43,35 @@ bool is_one_point(const std::vector<Vec3>& points, double tolerance) {
                      [&](const Vec3& p) { return (p - points.front()).norm() <= tolerance; });
 }
 
-/// Vertices sorted along the axis on which they spread most.
-class SortedVertices {
+/// Vertices that are looked for in boxes.
+class VertexTree {
  public:
-  explicit SortedVertices(const std::vector<Vec3>& vertices) : vertices_(&vertices) {
+  explicit VertexTree(const std::vector<Vec3>& vertices)
+      : vertices_(&vertices), tree_(boxes_of(vertices)) {
     Box3 box;
     for (const Vec3& vertex : vertices) box.extend(vertex);
     box.sizes().maxCoeff(&axis_);
-    order_.resize(vertices.size());
-    std::iota(order_.begin(), order_.end(), 0);
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](int i, int j) { return coordinate(i) < coordinate(j); });
   }
 
-  std::vector<int> inside(const Box3& box) const {
-    const auto first = std::lower_bound(order_.begin(), order_.end(), box.min()[axis_],
-                                        [&](int i, double x) { return coordinate(i) < x; });
-    std::vector<int> result;
-    for (auto i = first; i != order_.end() && coordinate(*i) <= box.max()[axis_]; ++i) {
-      if (box.contains((*vertices_)[static_cast<std::size_t>(*i)])) result.push_back(*i);
-    }
+  /// In their order along the axis on which all spread most.
+  std::vector<std::size_t> inside(const Box3& box) const {
+    std::vector<std::size_t> result = tree_.meeting(box);
+    std::stable_sort(result.begin(), result.end(), [this](std::size_t i, std::size_t j) {
+      return (*vertices_)[i][axis_] < (*vertices_)[j][axis_];
+    });
     return result;
   }
 
  private:
-  double coordinate(int i) const { return (*vertices_)[static_cast<std::size_t>(i)][axis_]; }
+  static std::vector<Box3> boxes_of(const std::vector<Vec3>& vertices) {
+    std::vector<Box3> boxes;
+    for (const Vec3& vertex : vertices) boxes.emplace_back(vertex);
+    return boxes;
+  }
 
   const std::vector<Vec3>* vertices_;
+  BoxTree tree_;
   Eigen::Index axis_ = 0;
-  std::vector<int> order_;
 };
 
 /// A place of a side where a vertex lies.
@@ -102,7 +83,7 @@ struct Cut {
 class Splitter {
  public:
   Splitter(const SplitSides& split, double tolerance)
-      : vertices_(&split.vertices), sorted_(split.vertices), tolerance_(tolerance) {}
+      : vertices_(&split.vertices), tree_(split.vertices), tolerance_(tolerance) {}
 
   /// All cuts of a side, its ends included.
   std::vector<Cut> cuts(const PatchSide& side, int start, int end) const;
@@ -114,7 +95,7 @@ class Splitter {
   std::vector<Cut> without_repeats(const PatchSide& side, const std::vector<Cut>& cuts) const;
 
   const std::vector<Vec3>* vertices_;
-  SortedVertices sorted_;
+  VertexTree tree_;
   double tolerance_;
 };
 
@@ -164,7 +145,8 @@ std::vector<Cut> Splitter::without_repeats(const PatchSide& side,
 
 std::vector<Cut> Splitter::cuts(const PatchSide& side, int start, int end) const {
   std::vector<Cut> inner;
-  for (const int vertex : sorted_.inside(side.curve.box())) {
+  for (const std::size_t i : tree_.inside(side.curve.box())) {
+    const int vertex = static_cast<int>(i);
     for (const double t : passes(side, position(vertex))) inner.push_back({t, vertex});
   }
   std::stable_sort(inner.begin(), inner.end(),

@@ -92,12 +92,8 @@ void warn_of_neighbours(Model& model, const NamedInputs& inputs) {
     (inputs.contains(open.contour->name) ? named : sides).push_back(open);
   }
   std::vector<ContourPair> pairs = contours_along(named, sides, kNearShare * model.diagonal);
-  for (std::size_t i = 0; i < named.size(); ++i) {
-    const std::vector<OpenContour> rest(named.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                                        named.end());
-    const auto more = contours_along({named[i]}, rest, kNearShare * model.diagonal);
-    pairs.insert(pairs.end(), more.begin(), more.end());
-  }
+  const auto more = contours_along(named, kNearShare * model.diagonal);
+  pairs.insert(pairs.end(), more.begin(), more.end());
   for (const ContourPair& pair : pairs) {
     model.notices.push_back(warning(
         NoticeKind::UnjoinedSides,
@@ -114,7 +110,9 @@ class Trimmer {
   Trimmer(Model& model, const TrimInput& input)
       : model_(model),
         input_(input),
-        contours_(model, input.patches, {input.join, kContourGap * model.diagonal}) {
+        patch_numbers_(patch_numbers(input.patches)),
+        contours_(model, input.patches, patch_numbers_,
+                  {input.join, kContourGap * model.diagonal}) {
     for (const ContourInput& contour : input.contours) check_names(contour);
   }
 
@@ -148,6 +146,7 @@ class Trimmer {
 
   Model& model_;
   const TrimInput& input_;
+  PatchNumbers patch_numbers_;
   NamedContours contours_;
   NamedInputs by_name_;
   std::map<std::pair<const ContourInput*, int>, std::size_t> mentions_;  ///< by patch
@@ -165,8 +164,7 @@ void Trimmer::check_names(const ContourInput& contour) {
   bool has_curve = contour.xyz != nullptr;
   for (const ContourInput::On& on : contour.on) {
     has_curve = has_curve || on.curve;
-    const auto known = [&](const PatchInput& other) { return other.name == on.patch; };
-    if (std::none_of(input_.patches.begin(), input_.patches.end(), known)) {
+    if (!patch_numbers_.contains(on.patch)) {
       refuse(fmt::format("there is no patch {}", on.patch));
     }
   }
@@ -258,9 +256,7 @@ void Trimmer::warn_of_unused() {
       continue;
     }
     for (const ContourInput::On& on : input.on) {
-      const auto owner = std::find_if(input_.patches.begin(), input_.patches.end(),
-                                      [&](const PatchInput& p) { return p.name == on.patch; });
-      const int index = static_cast<int>(owner - input_.patches.begin());
+      const int index = patch_numbers_.at(on.patch);
       if (mentions_.contains({&input, index})) continue;
       Notice notice =
           warning(NoticeKind::UnusedContour,

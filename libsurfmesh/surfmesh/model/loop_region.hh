@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "surfmesh/geometry/box_tree.hh"
+#include "surfmesh/model/loop_segments.hh"
+
+namespace surfmesh {
+
+/// The part of the parameter plane within a loop, which must outlive it.
+class LoopRegion {
+ public:
+  /// Cost     64 evaluations a curve, and O(n log n) for n curves
+  explicit LoopRegion(const LoopCurves& loop);
+
+  /// True if a point lies inside of the loop, however near to it.
+  ///
+  /// Cost     O(log n), for each segment that lies beside the point in the direction of u, and some
+  ///          evaluations for each that is near the point
+  bool contains(Uv point) const;
+
+  /// A box around the loop: no point outside is inside of the loop.
+  const BoxTree::Box& box() const { return box_; }
+
+ private:
+  std::vector<BoxTree::Box> boxes() const;
+  bool meets_ray(const LoopSegment& segment, Uv point, int divisions) const;
+
+  std::vector<LoopSegment> segments_;
+  LoopScale scale_;
+  BoxTree tree_;  ///< of the segments in units of the scale, as large as their curves may bulge
+  BoxTree::Box box_;
+};
+
+}  // namespace surfmesh
