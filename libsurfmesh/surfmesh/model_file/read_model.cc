@@ -81,11 +81,6 @@ void read_patch(const JsonNode& node, const FileScope& file, ModelFile& model) {
   node.expect_keys({"name", "surface", "domain", "sources", "loops"});
   PatchInput patch;
   patch.name = read_name(node.at("name"));
-  for (const PatchInput& other : model.patches) {
-    if (other.name == patch.name) {
-      node.at("name").fail(fmt::format("there are two patches with the name {}", patch.name));
-    }
-  }
   const JsonNode surface = node.at("surface");
   const SurfaceFormulas formulas = read_formulas(surface);
   const Domain domain = read_domain(node.at("domain"), constants);

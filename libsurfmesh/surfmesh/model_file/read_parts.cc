@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <memory>
 #include <set>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/core/error.hh"
@@ -107,14 +110,26 @@ ContourInput read_contour(const JsonNode& node, const Constants& constants) {
   return contour;
 }
 
-using Names = std::vector<std::string>;
+/// Names that are known, and the order in which they became so.
+class Names {
+ public:
+  void add(std::string name) {
+    if (known_.insert(name).second) words_.push_back(std::move(name));
+  }
+
+  bool contains(std::string_view name) const { return known_.contains(name); }
+  std::vector<std::string_view> words() const { return {words_.begin(), words_.end()}; }
+
+ private:
+  std::set<std::string, std::less<>> known_;
+  std::vector<std::string> words_;
+};
 
 /// Fail unless a name is one of those that are known.
 void expect_name(const JsonNode& node, std::string_view name, const Names& known,
                  std::string_view what) {
-  if (std::find(known.begin(), known.end(), name) != known.end()) return;
-  const std::vector<std::string_view> words(known.begin(), known.end());
-  const auto meant = nearest_word(name, words);
+  if (known.contains(name)) return;
+  const auto meant = nearest_word(name, known.words());
   node.fail(fmt::format("there is no {} {}{}", what, name,
                         meant ? fmt::format(", did you mean {}?", *meant) : ""));
 }
@@ -143,6 +158,19 @@ void check_loops(const JsonNode& root, const Names& names) {
         const std::string_view name = std::string_view(text).substr(text.starts_with('-') ? 1 : 0);
         expect_name(mention, name, names, "contour");
       }
+    }
+  }
+}
+
+void check_contours(const JsonNode& root, const Names& formula_patches) {
+  const auto contours = root.find("contours");
+  if (!contours) return;
+  for (const JsonNode& contour : contours->elements()) {
+    const auto on = contour.find("on");
+    if (!on) continue;
+    for (const JsonNode& entry : on->elements()) {
+      const JsonNode patch = entry.at("patch");
+      expect_name(patch, patch.text(), formula_patches, "patch with formulas");
     }
   }
 }
@@ -178,19 +206,14 @@ void check_names(const JsonNode& root, const ModelFile& model) {
   add_names(root, "patches", "patches", patches);
   add_names(root, "cages", "patches or cages", patches);
   add_names(root, "contours", "contours", contours);
-  Names formula_patches;
-  Names names(contours.begin(), contours.end());
+  Names formula_patches, names;
+  for (const std::string& contour : contours) names.add(contour);
   for (const PatchInput& patch : model.patches) {
-    formula_patches.push_back(patch.name);
-    for (const char* side : {"u0", "u1", "v0", "v1"}) names.push_back(patch.name + ":" + side);
+    formula_patches.add(patch.name);
+    for (const char* side : {"u0", "u1", "v0", "v1"}) names.add(patch.name + ":" + side);
   }
   check_loops(root, names);
-  for (std::size_t c = 0; c < model.contours.size(); ++c) {
-    for (std::size_t i = 0; i < model.contours[c].on.size(); ++i) {
-      const JsonNode node = root.at("contours").elements()[c].at("on").elements()[i].at("patch");
-      expect_name(node, node.text(), formula_patches, "patch with formulas");
-    }
-  }
+  check_contours(root, formula_patches);
 }
 
 }  // namespace surfmesh
