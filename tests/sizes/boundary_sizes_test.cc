@@ -10,6 +10,8 @@
 #include "support/waves.hh"
 #include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/geometry/curve_polyline.hh"
+#include "surfmesh/model/join_sides.hh"
+#include "surfmesh/sizes/boundary_pieces.hh"
 #include "surfmesh/sizes/features.hh"
 #include "surfmesh/sizes/model_sources.hh"
 #include "surfmesh/sizes/proximity.hh"
@@ -61,6 +63,32 @@ TEST(Proximity, SeesNoGapWhereSidesCoincideThatAreNotJoined) {
   for (const auto& sizes : proximity_sizes(model, resolve(own, model.diagonal))) {
     EXPECT_TRUE(sizes.empty());
   }
+}
+
+/// A disc of radius 1.
+Model disc() {
+  const auto circle = std::make_shared<CallableCurve>([](double t) {
+    const double angle = 2 * std::numbers::pi * t;
+    return Uv{std::cos(angle), std::sin(angle)};
+  });
+  return model_from_patches({{"p", rectangle(-2, -2, 2, 2), {{"rim"}}}},
+                            {{"rim", nullptr, {{"p", circle}}}});
+}
+
+// Each of thousands of corners was compared with all within reach, as none faced it.
+TEST(Proximity, LooksAtFewPiecesOfABoundaryWithNothingOpposite) {
+  const Model model = disc();
+  const detail::BoundaryPieces pieces(model, {0}, 1e-5, 1e-3, 0.5);
+  std::size_t offered = 0;
+  const auto accept = [&](const detail::BoundaryPoint&) {
+    ++offered;
+    return false;
+  };
+  for (const detail::BoundaryPiece& piece : pieces.all()) {
+    pieces.nearest(piece.middle, {piece.inward, -0.5, 0.5}, accept);
+  }
+  EXPECT_GT(pieces.all().size(), 500u);
+  EXPECT_LT(offered, 2 * pieces.all().size());
 }
 
 TEST(Proximity, IsTheSizeOfARowThatFillsAStrip) {

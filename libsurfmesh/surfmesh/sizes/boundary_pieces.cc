@@ -33,21 +33,21 @@ double distance_from_chord(const BoundaryPiece& piece, const Vec3& p) {
   return (p - piece.from - share * (piece.to - piece.from)).norm();
 }
 
-using Box = Eigen::AlignedBox3d;
-
 /// Finds the nearest accepted point in a tree of pieces.
 struct NearestPoint {
   using Scalar = double;  // which Eigen asks for
 
   const BoundaryPieces& pieces;
   const Vec3& p;
+  const Facing& facing;
   const BoundaryPieces::Accepts& accepts;
   double least;  ///< at first the reach
   std::optional<BoundaryPoint> found = {};
 
-  double minimumOnVolume(const Box& box) const {
-    const double distance = std::sqrt(box.squaredExteriorDistance(p));
-    return distance < least ? distance : std::numeric_limits<double>::infinity();
+  double minimumOnVolume(const PieceVolume& volume) const {
+    const double distance = std::sqrt(volume.chords.squaredExteriorDistance(p));
+    const bool is_near = distance < least && may_face(volume, facing, p);
+    return is_near ? distance : std::numeric_limits<double>::infinity();
   }
 
   double minimumOnObject(int index) {
@@ -126,13 +126,13 @@ void BoundaryPieces::collect(int index, const LoopEntry& entry, double tolerance
 }
 
 void BoundaryPieces::plant_tree() {
-  std::vector<int> indices;
-  std::vector<Box> boxes;
+  std::vector<PieceVolume> volumes;
   for (const BoundaryPiece& piece : pieces_) {
-    indices.push_back(static_cast<int>(indices.size()));
-    boxes.push_back(Box(piece.from).extend(piece.to));
+    PieceVolume& volume = volumes.emplace_back();
+    volume.chords.extend(piece.from).extend(piece.to);
+    volume.inward.extend(piece.inward);
   }
-  tree_.init(indices.begin(), indices.end(), boxes.begin(), boxes.end());
+  tree_ = PieceTree(volumes);
 }
 
 std::vector<BoundaryPiece> BoundaryPieces::halves(const BoundaryPiece& piece) const {
@@ -152,8 +152,9 @@ std::vector<BoundaryPiece> BoundaryPieces::halves(const BoundaryPiece& piece) co
   return result;
 }
 
-std::optional<BoundaryPoint> BoundaryPieces::nearest(const Vec3& p, const Accepts& accepts) const {
-  NearestPoint search{*this, p, accepts, reach_};
+std::optional<BoundaryPoint> BoundaryPieces::nearest(const Vec3& p, const Facing& facing,
+                                                     const Accepts& accepts) const {
+  NearestPoint search{*this, p, facing, accepts, reach_};
   Eigen::BVMinimize(tree_, search);
   return search.found;
 }
@@ -208,7 +209,7 @@ std::vector<char> BoundaryPieces::find_bent() const {
   std::vector<char> is_bent(pieces_.size(), 0);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const BoundaryPiece& piece = pieces_[i];
-    const auto opposite = nearest(piece.middle, [&](const BoundaryPoint& point) {
+    const auto opposite = nearest(piece.middle, {piece.inward}, [&](const BoundaryPoint& point) {
       return piece.inward.dot((*this)[point.piece].inward) < 0 && !are_joined(piece, point);
     });
     if (!opposite) continue;

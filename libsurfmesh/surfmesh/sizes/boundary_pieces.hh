@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-#include <unsupported/Eigen/BVH>
-
 #include <functional>
 #include <optional>
 #include <utility>
@@ -11,6 +8,7 @@
 
 #include "surfmesh/geometry/curve_polyline.hh"
 #include "surfmesh/model/model.hh"
+#include "surfmesh/sizes/piece_tree.hh"
 
 /// The boundary of some patches in pieces, to be searched for those that face each other.
 namespace surfmesh::detail {
@@ -63,8 +61,12 @@ class BoundaryPieces {
   /// The halves of a piece; a half without a tangent plane at its middle is left out.
   std::vector<BoundaryPiece> halves(const BoundaryPiece& piece) const;
 
-  /// The point of a piece nearest to p and within reach of those that are accepted.
-  std::optional<BoundaryPoint> nearest(const Vec3& p, const Accepts& accepts) const;
+  /// The point of a piece nearest to p and within reach of those that face p as asked and are
+  /// accepted. A piece that does not face p may or may not be offered.
+  ///
+  /// Cost     O(log n), and O(1) for each piece offered
+  std::optional<BoundaryPoint> nearest(const Vec3& p, const Facing& facing,
+                                       const Accepts& accepts) const;
 
   /// True if the boundary leads from the middle of a piece to a point by a way of no more than six
   /// times its distance: around a corner or a bend, that is, along one contour or two that end at
@@ -84,7 +86,7 @@ class BoundaryPieces {
   double least_gap_;
   double reach_;
   std::vector<BoundaryPiece> pieces_;
-  Eigen::KdBVH<double, 3, int> tree_;  ///< of the indices of pieces_
+  PieceTree tree_;
 };
 
 }  // namespace surfmesh::detail

@@ -65,8 +65,9 @@ class GapSearch {
 
   /// Add the size across from the middle of a piece, or from finer pieces.
   void cross(const BoundaryPiece& piece, int depth) {
-    const auto opposite = pieces_.nearest(
-        piece.middle, [&](const BoundaryPoint& point) { return are_facing(piece, point); });
+    const auto opposite =
+        pieces_.nearest(piece.middle, {piece.inward, -kFacing, kFacing},
+                        [&](const BoundaryPoint& point) { return are_facing(piece, point); });
     if (!opposite) return;
     const double least_seen = std::max(opposite->distance, rows_height_ * bounds_.hmin);
     if (piece.width() <= kLongestPiece * least_seen || depth == kMaxHalvings) {
