@@ -173,6 +173,22 @@ TEST(ControlCells, AreHalvedBesideFinerOnesThatTheyMiss) {
   EXPECT_NEAR(cells->lattice_size({0.501, 0.3125}, right).h11, 0.01, 0.001);
 }
 
+// All were compared in each round of gradation, of which thin walls need hundreds.
+TEST(ControlCells, AreComparedWithFinerOnesWhereSizesHaveChanged) {
+  const auto cells = cells_of({}, constant, {.grade = 1.5}, {16, 16});
+  halve_at(*cells, random_points({}, 40));
+  while (!cells->divide_beside_finer().empty()) {
+  }
+  const std::size_t before = cells->comparisons();
+  EXPECT_GE(before, 16u * 16u);
+  EXPECT_TRUE(cells->divide_beside_finer().empty());
+  EXPECT_EQ(cells->comparisons(), before);
+  cells->set_size(0, isotropic(0.31));
+  EXPECT_TRUE(cells->divide_beside_finer().empty());
+  EXPECT_GT(cells->comparisons(), before);
+  EXPECT_LE(cells->comparisons(), before + 4);
+}
+
 TEST(ControlCells, GradeFromANewNodeAsFromTheBeginning) {
   const auto peak = [](Uv uv) { return isotropic(uv == Uv{0, 0} ? 0.01 : 5); };
   const auto whole = cells_of({}, peak, {.grade = 1.5}, {8, 8});

@@ -133,8 +133,11 @@ void CellTree::forget_leaf(int index) {
 // --- location ---
 
 CellTree::GridPoint CellTree::to_grid(Uv uv) const {
-  const double x = std::clamp((uv.u - domain_.u0) * lines_per_u_, 0.0, double(end_i_));
-  const double y = std::clamp((uv.v - domain_.v0) * lines_per_v_, 0.0, double(end_j_));
+  return clamped({(uv.u - domain_.u0) * lines_per_u_, (uv.v - domain_.v0) * lines_per_v_});
+}
+
+CellTree::GridPoint CellTree::clamped(GridPoint p) const {
+  const double x = std::clamp(p.x, 0.0, double(end_i_)), y = std::clamp(p.y, 0.0, double(end_j_));
   return {is_triangle_ ? std::min(x, end_j_ - y) : x, y};
 }
 
@@ -162,6 +165,17 @@ int CellTree::find(GridPoint p, int near) const {
     found = c.first_half + (is_upper ? 1 : 0);
   }
   return found;
+}
+
+std::array<int, 4> CellTree::leaves_around(Uv uv) const {
+  constexpr double kStep = 0.5;  // cells are at least one grid line wide
+  const GridPoint p = to_grid(uv);
+  std::array<int, 4> leaves;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double x = p.x + (k % 2 == 0 ? -kStep : kStep), y = p.y + (k < 2 ? -kStep : kStep);
+    leaves[k] = find(clamped({x, y}), -1);
+  }
+  return leaves;
 }
 
 CellTree::Quarter CellTree::quarter(Uv uv, int near) const {

@@ -79,6 +79,9 @@ class CellTree {
   /// The quarter that contains a point, likewise.
   Quarter quarter(Uv uv, int near) const;
 
+  /// The leaves beside a point in the four diagonal directions; one may be there several times.
+  std::array<int, 4> leaves_around(Uv uv) const;
+
   /// The point at relative coordinates in a cell, each in [0,1].
   Uv at(const Cell& cell, double s, double t) const;
 
@@ -134,6 +137,7 @@ class CellTree {
 
   static Lines lines_of(const Cell& cell);
   GridPoint to_grid(Uv uv) const;
+  GridPoint clamped(GridPoint p) const;
   int find(GridPoint p, int near) const;
   bool contains(const Cell& cell, GridPoint p) const;
   int root_at(GridPoint p) const;

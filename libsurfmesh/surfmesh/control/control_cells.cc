@@ -91,14 +91,52 @@ bool ControlCells::misses_finer(int leaf, bool along_u) const {
   return false;
 }
 
+/// The side along which a leaf is to be halved for a finer neighbour.
+std::optional<bool> ControlCells::halving_beside_finer(int leaf) {
+  if (!tree_.cell(leaf).is_leaf() || tree_.is_empty(tree_.cell(leaf))) return std::nullopt;
+  ++comparisons_;
+  for (const bool along_u : {true, false}) {
+    if (tree_.can_halve(leaf, along_u) && misses_finer(leaf, along_u)) return along_u;
+  }
+  return std::nullopt;
+}
+
+/// The leaves that have not been compared as they are now. What a leaf gives, and what its finer
+/// neighbours ask for, depends on the nodes that it touches alone.
+std::set<int> ControlCells::changed_leaves() {
+  std::set<int> leaves;
+  const std::size_t compared = compared_cells_ == 0 ? 0 : compared_sizes_.size();
+  compared_sizes_.resize(static_cast<std::size_t>(node_count()));
+  for (std::size_t node = 0; node < compared_sizes_.size(); ++node) {
+    const int number = static_cast<int>(node);
+    const SizeTensor now = size(number);
+    const bool is_same = node < compared && now == compared_sizes_[node];
+    compared_sizes_[node] = now;
+    // At first, all leaves are new.
+    if (is_same || compared_cells_ == 0) continue;
+    const auto around = tree_.leaves_around(uv(number));
+    leaves.insert(around.begin(), around.end());
+  }
+  for (; compared_cells_ < tree_.size(); ++compared_cells_) {
+    leaves.insert(leaves.end(), static_cast<int>(compared_cells_));
+  }
+  return leaves;
+}
+
 std::vector<int> ControlCells::divide_beside_finer() {
   const int first = node_count(), end = static_cast<int>(tree_.size());
-  for (int leaf = 0; leaf < end; ++leaf) {
-    if (!tree_.cell(leaf).is_leaf() || tree_.is_empty(tree_.cell(leaf))) continue;
-    for (const bool along_u : {true, false}) {
-      if (!tree_.can_halve(leaf, along_u) || !misses_finer(leaf, along_u)) continue;
-      halve(leaf, along_u);
-      break;
+  std::set<int> leaves = changed_leaves();
+  while (!leaves.empty()) {
+    const int leaf = leaves.extract(leaves.begin()).value();
+    const std::optional<bool> along_u = halving_beside_finer(leaf);
+    if (!along_u) continue;
+    const int first_new = node_count();
+    halve(leaf, *along_u);
+    // Leaves before this one have their turn in the next call, as the new ones have.
+    for (const int node : nodes_from(first_new)) {
+      for (const int other : tree_.leaves_around(uv(node))) {
+        if (other > leaf && other < end) leaves.insert(other);
+      }
     }
   }
   return nodes_from(first);

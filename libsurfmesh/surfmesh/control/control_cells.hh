@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <set>
 #include <vector>
 
 #include "surfmesh/control/cell_tree.hh"
@@ -42,7 +45,13 @@ class ControlCells : public LatticeSpace {
 
   std::vector<int> nodes_on_side(DomainSide side) const override;
   std::vector<int> divide_cell(Uv uv, const Metric& metric, double units) override;
+
+  /// Only leaves are compared that are new, or that touch a node whose size has changed since the
+  /// last call.
   std::vector<int> divide_beside_finer() override;
+
+  /// How often a leaf was compared with its finer neighbours.
+  std::size_t comparisons() const { return comparisons_; }
 
  protected:
   void announce_loose_node() override { tree_.add_loose_node(); }
@@ -51,10 +60,16 @@ class ControlCells : public LatticeSpace {
 
  private:
   CellTree::MakeNode make_node();
+  std::set<int> changed_leaves();
+  std::optional<bool> halving_beside_finer(int leaf);
   bool misses_finer(int leaf, bool along_u) const;
 
   SampleNode sample_;
   CellTree tree_;
+  // What divide_beside_finer() began with the last time.
+  std::vector<SizeTensor> compared_sizes_;  ///< by node
+  std::size_t compared_cells_ = 0;          ///< number of cells
+  std::size_t comparisons_ = 0;
 };
 
 }  // namespace surfmesh
