@@ -70,9 +70,9 @@ std::vector<PatchSources> model_sources(const Model& model, const Sources& sourc
                                         const ResolvedSizing& sizing) {
   auto boundary = boundary_sizes(model, sizing);
   const auto near = near_tree(sources, sizing);
-  std::vector<PatchSources> result;
-  for (std::size_t p = 0; p < model.patches.size(); ++p) {
-    PatchSources& patch = result.emplace_back(sources_of_patch(sources, static_cast<int>(p)));
+  std::vector<PatchSources> result = sources_by_patch(sources, model.patches.size());
+  for (std::size_t p = 0; p < result.size(); ++p) {
+    PatchSources& patch = result[p];
     patch.rings = short_rings(model, static_cast<int>(p), sizing.bounds);
     if (near) patch.trees.push_back(near);
     if (boundary[p].empty()) continue;

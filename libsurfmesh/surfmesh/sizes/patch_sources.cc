@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 #include <tuple>
 
@@ -14,12 +13,13 @@
 namespace surfmesh {
 namespace {
 
+/// Give each source to its patch.
 template <class Source>
-std::vector<Source> select(const std::vector<Source>& all, int patch) {
-  std::vector<Source> selected;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(selected),
-               [patch](const Source& source) { return source.patch == patch; });
-  return selected;
+void give(const std::vector<Source>& all, std::vector<Source> PatchSources::*member,
+          std::vector<PatchSources>& patches) {
+  for (const Source& source : all) {
+    (patches.at(static_cast<std::size_t>(source.patch)).*member).push_back(source);
+  }
 }
 
 class ClampCounter {
@@ -68,10 +68,15 @@ std::optional<double> PatchSources::precision() const {
   return least;
 }
 
-PatchSources sources_of_patch(const Sources& sources, int patch) {
-  return {select(sources.everywhere, patch), select(sources.at, patch),
-          select(sources.along, patch),      select(sources.inside, patch),
-          select(sources.fields, patch),     select(sources.tables, patch)};
+std::vector<PatchSources> sources_by_patch(const Sources& sources, std::size_t patches) {
+  std::vector<PatchSources> result(patches);
+  give(sources.everywhere, &PatchSources::everywhere, result);
+  give(sources.at, &PatchSources::at, result);
+  give(sources.along, &PatchSources::along, result);
+  give(sources.inside, &PatchSources::inside, result);
+  give(sources.fields, &PatchSources::fields, result);
+  give(sources.tables, &PatchSources::tables, result);
+  return result;
 }
 
 std::shared_ptr<const SourceTree> near_tree(const Sources& sources, const ResolvedSizing& sizing) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,9 +30,12 @@ struct PatchSources {
   std::optional<double> precision() const;
 };
 
-/// The sources that belong to one patch of a model. `near` belongs to all patches and is not among
-/// them.
-PatchSources sources_of_patch(const Sources& sources, int patch);
+/// The sources that belong to each of so many patches of a model. `near` belongs to all patches and
+/// is not among them.
+///
+/// Pre      each source names one of these patches
+/// Cost     O(n) for n sources and patches
+std::vector<PatchSources> sources_by_patch(const Sources& sources, std::size_t patches);
 
 /// The sizes of `near`, for all patches; null if there are none.
 ///
