@@ -62,16 +62,20 @@ void tell_coarse(const Model& model, const std::vector<ControlInput>& inputs, No
   if (notice) notices.push_back(std::move(*notice));
 }
 
-/// Tell where sizes jump about within elements nearly everywhere: a wave that no sample resolves.
-void tell_unfollowed(const Model& model, const std::vector<ControlInput>& inputs,
-                     Notices& notices) {
-  std::vector<char> is_unfollowed;
+/// Tell where the sizes of a field jump about within elements nearly everywhere: a wave that no
+/// sample resolves. Sizes from curvature do so on small faces of cages, where nobody asked for
+/// them.
+void tell_unfollowed(const Model& model, const Sources& sources,
+                     const std::vector<ControlInput>& inputs, Notices& notices) {
+  std::vector<char> is_unfollowed(inputs.size(), 0);
   double greatest = 0;
-  for (const ControlInput& input : inputs) {
-    const PrecisionSample& sample = input.sampling.precision;
+  for (const FieldSource& source : sources.fields) {
+    const auto p = static_cast<std::size_t>(source.patch);
+    const PrecisionSample& sample = inputs[p].sampling.precision;
     const double most = kShareUnfollowed * static_cast<double>(sample.points);
-    is_unfollowed.push_back(static_cast<double>(sample.over_in_short_cells) > most);
-    if (is_unfollowed.back() != 0) greatest = std::max(greatest, sample.greatest_in_short_cells);
+    if (!(static_cast<double>(sample.over_in_short_cells) > most)) continue;
+    is_unfollowed[p] = 1;
+    greatest = std::max(greatest, sample.greatest_in_short_cells);
   }
   auto notice = detail::shortfall_of_patches(
       NoticeKind::MissedPrecision, model, is_unfollowed,
@@ -149,7 +153,7 @@ ControlBases make_control_bases(const Model& model, const Sources& sources,
   tell_coarse(model, result.inputs, control.notices);
   for (const ControlInput& input : result.inputs) control.precision += input.sampling.precision;
   tell_missed(control.precision, control.notices);
-  tell_unfollowed(model, result.inputs, control.notices);
+  tell_unfollowed(model, sources, result.inputs, control.notices);
   tell_unsearched(model, result.inputs, control.notices);
   return result;
 }
