@@ -4,8 +4,9 @@ set -euo pipefail
 
 required=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libosd-dev nlohmann-json3-dev
   libcli11-dev libfmt-dev libtbb-dev libboost-dev libgtest-dev libbenchmark-dev clang-format-14)
-# Only makes building again faster: installed along with the others where the system has it.
-optional=(ccache)
+# Building again is faster with the first, and a test needs the second: installed along with the others
+# where the system has them.
+optional=(ccache python3-numpy)
 
 is_installed() {
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
