@@ -99,7 +99,7 @@ TEST(SwapEdges, DoesNotSwapForNothing) { EXPECT_EQ(swap_edges(*square({1, 0, 1})
 
 TEST(SwapEdges, OfNoEdgesDoesNothing) {
   const auto delaunay = square({1, 0.5, 1});
-  EXPECT_EQ(swap_edges(*delaunay, {}), 0u);
+  EXPECT_EQ(swap_edges(*delaunay, std::vector<EdgeHandle>()), 0u);
 }
 
 TEST(SwapEdges, KeepsAQuadrilateralThatIsNotConvex) {

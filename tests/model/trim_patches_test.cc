@@ -242,6 +242,29 @@ TEST(TrimPatches, WarnsOfContoursThatNearlyMeet) {
       << texts_of(model.notices)[0];
 }
 
+TEST(TrimPatches, DoesNotWarnOfASlit) {
+  // Open at the side, and as a hole.
+  const double width = 1e-4;
+  const std::vector<Uv> corners = {{-1, -1},   {1, -1}, {1, 1}, {width, 1},
+                                   {width, 0}, {0, 0},  {0, 1}, {-1, 1}};
+  std::vector<ContourInput> contours;
+  std::vector<std::string> loop;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    loop.push_back(std::string("side").append(std::to_string(i)));
+    contours.push_back(
+        {loop.back(), nullptr, {{"p", line(corners[i], corners[(i + 1) % corners.size()])}}});
+  }
+  const Model open = model_from_patches({{"p", rectangle(-1, -1, 1, 1), {loop}}}, contours);
+  EXPECT_EQ(texts_of(open.notices), std::vector<std::string>{});
+  const auto side = [&](const char* name, Uv a, Uv b) {
+    return ContourInput{name, nullptr, {{"p", line(a, b)}}};
+  };
+  const Model hole = square({{"-a", "-d", "-c", "-b"}},
+                            {side("a", {0, 0}, {width, 0}), side("b", {width, 0}, {width, 0.5}),
+                             side("c", {width, 0.5}, {0, 0.5}), side("d", {0, 0.5}, {0, 0})});
+  EXPECT_EQ(texts_of(hole.notices), std::vector<std::string>{});
+}
+
 TEST(TrimPatchesFaults, OfLoopsThatAreAPoint) {
   EXPECT_EQ(error_of([] { square({{"-hole"}}, {hole(0)}); }),
             "geometry: patch p: loop 1: the loop is a single point in space");

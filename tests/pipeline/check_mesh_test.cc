@@ -113,8 +113,9 @@ TEST(MeasureFit, MeasuresInTheSizesOfTheModel) {
 TEST(MeasureFit, EndsOnceItIsCancelled) {
   MeshFile mesh = grid_on_patches();
   testing::Cancelling observer;
-  EXPECT_EQ(error_of([&] { measure_fit(mesh, two_rectangles(1), JudgedBy::ExactSizes, &observer); }),
-            testing::kCancelled);
+  EXPECT_EQ(
+      error_of([&] { measure_fit(mesh, two_rectangles(1), JudgedBy::ExactSizes, &observer); }),
+      testing::kCancelled);
 }
 
 /// The metric with edges a tenth as long as wanted.
@@ -160,7 +161,8 @@ TEST(MeasureFit, AgreesWithTheReportOfTheRun) {
   input.options.sizing.sag = Length::share(0.005);
   const MeshResult result = mesh_model(input.model, {}, input.options);
   MeshFile mesh{result.mesh, result.names, {}};
-  const ModelFit fit = measure_fit(mesh, {input.model, {}, {}});
+  const ModelInput only_model{input.model, {}, {}, {}};
+  const ModelFit fit = measure_fit(mesh, only_model);
   EXPECT_EQ(fit.sizes.edges, result.report.edges);
   EXPECT_EQ(fit.sizes.quality, result.report.quality);
   EXPECT_EQ(fit.distance.max, *result.report.sag.reached);

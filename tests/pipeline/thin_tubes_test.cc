@@ -31,8 +31,7 @@ Sizing uniform(double size) {
 MeshResult expect_good(const Model& model, const Sizing& sizing, double least_quality) {
   MeshResult result = mesh_model(model, {}, {.sizing = sizing});
   testing::expect_valid(result.mesh);
-  EXPECT_EQ(testing::texts_of(result.report.notices, Severity::Shortfall),
-            std::vector<std::string>{});
+  EXPECT_EQ(texts_of(result.report.notices, Severity::Shortfall), std::vector<std::string>{});
   EXPECT_GT(result.report.quality.min, least_quality);
   return result;
 }

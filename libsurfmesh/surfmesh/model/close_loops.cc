@@ -145,11 +145,20 @@ void LoopCloser::check_extent(const PatchInput& patch, std::size_t loop, const C
   if (is_point) fail_loop(ErrorCode::Geometry, patch, loop, "the loop is a single point in space");
 }
 
-/// Elements between parts of the boundary that nearly meet are as flat as the gap is narrow.
+/// True if a point is in the material: inside of the outer loop, and of no hole.
+bool is_in_material(const std::vector<LoopCurves>& loops, Uv point) {
+  const auto around = std::count_if(loops.begin(), loops.end(),
+                                    [&](const LoopCurves& loop) { return is_inside(loop, point); });
+  return around % 2 == 1;
+}
+
+/// Elements between parts of the boundary that nearly meet are as flat as the gap is narrow. A slit
+/// is a gap without material, which has no elements.
 void LoopCloser::warn_of_near_parts(int index, const PatchInput& patch,
                                     const std::vector<LoopCurves>& curves) {
   const auto point_at = [&](Uv uv) { return patch.surface->evaluate(uv, Order::Position).point; };
   for (const NearParts& near : near_parts(curves, kNearShare)) {
+    if (!is_in_material(curves, lerp(near.at_a, near.at_b, 0.5))) continue;
     const Vec3 at = point_at(near.at_a);
     Notice notice = warning(
         NoticeKind::NarrowGap,

@@ -31,6 +31,11 @@ void ask_at(FaceHandle fh, const RunContext& context) {
   if (index(fh) % kFacesBetweenCancellation == 0) context.throw_if_cancelled();
 }
 
+/// Cosine of the angle between the normals of face and surface from which a projected face counts
+/// as turned. Beside sharp edges, and where a surface passes through itself, corners may be
+/// projected to the wrong side, whose normal is about perpendicular.
+constexpr double kClearlyTurned = 0.5;
+
 /// Distances below this share of the diagonal need no second search.
 constexpr double kOnSurface = 1e-10;
 
@@ -133,7 +138,8 @@ class DistanceMeter {
       area += (b.point - a.point).cross(c.point - a.point);
       measure_samples(surface, {a, b, c}, fh);
     }
-    const double facing = surfmesh::facing(area, normal);
+    const double lengths = area.norm() * normal.norm();
+    const double facing = lengths > 0 ? surfmesh::facing(area, normal) / lengths : 0;
     facing_[index(fh)] = facing;
     side_of_[static_cast<std::size_t>(mesh_.property(patch_of_, fh))] +=
         facing > 0 ? area.norm() : -area.norm();
@@ -177,10 +183,11 @@ class DistanceMeter {
   }
 
   void find_turned() {
+    const double least_facing = is_projected_ ? -kClearlyTurned : 0;
     for (const FaceHandle fh : mesh_.faces()) {
       const double side = side_of_[static_cast<std::size_t>(mesh_.property(patch_of_, fh))];
       const double facing = facing_[index(fh)];
-      if (facing * (side < 0 ? -1 : 1) > 0) continue;
+      if (facing * (side < 0 ? -1 : 1) > least_facing) continue;
       turned_.add([&] {
         return fmt::format("{} at {}", face_text(fh),
                            point_text(middle_of(mesh_, corners_of(mesh_, fh))));
@@ -194,7 +201,7 @@ class DistanceMeter {
   bool is_projected_;
   decltype(keys::face_patch)::Handle patch_of_;
   decltype(keys::corner_uv)::Handle uv_of_;
-  std::vector<double> facing_;   ///< above 0 for faces along the normal of the surface
+  std::vector<double> facing_;   ///< cosine of the angle between face and surface
   std::vector<double> side_of_;  ///< of each patch, area along minus area against the normal
   SurfaceDistance result_;
   double sum_ = 0;

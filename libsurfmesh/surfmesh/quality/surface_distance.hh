@@ -36,8 +36,8 @@ struct SurfaceDistance {
   double max_corner = 0;  ///< of the vertices from the surface at their parameters
   std::size_t max_corner_face = 0;
   /// turned_face: against the normal of the surface, seen from the side on which most of its patch
-  /// is; corner_off_surface: farther than 1e-6 of the diagonal from the surface at its (u,v), for
-  /// a mesh with (u,v) of its own.
+  /// is, and in a projected mesh by more than 120°; corner_off_surface: farther than 1e-6 of the
+  /// diagonal from the surface at its (u,v), for a mesh with (u,v) of its own.
   std::vector<MeshFault> faults;
 };
 
