@@ -46,7 +46,7 @@ ModelInput read_model_with(const std::string& path, Scheme scheme, const Setting
 JudgedBy judged_by(const Settings& settings) {
   const bool asks_for_sizes = std::any_of(
       settings.begin(), settings.end(),
-      [](const auto& setting) { return find_option(setting.first).group != OptionGroup::Cages; });
+      [](const auto& setting) { return find_option(setting.first).group == OptionGroup::Sizes; });
   return asks_for_sizes ? JudgedBy::ExactSizes : JudgedBy::StoredMetric;
 }
 

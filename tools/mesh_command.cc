@@ -24,9 +24,7 @@ namespace {
 
 constexpr const char* kFooter =
     "Examples:\n"
-    "  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report knob.json\n"
-    "  surfmesh mesh wave.json -o wave.obj --nodes 40000 --set smoothing=4 --quiet\n"
-    "  surfmesh mesh wave.json --hmax 0.1 --dry-run\n";
+    "  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report knob.json\n";
 
 /// Output and report are empty for none.
 void check_paths(const std::string& input, const std::string& output, const std::string& report) {
@@ -153,11 +151,9 @@ void MeshCommand::add_files(CLI::App& command) {
       ->type_name("");
   command
       .add_option("-o,--output", output_,
-                  fmt::format("mesh to write: {}; .om keeps everything. REQUIRED without --dry-run",
-                              mesh_endings()))
+                  fmt::format("mesh to write: {}; .om keeps everything", mesh_endings()))
       ->type_name("FILE");
-  command.add_flag("--dry-run", is_dry_run_,
-                   "estimate the number of triangles only, and write no mesh");
+  command.add_flag("--dry-run", is_dry_run_, "estimate the number of triangles; needs no --output");
   command.parse_complete_callback([this] {
     if (output_.empty() && !is_dry_run_) throw CLI::RequiredError("--output");
   });

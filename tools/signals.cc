@@ -69,6 +69,11 @@ extern "C" void stop_late(int /*number*/) {
   errno = code;
 }
 
+bool is_ignored(int number) {
+  struct sigaction action = {};
+  return sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
 void handle(int number, void (*handler)(int), int flags) {
   struct sigaction action = {};
   action.sa_handler = handler;
@@ -85,9 +90,11 @@ void catch_signals() {
   timer_t made = {};
   if (timer_create(CLOCK_MONOTONIC, &event, &made) == 0) timer = made;
   handle(SIGALRM, stop_late, SA_RESTART);
-  // Without SA_RESTART: who waits for a pipe wakes up.
+  // Without SA_RESTART, so that a blocked open or read of a pipe is interrupted.
   handle(SIGINT, stop, 0);
   handle(SIGTERM, stop, 0);
+  // nohup has it ignored, and that is to stay.
+  if (!is_ignored(SIGHUP)) handle(SIGHUP, stop, 0);
 }
 
 void take_errors_for_signals() {

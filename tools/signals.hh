@@ -7,13 +7,12 @@
 
 namespace surfmesh {
 
-/// Remember SIGINT and SIGTERM, so that the run can end by itself. Where it does not within a
-/// quarter of a second, or at a second signal, the program ends at once. Either way the exit status
-/// is 128 plus the signal, and no file of a RemovedOnSignal is left behind.
+/// Remember SIGINT, SIGTERM and SIGHUP, so that the run can end by itself. Where it does not within
+/// a quarter of a second, or at a second signal, the program ends at once. Either way the exit
+/// status is 128 plus the signal, and no file of a RemovedOnSignal is left behind.
 void catch_signals();
 
-/// Make a file that is too large and a pipe that nobody reads errors of who writes, instead of
-/// signals that end the program.
+/// Turn SIGXFSZ and SIGPIPE into errors of writing, instead of signals that end the program.
 void take_errors_for_signals();
 
 /// The signal that came, 0 for none.

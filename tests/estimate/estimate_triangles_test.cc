@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -12,6 +13,7 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/estimate/coarse_estimate.hh"
 #include "surfmesh/estimate/element_limit.hh"
+#include "surfmesh/geometry/callable_surface.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 #include "surfmesh/sizes/model_sources.hh"
@@ -81,14 +83,34 @@ TEST(TriangleEstimate, IsNearTheMeshOnPolesTrimsAndWaves) {
   }
 }
 
+/// Nodes at poles have no metric.
+TEST(TriangleEstimate, IsNearTheMeshBesideExactPoles) {
+  for (const double apex : {0.0, 1.0}) {
+    const Model cone = testing::model_of(
+        {make_callable_surface(Domain{0, 2 * std::numbers::pi, 0, 1}, [=](auto u, auto v) {
+          const auto radius = (1 - 2 * apex) * v + apex;
+          return std::array{radius * cos(u), radius * sin(u), 3 * radius};
+        })});
+    for (const ControlKind kind : {ControlKind::Cells, ControlKind::Mesh, ControlKind::Grid}) {
+      SCOPED_TRACE(::testing::Message() << apex << " " << static_cast<int>(kind));
+      PipelineOptions options;
+      options.sizing = {.curvature = 0.1, .hmax = Length::share(0.05)};
+      options.control.kind = kind;
+      const MeshResult result = mesh_model(cone, {}, options);
+      const auto made = static_cast<double>(result.report.mesh.triangles);
+      EXPECT_NEAR(result.report.estimated_triangles, made, 0.08 * made);
+    }
+  }
+}
+
 TEST(TriangleEstimate, GivesTheHminThatFits) {
   const Model square = testing::model_of({testing::rectangle(0, 0, 1, 1)});
   const TriangleEstimate estimate = estimate_of(square, uniform(0.001));
-  const double hmin = estimate.fitting_hmin(10000);
+  const double hmin = estimate.fitting_hmin(10000).value();
   EXPECT_LE(estimate.triangles_with(hmin), 10000);
   EXPECT_NEAR(hmin, std::sqrt(1 / (kUnitArea * 10000)), 0.01 * hmin);
   // Nothing is in the way of a number that is not reached.
-  EXPECT_LE(estimate.fitting_hmin(1e9), 0.001);
+  EXPECT_LE(estimate.fitting_hmin(1e9).value(), 0.001);
 }
 
 CoarseEstimate coarse_estimate_of(const Model& model, const Sizing& sizing,
@@ -116,13 +138,42 @@ TEST(CoarseEstimate, DoesNotTakeANarrowBandForAll) {
   EXPECT_LT(coarse_estimate_of(model, sizing, sources).least.triangles(), 1000);
 }
 
+TEST(CoarseEstimate, IsNotInStepWithAPeriodicField) {
+  const Model model = testing::model_of({testing::rectangle(0, 0, 1, 1)});
+  Sizing sizing = uniform(1);
+  sizing.hmin = Length::units(1e-5);
+  Sources sources;
+  sources.fields.push_back({0, [](Uv uv, const Vec3&) {
+                              const double u = std::sin(32 * std::numbers::pi * uv.u);
+                              const double v = std::sin(32 * std::numbers::pi * uv.v);
+                              return 1e-4 + 0.2 * u * u + 0.2 * v * v;
+                            }});
+  EXPECT_LT(coarse_estimate_of(model, sizing, sources).least.triangles(), 1e6);
+}
+
+TEST(ElementLimit, NamesHmaxWhereItIsInTheWay) {
+  const RunContext context(nullptr, 1000);
+  const TriangleEstimate many({{{{4000 * kUnitArea, 1, 1}}, {}}});
+  EXPECT_NE(error_of([&] { throw_too_many(many, 1, context); }).find("hmin and hmax = 2.17"),
+            std::string::npos);
+}
+
+/// Sizes around tubes do not follow hmin.
+TEST(ElementLimit, GivesNoHminWhereNoneHelps) {
+  const RunContext context(nullptr, 1000);
+  const TriangleEstimate tube({{{{4000 * kUnitArea, 1, 1}}, {}}}, 2);
+  EXPECT_EQ(tube.fitting_hmin(1000), std::nullopt);
+  EXPECT_NE(error_of([&] { throw_too_many(tube, 10, context); }).find("whatever hmin is"),
+            std::string::npos);
+}
+
 TEST(ElementLimit, IsNamedWithWhatFits) {
   const RunContext context(nullptr, 1000);
   const TriangleEstimate few({{{{1100 * kUnitArea, 1, 1}}, {}}});
   EXPECT_FALSE(is_surely_above(few, context));
   const TriangleEstimate many({{{{4000 * kUnitArea, 1, 1}}, {}}});
   ASSERT_TRUE(is_surely_above(many, context));
-  EXPECT_EQ(error_of([&] { throw_too_many(many, context); }),
+  EXPECT_EQ(error_of([&] { throw_too_many(many, 10, context); }),
             "limit: the sizes ask for about 4e+03 triangles, more than max_elements = 1000; hmin = "
             "2.17 (in model units) would fit");
 }

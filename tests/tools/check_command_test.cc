@@ -73,6 +73,13 @@ TEST_F(CheckProgram, JudgesAMeshByTheMetricThatItWasMadeBy) {
   }
 }
 
+TEST_F(CheckProgram, JudgesByExactSizesOnlyWhereSizesAreGiven) {
+  mesh("torus.json");
+  const std::string arguments = "a.om --model '" + own_model("torus.json") + "'";
+  EXPECT_TRUE(check(0, arguments + " --set threads=1")["fit"]["stored_metric"]);
+  EXPECT_FALSE(check(0, arguments + " --hmax 10%")["fit"]["stored_metric"]);
+}
+
 TEST_F(CheckProgram, HasTheDocumentedKeys) {
   mesh("plate.json");
   const Json json = check(0, "a.om");

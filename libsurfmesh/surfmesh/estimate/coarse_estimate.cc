@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 
+#include "surfmesh/core/at_location.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/estimate/patch_region.hh"
 #include "surfmesh/geometry/first_form.hh"
@@ -29,41 +29,64 @@ int cells_per_side(const Model& model) {
   return std::clamp(static_cast<int>(kCellsInAll / std::sqrt(patches)), kLeastCells, kMostCells);
 }
 
-/// Call `visit(uv, corners)` for each cell of a lattice whose middle is inside the region of a
-/// patch, with the indices of its corners in rows along u.
+/// Call `visit(column, row)` for each cell of a lattice whose middle is inside the region of a
+/// patch.
 template <class Visit>
 void for_each_cell(const Model& model, int patch, int cells, Visit visit) {
   const PatchRegion region(model, patch);
   const Domain domain = model.surface(patch).domain();
-  for (int j = 0; j < cells; ++j) {
-    for (int i = 0; i < cells; ++i) {
-      const Uv middle = domain.at((i + 0.5) / cells, (j + 0.5) / cells);
-      const bool is_beyond = domain.shape == Domain::Shape::Triangle && i + j + 1 > cells;
-      if (is_beyond || !region.contains(middle)) continue;
-      const auto corner = static_cast<std::size_t>(j * (cells + 1) + i);
-      const auto above = corner + static_cast<std::size_t>(cells + 1);
-      visit(std::array{corner, corner + 1, above, above + 1});
+  for (int row = 0; row < cells; ++row) {
+    for (int column = 0; column < cells; ++column) {
+      const bool is_beyond = domain.shape == Domain::Shape::Triangle && column + row + 1 > cells;
+      const Uv middle = domain.at((column + 0.5) / cells, (row + 0.5) / cells);
+      if (!is_beyond && region.contains(middle)) visit(column, row);
     }
   }
 }
 
-/// Area in space of one cell of a lattice, from the first form at a corner of it.
+/// Area in space of one cell of a lattice, from the first form in it.
 double cell_area(const Domain& domain, int cells, const FirstFormFactor& form) {
   const double width = (domain.u1 - domain.u0) / cells, height = (domain.v1 - domain.v0) / cells;
   return width * height * form.l11 * form.l22;
 }
 
-/// `value(uv)` at all corners of a lattice, in rows along u.
-template <class Value>
-auto at_corners(const Domain& domain, int cells, Value value) {
-  std::vector<decltype(value(Uv{}))> values;
+double area_of(const Surface& surface, int cells) {
+  const Domain domain = surface.domain();
+  double area = 0;
   for (int j = 0; j <= cells; ++j) {
     for (int i = 0; i <= cells; ++i) {
-      values.push_back(value(domain.fold(domain.at(double(i) / cells, double(j) / cells))));
+      const Uv uv = domain.fold(domain.at(double(i) / cells, double(j) / cells));
+      const Jet jet = surface.evaluate(uv, Order::First);
+      area += cell_area(domain, cells, first_form_factor(jet.du, jet.dv));
     }
   }
-  return values;
+  return area;
 }
+
+/// Samples a field in the cells of a lattice.
+class PatchSampler {
+ public:
+  PatchSampler(const SizeField& field, int cells)
+      : field_(field), domain_(field.surface().domain()), cells_(cells) {}
+
+  /// Equal parts of a cell, with the sizes at a corner and at points inside: corners alone may all
+  /// be in step with a periodic field.
+  std::array<SizedPiece, 3> pieces_of(int column, int row) const {
+    return {piece_at(column, row), piece_at(column + 0.2817, row + 0.6473),
+            piece_at(column + 0.7236, row + 0.3191)};
+  }
+
+ private:
+  SizedPiece piece_at(double x, double y) const {
+    const SizeField::Sample sample = field_.at(domain_.fold(domain_.at(x / cells_, y / cells_)));
+    const SizeRange range = size_range(sample.size);
+    return {cell_area(domain_, cells_, sample.form) / 3, range.greatest, range.least};
+  }
+
+  const SizeField& field_;
+  Domain domain_;
+  int cells_;
+};
 
 }  // namespace
 
@@ -72,23 +95,18 @@ CoarseEstimate estimate_coarsely(const Model& model, const std::vector<PatchSour
   const int cells = cells_per_side(model);
   std::vector<SizedPatch> likely(sources.size()), least(sources.size());
   share_indices(sources.size(), [&](std::size_t p) {
-    const Surface& surface = *model.patches[p].surface;
-    const SizeField field(surface, sizing, sources[p]);
-    const Domain domain = surface.domain();
-    const auto pieces = at_corners(domain, cells, [&](Uv uv) {
-      const SizeField::Sample sample = field.at(uv);
-      const SizeRange range = size_range(sample.size);
-      return SizedPiece{cell_area(domain, cells, sample.form), range.greatest, range.least};
-    });
-    for_each_cell(model, static_cast<int>(p), cells, [&](const auto& corners) {
-      SizedPiece largest{};
-      for (const std::size_t corner : corners) {
-        SizedPiece piece = pieces[corner];
-        if (piece.l_s * piece.l_t > largest.l_s * largest.l_t) largest = piece;
-        piece.area /= 4;
-        likely[p].pieces.push_back(piece);
-      }
-      least[p].pieces.push_back(largest);
+    at_location("patch " + model.patches[p].name, [&] {
+      const SizeField field(*model.patches[p].surface, sizing, sources[p]);
+      PatchSampler sampler(field, cells);
+      for_each_cell(model, static_cast<int>(p), cells, [&](int column, int row) {
+        const auto pieces = sampler.pieces_of(column, row);
+        likely[p].pieces.insert(likely[p].pieces.end(), pieces.begin(), pieces.end());
+        SizedPiece largest = *std::max_element(
+            pieces.begin(), pieces.end(),
+            [](const SizedPiece& a, const SizedPiece& b) { return a.l_s * a.l_t < b.l_s * b.l_t; });
+        largest.area *= static_cast<double>(pieces.size());
+        least[p].pieces.push_back(largest);
+      });
     });
   });
   return {TriangleEstimate(std::move(likely)), TriangleEstimate(std::move(least))};
@@ -98,13 +116,8 @@ double most_triangles(const Model& model, double hmin) {
   const int cells = cells_per_side(model);
   std::vector<double> areas(model.patches.size(), 0);
   share_indices(model.patches.size(), [&](std::size_t p) {
-    const Surface& surface = *model.patches[p].surface;
-    const Domain domain = surface.domain();
-    const auto pieces = at_corners(domain, cells, [&](Uv uv) {
-      const Jet jet = surface.evaluate(uv, Order::First);
-      return cell_area(domain, cells, first_form_factor(jet.du, jet.dv));
-    });
-    for (const double area : pieces) areas[p] += area;
+    at_location("patch " + model.patches[p].name,
+                [&] { areas[p] = area_of(*model.patches[p].surface, cells); });
   });
   double area = 0;
   for (const double of_patch : areas) area += of_patch;

@@ -12,21 +12,22 @@ namespace surfmesh {
 /// Estimates from a coarse lattice of samples in each patch, before there are any control spaces.
 struct CoarseEstimate {
   TriangleEstimate likely;
-  /// With the greatest of the sizes at the corners of each cell of the lattice: a small size that
-  /// holds in a narrow area counts for nothing.
+  /// With the greatest of the sizes in each cell of the lattice: a small size that holds in a
+  /// narrow area counts for nothing.
   TriangleEstimate least;
 };
 
-/// Estimate from 8 × 8 to 32 × 32 samples a patch, fewer for models of more patches. Sizes are not
+/// Estimate from 8 × 8 to 32 × 32 cells a patch, fewer for models of more patches. Sizes are not
 /// graded.
 ///
-/// Cost     1 µs a sample
-/// Throws   InvalidInput for a source that is invalid
+/// Cost     3 samples of the field a cell
+/// Throws   InvalidInput for a source that is invalid, naming the patch
 CoarseEstimate estimate_coarsely(const Model& model, const std::vector<PatchSources>& sources,
                                  const ResolvedSizing& sizing);
 
-/// The number of triangles that no sizes exceed that are hmin or larger, from the area of a coarse
-/// lattice.
+/// An upper bound on the number of triangles if all sizes are at least hmin, apart from tubes that
+/// are thinner. From the area of a coarse lattice.
+/// Throws   Geometry, naming the patch
 double most_triangles(const Model& model, double hmin);
 
 }  // namespace surfmesh

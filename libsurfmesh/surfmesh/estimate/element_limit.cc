@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <string>
+
 #include "surfmesh/core/error.hh"
 
 namespace surfmesh {
@@ -18,13 +20,17 @@ bool is_surely_above(const TriangleEstimate& estimate, const RunContext& context
   return estimate.triangles() > kSurelyTooMany * static_cast<double>(context.max_elements());
 }
 
-void throw_too_many(const TriangleEstimate& estimate, const RunContext& context) {
+void throw_too_many(const TriangleEstimate& estimate, double hmax, const RunContext& context) {
   const auto most = static_cast<double>(context.max_elements());
-  throw Error(ErrorCode::Limit,
-              fmt::format("the sizes ask for about {:.2g} triangles, more than max_elements = {}; "
-                          "hmin = {:.3g} (in model units) would fit",
-                          estimate.triangles(), context.max_elements(),
-                          estimate.fitting_hmin(kSurelyFewEnough * most)));
+  const auto hmin = estimate.fitting_hmin(kSurelyFewEnough * most);
+  const std::string advice =
+      !hmin ? std::string("tubes thinner than hmin need most of them, whatever hmin is")
+            : fmt::format("{} = {:.3g} (in model units) would fit",
+                          *hmin > hmax ? "hmin and hmax" : "hmin", *hmin);
+  throw Error(
+      ErrorCode::Limit,
+      fmt::format("the sizes ask for about {:.2g} triangles, more than max_elements = {}; {}",
+                  estimate.triangles(), context.max_elements(), advice));
 }
 
 }  // namespace surfmesh

@@ -10,8 +10,9 @@ namespace surfmesh {
 /// high.
 bool is_surely_above(const TriangleEstimate& estimate, const RunContext& context);
 
-/// Tell the estimate and an hmin that fits.
+/// Tell the estimate, and an hmin (or hmax, where that is below it) that fits.
 /// Throws   Limit
-[[noreturn]] void throw_too_many(const TriangleEstimate& estimate, const RunContext& context);
+[[noreturn]] void throw_too_many(const TriangleEstimate& estimate, double hmax,
+                                 const RunContext& context);
 
 }  // namespace surfmesh

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <utility>
 
+#include "surfmesh/control/lattice_space.hh"
 #include "surfmesh/control/surface_metric_field.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/estimate/patch_region.hh"
+#include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/metric/size_tensor.hh"
 #include "surfmesh/metric/tensor.hh"
 #include "surfmesh/metric/triangle.hh"
@@ -23,6 +25,12 @@ constexpr double kLeastShare = 1.0 / 65536;
 constexpr double kEvenShare = 4;
 
 constexpr int kChordsPerPart = 8;
+
+/// Sizes below hmin by more than rounding are those around tubes.
+constexpr double kJustBelow = 0.999;
+
+/// No model has larger sizes.
+constexpr double kGreatestSize = 1e100;
 
 /// What is interpolated linearly in a triangle.
 struct Node {
@@ -59,6 +67,7 @@ class PatchIntegral {
       : model_(model),
         patch_(patch),
         space_(space),
+        lattice_(dynamic_cast<const LatticeSpace*>(&space)),
         region_(model, patch),
         least_area_(kLeastShare * area_of(model.surface(patch).domain())) {}
 
@@ -82,14 +91,20 @@ class PatchIntegral {
     std::vector<Node> nodes;
     nodes.reserve(mesh.n_vertices());
     for (const VertexHandle vh : mesh.vertices()) {
-      const SizeTensor& size = mesh.property(size_of, vh);
-      const SizeRange range = size_range(size);
-      const Metric& metric = space_.node_metrics()[static_cast<std::size_t>(vh.idx())].metric;
-      // The metric area is that in space divided by that of the size.
-      const double scale = density(metric) * determinant(size);
-      nodes.push_back({mesh.property(uv_of, vh), scale, range.greatest, range.least});
+      const Uv uv = mesh.property(uv_of, vh);
+      const SizeRange range = size_range(mesh.property(size_of, vh));
+      const FirstFormFactor form = form_at(vh, uv);
+      nodes.push_back({uv, form.l11 * form.l22, range.greatest, range.least});
     }
     return nodes;
+  }
+
+  /// A lattice knows the first form at its nodes.
+  FirstFormFactor form_at(VertexHandle vh, Uv uv) const {
+    if (lattice_) return lattice_->form(vh.idx());
+    const Surface& surface = model_.surface(patch_);
+    const Jet jet = surface.evaluate(surface.domain().fold(uv), Order::First);
+    return first_form_factor(jet.du, jet.dv);
   }
 
   void add_faces() {
@@ -156,6 +171,7 @@ class PatchIntegral {
   const Model& model_;
   int patch_;
   const ControlSpace& space_;
+  const LatticeSpace* lattice_;  ///< the space, if it is one
   PatchRegion region_;
   double least_area_;
   QueryHint hint_;
@@ -165,16 +181,19 @@ class PatchIntegral {
 }  // namespace
 
 double TriangleEstimate::triangles_with(double hmin) const {
+  const auto raised = [&](double size) {
+    return size < bounded_from_ ? size : std::max(size, hmin);
+  };
   double triangles = 0;
   for (const SizedPatch& patch : patches_) {
     double area = 0;
     for (const SizedPiece& piece : patch.pieces) {
-      area += piece.area / (std::max(piece.l_s, hmin) * std::max(piece.l_t, hmin));
+      area += piece.area / (raised(piece.l_s) * raised(piece.l_t));
     }
     double segments = 0;
     for (const auto& contour : patch.contours) {
       double units = 0;
-      for (const SizedChord& chord : contour) units += chord.length / std::max(chord.size, hmin);
+      for (const SizedChord& chord : contour) units += chord.length / raised(chord.size);
       segments += contour.empty() ? 0 : std::max(1.0, units);
     }
     // By Euler's formula, a disc without inner nodes has two triangles less than nodes.
@@ -183,13 +202,14 @@ double TriangleEstimate::triangles_with(double hmin) const {
   return triangles;
 }
 
-double TriangleEstimate::fitting_hmin(double triangles) const {
-  double low = 0, high = 0;
+std::optional<double> TriangleEstimate::fitting_hmin(double triangles) const {
+  double low = 0, high = bounded_from_;
   for (const SizedPatch& patch : patches_) {
     for (const SizedPiece& piece : patch.pieces) high = std::max(high, piece.l_s);
   }
   // Sizes may all be too small: the size that holds everywhere has no bound among them.
-  while (high > 0 && triangles_with(high) > triangles && high < 1e300) {
+  while (triangles_with(high) > triangles) {
+    if (!(high > 0 && high < kGreatestSize)) return std::nullopt;
     low = high;
     high *= 2;
   }
@@ -202,13 +222,13 @@ double TriangleEstimate::fitting_hmin(double triangles) const {
 
 TriangleEstimate estimate_triangles(const Model& model,
                                     const std::vector<std::unique_ptr<ControlSpace>>& spaces,
-                                    const RunContext& context) {
+                                    double hmin, const RunContext& context) {
   std::vector<SizedPatch> patches(spaces.size());
   share_indices(spaces.size(), [&](std::size_t p) {
     context.throw_if_cancelled();
     patches[p] = PatchIntegral(model, static_cast<int>(p), *spaces[p]).run();
   });
-  return TriangleEstimate(std::move(patches));
+  return TriangleEstimate(std::move(patches), kJustBelow * hmin);
 }
 
 }  // namespace surfmesh

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -33,23 +34,28 @@ struct SizedPatch {
 /// How many triangles the mesh of a model will have, from its sizes alone.
 class TriangleEstimate {
  public:
-  explicit TriangleEstimate(std::vector<SizedPatch> patches) : patches_(std::move(patches)) {}
+  /// Sizes below `bounded_from` are those around tubes, to which hmin does not apply.
+  explicit TriangleEstimate(std::vector<SizedPatch> patches, double bounded_from = 0)
+      : patches_(std::move(patches)), bounded_from_(bounded_from) {}
 
   /// Triangles of unit edges that fill the metric area of a patch, and at least those that its
   /// boundary needs; summed over the patches.
   double triangles() const { return triangles_with(0); }
 
-  /// The same if no size were below `hmin`, in model units.
+  /// The same if no size were below `hmin`, in model units, but those around tubes.
   double triangles_with(double hmin) const;
 
-  /// The least hmin with which there are at most so many triangles, to within 1 %.
-  double fitting_hmin(double triangles) const;
+  /// The least hmin with which there are at most so many triangles, to within 1 %; nothing where no
+  /// hmin has so few.
+  std::optional<double> fitting_hmin(double triangles) const;
 
  private:
   std::vector<SizedPatch> patches_;
+  double bounded_from_;
 };
 
-/// Estimate from the control spaces of all patches, inside their loops.
+/// Estimate from the control spaces of all patches, inside their loops; `hmin` is that of the
+/// sizes.
 ///
 /// Error    1 to 5 % too few for everyday models; more for those of a few triangles and for tubes
 ///          of four elements around (test TriangleEstimate.*)
@@ -57,6 +63,6 @@ class TriangleEstimate {
 /// Throws   Cancelled
 TriangleEstimate estimate_triangles(const Model& model,
                                     const std::vector<std::unique_ptr<ControlSpace>>& spaces,
-                                    const RunContext& context = RunContext());
+                                    double hmin = 0, const RunContext& context = RunContext());
 
 }  // namespace surfmesh

@@ -11,7 +11,7 @@ namespace surfmesh {
 namespace {
 
 constexpr int kChordsPerPart = 64;
-constexpr std::size_t kMostRows = 4096;
+constexpr std::size_t kMostCells = 512;
 
 /// Share of the domain's area that rounding may leave between it and its loop.
 constexpr double kWholeShare = 1e-9;
@@ -40,14 +40,13 @@ bool may_meet(const PatchRegion::Segment& s, const UvTriangle& t) {
 
 }  // namespace
 
-PatchRegion::PatchRegion(const Model& model, int patch) {
+PatchRegion::PatchRegion(const Model& model, int patch) : domain_(model.surface(patch).domain()) {
   const Patch& own = model.patch(patch);
-  const Domain domain = own.surface->domain();
   for (const PatchLoop& loop : own.loops) add_loop(model, loop);
-  const double area = area_of(domain);
+  const double area = area_of(domain_);
   is_whole_ =
       own.loops.size() == 1 && std::abs(0.5 * twice_area(segments_) - area) <= kWholeShare * area;
-  if (!is_whole_) fill_rows(domain);
+  if (!is_whole_) fill_cells();
 }
 
 void PatchRegion::add_loop(const Model& model, const PatchLoop& loop) {
@@ -64,46 +63,63 @@ void PatchRegion::add_loop(const Model& model, const PatchLoop& loop) {
   }
 }
 
-void PatchRegion::fill_rows(const Domain& domain) {
-  rows_.resize(std::clamp<std::size_t>(segments_.size() / 4, 1, kMostRows));
-  first_v_ = domain.v0;
-  rows_per_v_ = static_cast<double>(rows_.size()) / (domain.v1 - domain.v0);
+void PatchRegion::fill_cells() {
+  const auto root = static_cast<std::size_t>(std::sqrt(static_cast<double>(segments_.size())));
+  side_ = std::clamp<std::size_t>(root, 1, kMostCells);
+  cells_.resize(side_ * side_);
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const auto [low, high] = std::minmax(segments_[i].from.v, segments_[i].to.v);
-    for (std::size_t row = row_of(low); row <= row_of(high); ++row) {
-      rows_[row].push_back(static_cast<int>(i));
+    const CellRange range = cells_of({segments_[i].from, segments_[i].to});
+    for (std::size_t row = range.first_row; row <= range.last_row; ++row) {
+      for (std::size_t column = range.first_column; column <= range.last_column; ++column) {
+        cells_[row * side_ + column].push_back(static_cast<int>(i));
+      }
     }
   }
 }
 
-std::size_t PatchRegion::row_of(double v) const {
-  const double row = (v - first_v_) * rows_per_v_;
-  return static_cast<std::size_t>(std::clamp(row, 0.0, static_cast<double>(rows_.size() - 1)));
+PatchRegion::CellRange PatchRegion::cells_of(std::initializer_list<Uv> points) const {
+  const auto by_u = [](Uv a, Uv b) { return a.u < b.u; };
+  const auto by_v = [](Uv a, Uv b) { return a.v < b.v; };
+  const auto index = [this](double x, double low, double high) {
+    const double cell = (x - low) / (high - low) * static_cast<double>(side_);
+    return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(side_ - 1)));
+  };
+  const auto [u0, u1] = std::minmax(points, by_u);
+  const auto [v0, v1] = std::minmax(points, by_v);
+  return {index(u0.u, domain_.u0, domain_.u1), index(u1.u, domain_.u0, domain_.u1),
+          index(v0.v, domain_.v0, domain_.v1), index(v1.v, domain_.v0, domain_.v1)};
 }
 
 bool PatchRegion::contains(Uv uv) const {
   if (is_whole_) return true;
+  const CellRange own = cells_of({uv});
   bool is_inside = false;
-  for (const int i : rows_[row_of(uv.v)]) {
-    const Segment& s = segment(i);
-    if ((s.from.v > uv.v) == (s.to.v > uv.v)) continue;
-    const double u = s.from.u + (uv.v - s.from.v) / (s.to.v - s.from.v) * (s.to.u - s.from.u);
-    if (u > uv.u) is_inside = !is_inside;
+  for (std::size_t column = own.first_column; column < side_; ++column) {
+    for (const int i : cell(column, own.first_row)) {
+      const Segment& s = segment(i);
+      if ((s.from.v > uv.v) == (s.to.v > uv.v)) continue;
+      // In the list of the first of its cells from here on.
+      if (column != std::max(own.first_column, cells_of({s.from, s.to}).first_column)) continue;
+      const double u = s.from.u + (uv.v - s.from.v) / (s.to.v - s.from.v) * (s.to.u - s.from.u);
+      if (u > uv.u) is_inside = !is_inside;
+    }
   }
   return is_inside;
 }
 
 std::vector<int> PatchRegion::segments_at(const UvTriangle& t) const {
   if (is_whole_) return {};
-  const auto [low, high] = std::minmax({t.a.v, t.b.v, t.c.v});
-  const std::size_t first = row_of(low), last = row_of(high);
+  const CellRange range = cells_of({t.a, t.b, t.c});
   std::vector<int> found;
-  for (std::size_t row = first; row <= last; ++row) {
-    for (const int i : rows_[row]) {
-      const Segment& s = segment(i);
-      // In the list of the first of the rows that it shares with the triangle.
-      const std::size_t own_first = row_of(std::min(s.from.v, s.to.v));
-      if (row == std::max(first, own_first) && may_meet(s, t)) found.push_back(i);
+  for (std::size_t row = range.first_row; row <= range.last_row; ++row) {
+    for (std::size_t column = range.first_column; column <= range.last_column; ++column) {
+      for (const int i : cell(column, row)) {
+        // In the list of the first of the cells that it shares with the triangle.
+        const CellRange own = cells_of({segment(i).from, segment(i).to});
+        const bool is_first = row == std::max(range.first_row, own.first_row) &&
+                              column == std::max(range.first_column, own.first_column);
+        if (is_first && may_meet(segment(i), t)) found.push_back(i);
+      }
     }
   }
   return found;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <vector>
 
 #include "surfmesh/model/model.hh"
@@ -31,7 +32,7 @@ class PatchRegion {
   bool is_whole() const { return is_whole_; }
 
   /// True if a point is inside.
-  /// Cost     the segments at the same v
+  /// Cost     the segments beside it in the direction of u: O(√n) for n segments spread evenly
   bool contains(Uv uv) const;
 
   /// The segments that may pass through a triangle, among all or among those of a list.
@@ -40,16 +41,24 @@ class PatchRegion {
 
  private:
   void add_loop(const Model& model, const PatchLoop& loop);
-  void fill_rows(const Domain& domain);
-  std::size_t row_of(double v) const;
+  /// The cells of a grid that a box covers.
+  struct CellRange {
+    std::size_t first_column, last_column, first_row, last_row;
+  };
+
+  void fill_cells();
+  CellRange cells_of(std::initializer_list<Uv> points) const;
+  const std::vector<int>& cell(std::size_t column, std::size_t row) const {
+    return cells_[row * side_ + column];
+  }
   const Segment& segment(int i) const { return segments_[static_cast<std::size_t>(i)]; }
 
   bool is_whole_ = false;
   std::vector<Segment> segments_;
-  /// Segments by intervals of v; one that is in several of them is in all their lists.
-  std::vector<std::vector<int>> rows_;
-  double first_v_ = 0;
-  double rows_per_v_ = 0;
+  Domain domain_;
+  std::size_t side_ = 1;  ///< cells along each side of a grid over the domain
+  /// Segments by cells, rows along u; one that is in several of them is in all their lists.
+  std::vector<std::vector<int>> cells_;
 };
 
 }  // namespace surfmesh

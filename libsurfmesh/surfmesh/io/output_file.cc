@@ -38,8 +38,24 @@ int create_exclusively(const fs::path& path) {
 int duplicate(const fs::path& file, const fs::path& name) {
   std::error_code error;
   fs::create_hard_link(file, name, error);
-  if (error && error != std::errc::file_exists) fs::copy_file(file, name, error);
+  if (error && error != std::errc::file_exists) {
+    fs::copy_file(file, name, error);
+    std::error_code ignored;
+    if (error && error != std::errc::file_exists) fs::remove(name, ignored);  // a part of it
+  }
   return error.value();
+}
+
+/// Links to links end somewhere, unless they go round.
+constexpr int kMostLinks = 40;
+
+/// Where a path leads, which need not exist.
+fs::path follow_links(fs::path path) {
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
+    path = path.parent_path() / fs::read_symlink(path, error);
+  }
+  return path;
 }
 
 /// Call `make(name)` with names in the folder of `target` until it made a file, which was not there
@@ -67,7 +83,7 @@ OutputFile::OutputFile(fs::path path)
   const fs::file_status status = fs::status(path_, ignored);
   if (fs::is_directory(status) || !path_.has_filename()) fail_for(path_, "it is a folder");
   if (fs::exists(status)) target_ = fs::canonical(path_, ignored);
-  if (target_.empty()) target_ = path_;
+  if (target_.empty() || !fs::exists(status)) target_ = follow_links(path_);
   file_.rdbuf()->pubsetbuf(buffer_.get(), static_cast<std::streamsize>(kBufferSize));
   errno = 0;
   if (fs::exists(status) && !fs::is_regular_file(status)) {
@@ -146,16 +162,19 @@ void OutputFile::publish() {
   is_published_ = true;
 }
 
-/// Undo publish(), as far as the file system lets us.
+/// Undo publish(). Throws if the file system does not let us.
 void OutputFile::take_back() {
   if (!is_published_) return;
-  std::error_code ignored;
+  std::error_code error;
   if (old_.empty()) {
-    fs::remove(target_, ignored);
-  } else {
-    fs::rename(old_, target_, ignored);
-    old_.clear();
+    fs::remove(target_, error);
+    return;
   }
+  const fs::path old = std::exchange(old_, fs::path());
+  fs::rename(old, target_, error);
+  if (!error) return;
+  fail_for(path_,
+           fmt::format("{}; what it was before is kept as {}", error.message(), old.string()));
 }
 
 void OutputFile::commit() {
@@ -165,14 +184,12 @@ void OutputFile::commit() {
 
 void OutputFile::commit_all(std::span<OutputFile* const> files) {
   for (OutputFile* file : files) file->finish();
+  // Nothing comes after the last one that could fail.
+  for (std::size_t i = 0; i + 1 < files.size(); ++i) files[i]->keep_old();
   std::size_t published = 0;
   try {
-    for (; published < files.size(); ++published) {
-      // Nothing comes after the last one that could fail.
-      if (published + 1 < files.size()) files[published]->keep_old();
-      files[published]->publish();
-    }
-  } catch (const Error&) {
+    for (; published < files.size(); ++published) files[published]->publish();
+  } catch (...) {
     while (published > 0) files[--published]->take_back();
     throw;
   }

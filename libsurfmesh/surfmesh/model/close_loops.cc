@@ -146,9 +146,9 @@ void LoopCloser::check_extent(const PatchInput& patch, std::size_t loop, const C
 }
 
 /// True if a point is in the material: inside of the outer loop, and of no hole.
-bool is_in_material(const std::vector<LoopCurves>& loops, Uv point) {
-  const auto around = std::count_if(loops.begin(), loops.end(),
-                                    [&](const LoopCurves& loop) { return is_inside(loop, point); });
+bool is_in_material(const std::vector<LoopRegion>& loops, Uv point) {
+  const auto around = std::count_if(
+      loops.begin(), loops.end(), [&](const LoopRegion& region) { return region.contains(point); });
   return around % 2 == 1;
 }
 
@@ -157,8 +157,12 @@ bool is_in_material(const std::vector<LoopCurves>& loops, Uv point) {
 void LoopCloser::warn_of_near_parts(int index, const PatchInput& patch,
                                     const std::vector<LoopCurves>& curves) {
   const auto point_at = [&](Uv uv) { return patch.surface->evaluate(uv, Order::Position).point; };
-  for (const NearParts& near : near_parts(curves, kNearShare)) {
-    if (!is_in_material(curves, lerp(near.at_a, near.at_b, 0.5))) continue;
+  const std::vector<NearParts> gaps = near_parts(curves, kNearShare);
+  if (gaps.empty()) return;
+  std::vector<LoopRegion> regions;
+  for (const LoopCurves& loop : curves) regions.emplace_back(loop);
+  for (const NearParts& near : gaps) {
+    if (!is_in_material(regions, lerp(near.at_a, near.at_b, 0.5))) continue;
     const Vec3 at = point_at(near.at_a);
     Notice notice = warning(
         NoticeKind::NarrowGap,

@@ -11,6 +11,9 @@
 namespace surfmesh {
 namespace {
 
+/// Steps along a contour in which the place nearest to another one is looked for.
+constexpr int kSearchSteps = 32;
+
 /// Places at which a contour is compared with another.
 constexpr std::array<double, 5> kSamples = {0, 0.21, 0.5, 0.83, 1};
 
@@ -38,6 +41,24 @@ double distance(const OpenContour& a, const OpenContour& b) {
   return greatest;
 }
 
+/// True if the surface of both lies between two contours of one patch, or would but for a slit:
+/// they are two sides of a wall or a slit, not of a seam.
+bool are_beside_in_patch(const OpenContour& p, const OpenContour& q, double gap) {
+  const ContourUse &use_p = p.contour->uses[0], &use_q = q.contour->uses[0];
+  if (use_p.patch != use_q.patch) return false;
+  const Uv from = use_p.curve->evaluate(0.5);
+  const auto point_at = [&](Uv uv) { return p.surface->evaluate(uv, Order::Position).point; };
+  const Vec3 at = point_at(from);
+  Uv to = use_q.curve->evaluate(0);
+  double nearest = (point_at(to) - at).norm();
+  for (int i = 1; i <= kSearchSteps; ++i) {
+    const Uv uv = use_q.curve->evaluate(double(i) / kSearchSteps);
+    const double distance = (point_at(uv) - at).norm();
+    if (distance < nearest) nearest = distance, to = uv;
+  }
+  return (point_at(lerp(from, to, 0.5)) - at).norm() <= std::max(gap, nearest);
+}
+
 void add_if_along(const OpenContour& p, const OpenContour& q, double near,
                   std::vector<ContourPair>& pairs) {
   double gap = distance(p, q);
@@ -46,7 +67,8 @@ void add_if_along(const OpenContour& p, const OpenContour& q, double near,
     gap = distance(q, p);
     is_pair = is_along(q, gap, near);
   }
-  if (is_pair) pairs.push_back({p.contour->name, q.contour->name, gap});
+  if (!is_pair || are_beside_in_patch(p, q, gap)) return;
+  pairs.push_back({p.contour->name, q.contour->name, gap});
 }
 
 std::vector<BoxTree::Box> boxes_of(const std::vector<OpenContour>& contours) {

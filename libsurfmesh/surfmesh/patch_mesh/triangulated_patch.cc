@@ -12,7 +12,7 @@ void evaluate_vertices(TriangulatedPatch& patch) {
     const Uv uv = patch.delaunay->uv(VertexHandle(static_cast<int>(v)));
     const Jet jet = patch.surface->evaluate(uv, Order::First);
     patch.points.push_back(jet.point);
-    patch.normals.push_back(jet.du.cross(jet.dv).stableNormalized());
+    patch.normals.push_back(jet.du.cross(jet.dv));
   }
 }
 

@@ -17,7 +17,7 @@ struct TriangulatedPatch {
   std::unique_ptr<DelaunayMesh> delaunay;
   const Surface* surface = nullptr;
   const MetricField* field = nullptr;
-  /// Positions of the vertices, and unit normals, zero without a tangent plane; by
+  /// Positions of the vertices, and normals p_u × p_v, zero without a tangent plane; by
   /// evaluate_vertices.
   std::vector<Vec3> points;
   std::vector<Vec3> normals;

@@ -54,8 +54,8 @@ MetricFit measure_metric(const PolyMesh& mesh) {
 
 /// The greatest distance as the report of a run has it.
 void add_sag(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search,
-             SurfaceDistance& distance) {
-  const Sag sag = measure_sag(mesh, model, search);
+             const RunContext& context, SurfaceDistance& distance) {
+  const Sag sag = measure_sag(mesh, model, search, context);
   if (sag.max <= distance.max) return;
   const auto greatest = std::max_element(sag.of_faces.begin(), sag.of_faces.end());
   distance.max = sag.max;
@@ -300,7 +300,7 @@ ModelFit measure_fit(MeshFile& mesh, const ModelInput& input, JudgedBy judged_by
   fit.is_projected = !has_parameters(mesh.mesh);
   if (fit.is_projected) project_mesh(mesh.mesh, mesh.names.patches, input.model, search, context);
   fit.distance = measure_distance(mesh.mesh, input.model, search, fit.is_projected, context);
-  if (!fit.is_projected) add_sag(mesh.mesh, input.model, search, fit.distance);
+  if (!fit.is_projected) add_sag(mesh.mesh, input.model, search, context, fit.distance);
   fit.differences = compare_with_promise(mesh.mesh, input.model);
   fit.is_by_stored_metric =
       judged_by == JudgedBy::StoredMetric && !fit.is_projected && has_metric(mesh.mesh);

@@ -109,14 +109,29 @@ void tell_unsearched(const Model& model, const std::vector<ControlInput>& inputs
   }
 }
 
-/// Sizes that would surely need too many triangles are refused before any control space is made: it
-/// would have millions of nodes.
-void refuse_hopeless_sizes(const Model& model, const std::vector<PatchSources>& sources,
-                           const ResolvedSizing& sizing, const RunContext& context) {
+/// The sources of the user by patch, without what follows from boundaries.
+std::vector<PatchSources> user_sources(const Model& model, const Sources& sources,
+                                       const ResolvedSizing& sizing) {
+  std::vector<PatchSources> result = sources_by_patch(sources, model.patches.size());
+  const auto near = near_tree(sources, sizing);
+  for (PatchSources& patch : result) {
+    if (near) patch.trees.push_back(near);
+  }
+  return result;
+}
+
+/// Sizes that would surely need too many triangles are refused before any work is done for them:
+/// boundaries would be searched for gaps down to hmin, and control spaces would have millions of
+/// nodes.
+void refuse_hopeless_sizes(const Model& model, const Sources& sources, const ResolvedSizing& sizing,
+                           const RunContext& context) {
   const auto most = static_cast<double>(context.max_elements());
   if (most_triangles(model, sizing.bounds.hmin) <= most) return;
-  const CoarseEstimate estimate = estimate_coarsely(model, sources, sizing);
-  if (is_surely_above(estimate.least, context)) throw_too_many(estimate.likely, context);
+  const CoarseEstimate estimate =
+      estimate_coarsely(model, user_sources(model, sources, sizing), sizing);
+  if (is_surely_above(estimate.least, context)) {
+    throw_too_many(estimate.likely, sizing.bounds.hmax, context);
+  }
 }
 
 }  // namespace
@@ -141,8 +156,8 @@ ControlBases make_control_bases(const Model& model, const Sources& sources,
   if (auto notice = clamp_notice(model, sources, sizing.bounds)) {
     control.notices.push_back(std::move(*notice));
   }
+  refuse_hopeless_sizes(model, sources, sizing, context);
   result.sources = model_sources(model, sources, sizing);
-  refuse_hopeless_sizes(model, result.sources, sizing, context);
   result.inputs.resize(model.patches.size());
   control.spaces.resize(model.patches.size());
   for_each_patch(model, "control", context, cells_of_patches(model), [&](std::size_t p) {

@@ -97,9 +97,11 @@ class Run {
 
   /// What would surely be too much is refused before any memory is taken for it.
   void estimate() {
-    const TriangleEstimate estimate = estimate_triangles(model_, spaces_, context_);
+    const TriangleEstimate estimate =
+        estimate_triangles(model_, spaces_, sizing_.bounds.hmin, context_);
     report_.estimated_triangles = estimate.triangles();
-    if (is_surely_above(estimate, context_)) throw_too_many(estimate, context_);
+    if (is_surely_above(estimate, context_))
+      throw_too_many(estimate, sizing_.bounds.hmax, context_);
   }
 
   void count_classes(const PolyMesh& mesh) {
@@ -264,18 +266,31 @@ class Run {
     warn_of_flat_triangles(mesh);
   }
 
+  /// True if a corner of a face is on a contour.
+  static bool is_at_contour(const PolyMesh& mesh, FaceHandle fh) {
+    const auto contour_of = require(mesh, keys::edge_contour);
+    for (const VertexHandle vh : mesh.fv_range(fh)) {
+      for (const EdgeHandle eh : mesh.ve_range(vh)) {
+        if (mesh.property(contour_of, eh) >= 0) return true;
+      }
+    }
+    return false;
+  }
+
   void warn_of_flat_triangles(const PolyMesh& mesh) {
     const QualityStatistics& quality = report_.quality;
     if (quality.worst_face < 0 || quality.min >= kFlatQuality) return;
     const FaceHandle fh(quality.worst_face);
     const auto patch = mesh.property(require(mesh, keys::face_patch), fh);
     const Vec3 point = to_eigen(mesh.calc_face_centroid(fh));
-    Notice notice = warning(
-        NoticeKind::FlatTriangles,
-        fmt::format("triangles are as flat as quality {:.3g}, in patch {} at {}: the boundary "
-                    "leaves less room than the sizes ask for; gaps get their sizes by proximity, "
-                    "not below hmin",
-                    quality.min, model_.patch(patch).name, point_text(point)));
+    const char* cause = is_at_contour(mesh, fh)
+                            ? ": the boundary leaves less room than the sizes ask for; gaps get "
+                              "their sizes by proximity, not below hmin"
+                            : "";
+    Notice notice =
+        warning(NoticeKind::FlatTriangles,
+                fmt::format("triangles are as flat as quality {:.3g}, in patch {} at {}{}",
+                            quality.min, model_.patch(patch).name, point_text(point), cause));
     notice.patch = patch;
     notice.point = point;
     report_.notices.push_back(std::move(notice));

@@ -20,11 +20,15 @@ inline bool is_flat(double double_area, double squared_longest_side) {
   return !(double_area > kFlat * squared_longest_side);
 }
 
-/// Above 0 if a face lies along the normals of its surface, below if it is turned against them.
+/// The cosine of the angle between a face and its surface: below 0 if it is turned. 0 without a
+/// normal.
 ///
-/// `area` is the face's normal, as a cross product gives it, and `normals` the sum of the unit
-/// normals of the surface at its corners. A corner without a tangent plane adds none.
-inline double facing(const Vec3& area, const Vec3& normals) { return area.dot(normals); }
+/// `area` is the face's normal, as a cross product gives it, and `normals` the sum of the normals
+/// p_u × p_v of the surface at its corners, not of unit length: their mean is the area vector of
+/// the piece of surface, by the area in parameters. A corner without a tangent plane adds none.
+inline double facing(const Vec3& area, const Vec3& normals) {
+  return area.stableNormalized().dot(normals.stableNormalized());
+}
 
 /// True if a triangle is turned against the normals of its surface, or has no area.
 inline bool is_turned(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normals) {

@@ -138,14 +138,13 @@ class DistanceMeter {
       area += (b.point - a.point).cross(c.point - a.point);
       measure_samples(surface, {a, b, c}, fh);
     }
-    const double lengths = area.norm() * normal.norm();
-    const double facing = lengths > 0 ? surfmesh::facing(area, normal) / lengths : 0;
+    const double facing = surfmesh::facing(area, normal);
     facing_[index(fh)] = facing;
     side_of_[static_cast<std::size_t>(mesh_.property(patch_of_, fh))] +=
         facing > 0 ? area.norm() : -area.norm();
   }
 
-  /// Returns the normal of the surface there; zero where it has none.
+  /// Returns the normal p_u × p_v of the surface there; zero where it has none.
   Vec3 measure_corner(const Surface& surface, const Corner& corner, FaceHandle fh) {
     const Jet jet = surface.evaluate(corner.uv, Order::First);
     const double distance = (jet.point - corner.point).norm();
@@ -159,7 +158,7 @@ class DistanceMeter {
                            distance);
       });
     }
-    return jet.du.cross(jet.dv).stableNormalized();
+    return jet.du.cross(jet.dv);
   }
 
   void measure_samples(const Surface& surface, const std::array<Corner, 3>& t, FaceHandle fh) {

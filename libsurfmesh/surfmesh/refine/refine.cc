@@ -207,9 +207,9 @@ RefineReport refine(DelaunayMesh& delaunay, const MetricField& field, const Refi
                     const RunContext& context) {
   check(options);
   const std::size_t boundary_count = delaunay.n_vertices();
-  RefineReport report =
-      tell_out_of_memory([&] { return Refinement(delaunay, field, options, context).run(); },
-                         [&] { return "at " + std::to_string(delaunay.n_faces()) + " triangles"; });
+  RefineReport report = tell_out_of_memory(
+      [&] { return Refinement(delaunay, field, options, context).run(); },
+      [&] { return "at " + std::to_string(delaunay.n_faces()) + " triangles of it"; });
   delaunay.shrink();
   context.throw_if_cancelled();
   delaunay.sort_spatially(boundary_count);

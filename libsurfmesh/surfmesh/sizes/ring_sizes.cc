@@ -22,7 +22,7 @@ constexpr std::size_t kMostPatchesAround = 8;
 
 /// Least size around a ring as a share of hmin: where a tube is pinched to a point, longer elements
 /// could not be told from degenerate ones.
-constexpr double kLeastShare = 1e-4;
+constexpr double kLeastShare = 1e-7;
 
 /// A line shorter than this share of the longest one is a point.
 constexpr double kPoleShare = 1e-6;
