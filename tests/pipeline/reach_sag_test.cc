@@ -158,6 +158,17 @@ TEST(ReachSag, LeavesSizesOfTheUserAsTheyAre) {
   EXPECT_TRUE(texts_of(result.report.notices, Severity::Warning).empty());
 }
 
+/// A size at a point holds there, and only there.
+TEST(ReachSag, KeepsASizeAtAPointLocal) {
+  const Model model = testing::cylinder_of(1);
+  Sources sources;
+  sources.at.push_back({0, {pi, 0.5}, {Length::units(0.01), Length::units(0.01), 0}});
+  const auto without = mesh_with_sag(model, 0.005).report.mesh.triangles;
+  const auto with = mesh_model(model, sources, with_sag(0.005)).report.mesh.triangles;
+  EXPECT_GT(with, without + 20);
+  EXPECT_LT(with, without + 2000);
+}
+
 TEST(ReachSag, MakesRoundHolesRound) {
   const MeshResult result = mesh_with_sag(testing::square_with_hole(0.5), 0.001);
   const auto contour_of = require(result.mesh, keys::edge_contour);

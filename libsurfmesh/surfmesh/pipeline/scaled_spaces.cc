@@ -12,13 +12,13 @@
 namespace surfmesh::detail {
 namespace {
 
-/// The sizes of a patch that are not scaled: all but those that the sag takes from the curvature.
+/// The sizes of a patch that are not scaled: all but those that the sag takes from its curvature.
 /// Null if there are none.
 std::shared_ptr<const SizeField> wishes_of(const Surface& surface, const ResolvedSizing& sizing,
                                            const PatchSources& sources, double precision) {
-  ResolvedSizing without_sag = sizing;
-  without_sag.sag = 0;
-  auto field = std::make_shared<const SizeField>(surface, without_sag, sources, precision);
+  // With the sag first: what is interpolated between points depends on it.
+  const SizeField all(surface, sizing, sources, sources.precision().value_or(precision));
+  auto field = std::make_shared<const SizeField>(all.without_sag());
   return field->has_source() ? field : nullptr;
 }
 

@@ -18,6 +18,13 @@ class CurvatureLength {
   explicit CurvatureLength(const ResolvedSizing& sizing)
       : factor_(sizing.curvature), sag_(sizing.sag) {}
 
+  /// The lengths by the factor alone.
+  CurvatureLength without_sag() const {
+    CurvatureLength result = *this;
+    result.sag_ = 0;
+    return result;
+  }
+
   /// True if no length follows from any curvature.
   bool is_off() const { return factor_ == 0 && sag_ == 0; }
 

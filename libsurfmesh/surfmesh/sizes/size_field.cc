@@ -54,6 +54,12 @@ SizeField::SizeField(const Surface& surface, const ResolvedSizing& sizing,
   add_discs();
 }
 
+SizeField SizeField::without_sag() const {
+  SizeField result = *this;
+  result.length_ = length_.without_sag();
+  return result;
+}
+
 /// A disc reaches over the cells around its vertex: farther cells that are near in space, as those
 /// of the other side of a sheet, do not see it.
 void SizeField::add_discs() {

@@ -51,6 +51,9 @@ class SizeField {
   /// Throws   InvalidInput if a field is not positive (definite) and finite, naming (u,v)
   Sample at(Uv uv) const;
 
+  /// The same sources without the sizes that the sag takes from curvature: what else is asked for.
+  SizeField without_sag() const;
+
   const Surface& surface() const { return surface_; }
 
   const SizeBounds& bounds() const { return bounds_; }
