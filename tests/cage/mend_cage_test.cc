@@ -2,10 +2,14 @@
 // Cages that are not what they seem.
 #include "surfmesh/cage/mend_cage.hh"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
+#include <tuple>
 
 #include "cage/cages.hh"
 #include "support/errors.hh"
@@ -64,7 +68,7 @@ TEST(MendCage, LeavesGoodCagesAlone) {
                            testing::prism(16), testing::sheet(4, 4)}) {
     const MendedCage mended = mend_cage(cage, {.weld = 1e-6, .orient = true});
     EXPECT_EQ(mended.cage.faces, cage.faces);
-    EXPECT_TRUE(mended.notices.empty()) << mended.notices[0].text;
+    EXPECT_TRUE(mended.notices.empty());
   }
 }
 
@@ -72,7 +76,7 @@ TEST(MendCage, TellsTurnedFacesAndTurnsThem) {
   const Cage cage = turned(testing::cube(), {2, 5});
   const Notices told = mend_cage(cage).notices;
   EXPECT_EQ(only_kind(told), NoticeKind::TurnedFaces);
-  EXPECT_TRUE(told[0].text.starts_with(
+  EXPECT_TRUE(told.at(0).text.starts_with(
       "2 faces are turned against their neighbours, the first: face 2 at (0, -1, 0)"))
       << told[0].text;
   const MendedCage mended = mend_cage(cage, {.orient = true});
@@ -97,7 +101,7 @@ TEST(MendCage, TellsVerticesThatAreNotWelded) {
   const Cage cage = split(testing::cube());
   const Notices told = mend_cage(cage).notices;
   EXPECT_EQ(only_kind(told), NoticeKind::OpenSeams);
-  EXPECT_TRUE(told[0].text.starts_with("24 open edges lie on others")) << told[0].text;
+  EXPECT_TRUE(told.at(0).text.starts_with("24 open edges lie on others")) << told[0].text;
   EXPECT_NE(told[0].text.find("--weld joins them"), std::string::npos) << told[0].text;
   const MendedCage mended = mend_cage(cage, {.weld = 1e-9});
   EXPECT_EQ(only_kind(mended.notices), NoticeKind::IgnoredInput);
@@ -195,11 +199,144 @@ TEST(MendCage, TellsAClosedSurfaceThatIsGivenTwice) {
   }
   const Notices told = mend_cage(cage).notices;
   EXPECT_EQ(only_kind(told), NoticeKind::RepeatedFaces);
-  EXPECT_TRUE(told[0].text.starts_with("6 faces lie on others")) << told[0].text;
+  EXPECT_TRUE(told.at(0).text.starts_with("6 faces lie on others")) << told.at(0).text;
   EXPECT_EQ(mend_cage(cage, {.weld = 1e-6}).cage.faces, testing::cube().faces);
   // Two cubes that touch in a face are something else.
   for (std::size_t i = 8; i < 16; ++i) cage.points[i].x() += 2;
   EXPECT_TRUE(mend_cage(cage).notices.empty());
+}
+
+/// The faces once more, all turned.
+Cage with_turned_copies(Cage cage) {
+  for (std::size_t f = 0, count = cage.faces.size(); f < count; ++f) {
+    cage.faces.emplace_back(cage.faces[f].rbegin(), cage.faces[f].rend());
+  }
+  return cage;
+}
+
+TEST(MendCage, LeavesOutASurfaceThatIsGivenAgainTurned) {
+  for (const Cage& cage :
+       {testing::cube(), testing::torus(), testing::sheet(3, 3), testing::tetrahedron()}) {
+    const MendedCage mended = mend_cage(with_turned_copies(cage));
+    EXPECT_EQ(mended.cage.faces, cage.faces);
+    EXPECT_EQ(only_kind(mended.notices), NoticeKind::RepeatedFaces);
+  }
+}
+
+TEST(MendCage, TellsAClosedSurfaceThatIsGivenTwiceTurned) {
+  Cage cage = testing::cube();
+  cage.points.insert(cage.points.end(), cage.points.begin(), cage.points.end());
+  for (const std::vector<int>& face : testing::cube().faces) {
+    std::vector<int>& other = cage.faces.emplace_back(face.rbegin(), face.rend());
+    for (int& vertex : other) vertex += 8;
+  }
+  const Notices told = mend_cage(cage).notices;
+  EXPECT_EQ(only_kind(told), NoticeKind::RepeatedFaces);
+  EXPECT_TRUE(told.at(0).text.starts_with("6 faces lie on others")) << told.at(0).text;
+  EXPECT_EQ(mend_cage(cage, {.weld = 1e-6}).cage.faces, testing::cube().faces);
+}
+
+/// 3 × 3 faces around the middle one have all of its edges.
+TEST(MendCage, LeavesOutAPartOfASurfaceThatIsGivenAgainTurned) {
+  const Cage whole = testing::sheet(5, 5);
+  Cage cage = whole;
+  for (const int row : {1, 2, 3}) {
+    for (const int column : {1, 2, 3}) {
+      const std::vector<int>& face = whole.faces[static_cast<std::size_t>(5 * row + column)];
+      cage.faces.emplace_back(face.rbegin(), face.rend());
+    }
+  }
+  const MendedCage mended = mend_cage(cage);
+  EXPECT_EQ(mended.cage.faces, whole.faces);
+  EXPECT_EQ(only_kind(mended.notices), NoticeKind::RepeatedFaces);
+}
+
+/// Two bodies of 3 × 3 columns, each with the nine faces between them.
+TEST(MendCage, KeepsTheDoubleWallBetweenTwoBodies) {
+  const Cage sheet = testing::sheet(3, 3);
+  Cage cage = with_turned_copies(sheet);
+  const std::vector<int> ring = {0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4};
+  for (const double height : {3.0, -3.0}) {
+    const int first = static_cast<int>(cage.points.size());
+    for (const Vec3& point : sheet.points) cage.points.push_back(point + Vec3(0, 0, height));
+    for (const std::vector<int>& face : sheet.faces) {
+      std::vector<int>& lid = cage.faces.emplace_back(face);
+      for (int& vertex : lid) vertex += first;
+      if (height < 0) std::reverse(lid.begin(), lid.end());
+    }
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const int a = ring[i], b = ring[(i + 1) % ring.size()];
+      cage.faces.push_back({a, b, b + first, a + first});
+      if (height < 0) std::reverse(cage.faces.back().begin(), cage.faces.back().end());
+    }
+  }
+  const MendedCage mended = mend_cage(cage);
+  EXPECT_EQ(mended.cage.faces, cage.faces);
+  EXPECT_TRUE(mended.notices.empty());
+}
+
+TEST(MendCage, KeepsOneFaceOfCopiesInBothDirections) {
+  Cage cage = turned(testing::cube(), {1});
+  cage.faces.push_back(cage.faces[1]);
+  cage.faces.push_back(testing::cube().faces[1]);
+  cage.faces.push_back(testing::cube().faces[1]);
+  const MendedCage mended = mend_cage(cage);
+  EXPECT_EQ(mended.stand_ins, (std::vector<int>{0, 7, 2, 3, 4, 5, 7, 7, 7}));
+}
+
+/// A face of the cube is given again, as it is or turned, and one of the two is a hole.
+class RepeatedHole : public ::testing::TestWithParam<std::tuple<bool, int>> {};
+
+TEST_P(RepeatedHole, NeverReplacesASurface) {
+  const auto [is_turned, hole] = GetParam();
+  const std::vector<int> face = testing::cube().faces[0];
+  Cage cage =
+      with_face(testing::cube(), is_turned ? std::vector(face.rbegin(), face.rend()) : face);
+  cage.holes = {hole};
+  const MendedCage mended = mend_cage(cage);
+  EXPECT_EQ(mended.stand_ins[0], 6 - hole);
+  EXPECT_EQ(mended.stand_ins[6], 6 - hole);
+  EXPECT_TRUE(mended.cage.holes.empty());
+  // The surface is kept even if it is turned.
+  ASSERT_EQ(mended.notices.size(), is_turned && hole == 0 ? 2U : 1U);
+  EXPECT_EQ(mended.notices.at(0).kind, NoticeKind::RepeatedFaces);
+  EXPECT_NE(mended.notices.at(0).text.find(
+                fmt::format("; 1 is a hole where the surface is kept, the first: face {}", hole)),
+            std::string::npos)
+      << mended.notices[0].text;
+  EXPECT_EQ(model_from_cage(cage, {.patches = PatchKind::Faces}).patches.size(), 6U);
+}
+
+INSTANTIATE_TEST_SUITE_P(InAnyOrderAndDirection, RepeatedHole,
+                         ::testing::Combine(::testing::Bool(), ::testing::Values(0, 6)));
+
+TEST(MendCage, MergesHolesWithHoles) {
+  Cage cage = with_face(testing::cube(), testing::cube().faces[0]);
+  cage.holes = {0, 6};
+  const MendedCage mended = mend_cage(cage);
+  EXPECT_EQ(mended.cage.faces, testing::cube().faces);
+  EXPECT_EQ(mended.cage.holes, std::vector<int>{0});
+  EXPECT_EQ(mended.notices.at(0).text.find("hole"), std::string::npos);
+}
+
+TEST(MendCage, CountsNoVertexThatNoFaceUses) {
+  Cage cage = split(testing::cube());
+  cage.points.emplace_back(1e7, 0, 0);
+  EXPECT_DOUBLE_EQ(diagonal(cage), std::sqrt(12.0));
+  const Notices told = mend_cage(cage).notices;
+  EXPECT_EQ(only_kind(told), NoticeKind::OpenSeams);
+  EXPECT_EQ(told.at(0).text, mend_cage(split(testing::cube())).notices.at(0).text);
+  const Model model = model_from_cage(cage, {.weld = Length::share(ranges::kWeld.on)});
+  EXPECT_DOUBLE_EQ(model.diagonal, std::sqrt(12.0));
+  EXPECT_EQ(model.box.max(), Vec3(1, 1, 1));
+  EXPECT_EQ(edges_of_other_than_two_faces(model), 0U);
+}
+
+TEST(MendCage, WeldsOntoNoVertexThatNoFaceUses) {
+  Cage cage;
+  cage.points = {{0, 0, 1e-3}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  cage.faces = {{1, 2, 3}};
+  EXPECT_EQ(mend_cage(cage, {.weld = 0.01}).cage.faces, cage.faces);
 }
 
 TEST(MendCage, TellsFacesWithSidesWithoutLength) {
@@ -216,17 +353,30 @@ TEST(MendCage, WeldsTags) {
   cage.creases = {{{20, 21}, 2.0}};
   cage.corners = {{23, 3.0}};
   const MendedCage mended = mend_cage(cage, {.weld = 1e-6});
-  for (const std::vector<int>& face : mended.cage.faces) {
-    for (const int vertex : face) EXPECT_LT(vertex, 20);
-  }
-  EXPECT_LT(mended.cage.creases.at(0).edge[1], 20);
-  EXPECT_LT(mended.cage.corners.at(0).vertex, 20);
+  // The corners of the first two faces are the first ones in their places.
+  EXPECT_EQ(
+      mended.cage.faces,
+      (std::vector<std::vector<int>>{
+          {0, 1, 2, 3}, {4, 5, 6, 7}, {0, 3, 5, 4}, {1, 7, 6, 2}, {0, 4, 7, 1}, {3, 2, 6, 5}}));
+  EXPECT_EQ(mended.cage.creases.at(0).edge, (std::array{3, 2}));
+  EXPECT_EQ(mended.cage.corners.at(0).vertex, 5);
 }
 
 TEST(MendCage, ChecksItsInput) {
-  EXPECT_NE(error_of([] { mend_cage(with_face(testing::cube(), {0, 1, 99})); }), "no error");
-  EXPECT_NE(error_of([] { model_from_cage(testing::cube(), {.weld = Length::units(-1)}); }),
-            "no error");
+  EXPECT_EQ(error_of([] {
+              mend_cage(with_face(testing::cube(), {0, 1, 99}));
+            }),
+            "invalid input: face 6 names vertex 99, but there are only 8 points");
+  EXPECT_EQ(error_of([] { model_from_cage(testing::cube(), {.weld = Length::units(-1)}); }),
+            error_of([] { mend_cage(testing::cube(), {.weld = -1}); }));
+  const auto error_for = [](double weld) {
+    return error_of([weld] { mend_cage(testing::cube(), {.weld = weld}); });
+  };
+  EXPECT_TRUE(error_for(-1).starts_with("invalid option: weld = -1")) << error_for(-1);
+  EXPECT_TRUE(error_for(NAN).starts_with("invalid option: weld = nan")) << error_for(NAN);
+  EXPECT_TRUE(error_for(INFINITY).starts_with("invalid option: weld = inf")) << error_for(INFINITY);
+  EXPECT_EQ(error_for(10),
+            "invalid option: weld = 10 leaves no face of the cage (its diagonal is 3.46)");
 }
 
 TEST(CoincidentPoints, AreWithinTheTolerance) {

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "surfmesh/core/error.hh"
@@ -48,9 +47,30 @@ bool is_simple(const std::vector<int>& face) {
   return sorted.size() >= 3 && std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
 }
 
-double diagonal(const Cage& cage) {
+std::vector<int> used_vertices(const Cage& cage) {
+  std::vector<char> is_used(cage.points.size(), 0);
+  for (const std::vector<int>& face : cage.faces) {
+    for (const int v : face) {
+      if (v >= 0 && static_cast<std::size_t>(v) < is_used.size()) {
+        is_used[static_cast<std::size_t>(v)] = 1;
+      }
+    }
+  }
+  std::vector<int> vertices;
+  for (std::size_t v = 0; v < is_used.size(); ++v) {
+    if (is_used[v]) vertices.push_back(static_cast<int>(v));
+  }
+  return vertices;
+}
+
+Eigen::AlignedBox3d bounding_box(const Cage& cage) {
   Eigen::AlignedBox3d box;
-  for (const Vec3& point : cage.points) box.extend(point);
+  for (const int v : used_vertices(cage)) box.extend(cage.points[static_cast<std::size_t>(v)]);
+  return box;
+}
+
+double diagonal(const Cage& cage) {
+  const Eigen::AlignedBox3d box = bounding_box(cage);
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 

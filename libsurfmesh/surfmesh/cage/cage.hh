@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <string>
 #include <vector>
@@ -46,7 +47,15 @@ struct Cage {
   Notices notices;  ///< from reading, with file and line
 };
 
-/// Diagonal of the bounding box of the cage's points, in model units.
+/// The vertices that faces use, in increasing order; not those that do not exist.
+///
+/// Cost     O(face corners)
+std::vector<int> used_vertices(const Cage& cage);
+
+/// Bounding box of the vertices that faces use: a stray point does not make a cage larger.
+Eigen::AlignedBox3d bounding_box(const Cage& cage);
+
+/// Diagonal of the bounding box, in model units; 0 if no face has a vertex.
 double diagonal(const Cage& cage);
 
 /// The scheme that Auto stands for; any other scheme is returned unchanged.

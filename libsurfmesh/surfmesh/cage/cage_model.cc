@@ -381,14 +381,18 @@ void warn_of_faces(Model& model) {
 
 /// Throws   Geometry if the points of the cage, and so its surface, lie on a line
 void check_area(const Model& model, const Cage& cage) {
-  const Vec3& origin = cage.points.front();
+  const std::vector<int> used = used_vertices(cage);
+  const auto point_of = [&](int v) -> const Vec3& {
+    return cage.points[static_cast<std::size_t>(v)];
+  };
+  const Vec3& origin = point_of(used.front());
   Vec3 axis = Vec3::Zero();
-  for (const Vec3& point : cage.points) {
-    if ((point - origin).norm() > axis.norm()) axis = point - origin;
+  for (const int v : used) {
+    if ((point_of(v) - origin).norm() > axis.norm()) axis = point_of(v) - origin;
   }
   axis.normalize();
-  for (const Vec3& point : cage.points) {
-    if ((point - origin).cross(axis).norm() > kContourGap * model.diagonal) return;
+  for (const int v : used) {
+    if ((point_of(v) - origin).cross(axis).norm() > kContourGap * model.diagonal) return;
   }
   throw Error(ErrorCode::Geometry, "the points of the cage lie on a line: its surface has no area");
 }
@@ -420,7 +424,7 @@ Model model_from_cage(const Cage& cage, const CageOptions& options) {
                 "no face of the cage has a limit surface: all are holes or, by the boundary rule "
                 "none, at the boundary");
   }
-  for (const Vec3& point : cage.points) model.box.extend(point);
+  model.box = bounding_box(cage);
   model.diagonal = diagonal(cage);
   if (model.diagonal > 0 && std::isfinite(model.diagonal)) check_area(model, cage);
   if (cage.is_chaikin) warn_of_gaps(model);

@@ -5,15 +5,16 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "surfmesh/cage/cage_copies.hh"
-#include "surfmesh/cage/coincident_points.hh"
 #include "surfmesh/cage/open_seams.hh"
 #include "surfmesh/cage/take_faces.hh"
 #include "surfmesh/cage/turned_faces.hh"
 #include "surfmesh/cage/weld_cage.hh"
+#include "surfmesh/core/error.hh"
 
 namespace surfmesh {
 namespace {
@@ -72,10 +73,15 @@ class Mender {
   }
 
   void weld_vertices() {
-    const auto stand_ins = coincident_points(result_.cage.points, options_.weld);
+    const auto stand_ins = coincident_vertices(result_.cage, options_.weld);
     const WeldReport report = weld(result_.cage, stand_ins);
     for (const int f : report.collapsed) result_.stand_ins[static_cast<std::size_t>(f)] = -1;
     if (report.vertices.empty()) return;
+    if (report.collapsed.size() == faces().size()) {
+      throw Error(ErrorCode::InvalidOption,
+                  fmt::format("{} = {} leaves no face of the cage (its diagonal is {:.3g})",
+                              ranges::kWeld.name, options_.weld, diagonal_));
+    }
     const Vec3& at = point(report.onto[0]);
     std::string text =
         fmt::format("welded {} onto others, the first: vertex {} onto vertex {} at {}",
@@ -89,7 +95,7 @@ class Mender {
   }
 
   void leave_out_copies() {
-    const std::vector<int> kept = find_copies(faces());
+    const std::vector<int> kept = find_copies(result_.cage);
     std::size_t count = 0;
     int first = -1;
     for (int f = 0; static_cast<std::size_t>(f) < kept.size(); ++f) {
@@ -100,12 +106,27 @@ class Mender {
     if (count == 0) return;
     const Vec3 at = middle_of(first);
     tell(NoticeKind::RepeatedFaces, at,
-         fmt::format("left out {} given again, the first: face {}, the same as face {} at {}",
+         fmt::format("left out {} given again, the first: face {}, the same as face {} at {}{}",
                      counted(count, "face", "faces"), first, kept[static_cast<std::size_t>(first)],
-                     point_text(at)));
+                     point_text(at), text_of_lost_holes(kept)));
     for (std::size_t f = 0; f < kept.size(); ++f) {
       if (kept[f] != static_cast<int>(f)) faces()[f].clear();
     }
+  }
+
+  /// What is said of holes in whose place surfaces are kept.
+  std::string text_of_lost_holes(const std::vector<int>& kept) const {
+    const std::set<int> holes(result_.cage.holes.begin(), result_.cage.holes.end());
+    std::size_t count = 0;
+    int first = -1;
+    for (const int hole : holes) {
+      if (hole < 0 || static_cast<std::size_t>(hole) >= kept.size()) continue;
+      if (holes.contains(kept[static_cast<std::size_t>(hole)])) continue;
+      if (count++ == 0) first = hole;
+    }
+    if (count == 0) return {};
+    return fmt::format("; {} where the surface is kept, the first: face {}",
+                       counted(count, "is a hole", "are holes"), first);
   }
 
   /// Returns  true if there are some
@@ -127,10 +148,10 @@ class Mender {
 
   /// Faces that would be copies if vertices were welded: of closed surfaces that are given twice.
   void tell_doubled_faces() {
-    const auto stand_ins = coincident_points(result_.cage.points, ranges::kWeld.on * diagonal_);
+    const auto stand_ins = coincident_vertices(result_.cage, ranges::kWeld.on * diagonal_);
     Cage welded = result_.cage;
     if (weld(welded, stand_ins).vertices.empty()) return;
-    const std::vector<int> kept = find_copies(welded.faces);
+    const std::vector<int> kept = find_copies(welded);
     std::size_t count = 0;
     int first = -1;
     for (int f = 0; static_cast<std::size_t>(f) < kept.size(); ++f) {
@@ -201,6 +222,7 @@ class Mender {
 
 MendedCage mend_cage(const Cage& cage, const MendOptions& options) {
   check_ranges(cage);
+  if (options.weld != 0) check_option(ranges::kWeld, Length::units(options.weld));
   return Mender(cage, options).run();
 }
 

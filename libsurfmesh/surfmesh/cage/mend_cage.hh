@@ -40,7 +40,8 @@ struct MendedCage {
 /// and faces with sides without length. Of each kind there is one notice, with the number and the
 /// first place. Points keep their numbers; a welded vertex is where the first one was.
 ///
-/// Throws   InvalidInput as check_ranges
+/// Throws   InvalidInput as check_ranges; InvalidOption for a tolerance that is negative or not
+///          finite, or that leaves no face of the cage
 /// Cost     O(n log n) for n face corners, about 1 µs a face
 MendedCage mend_cage(const Cage& cage, const MendOptions& options = {});
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "surfmesh/cage/cage_sides.hh"
-#include "surfmesh/cage/coincident_points.hh"
+#include "surfmesh/cage/weld_cage.hh"
 
 namespace surfmesh {
 namespace {
@@ -40,7 +40,7 @@ class SeamFinder {
     if (shortest == std::numeric_limits<double>::infinity()) return {};
     const double near =
         std::max(least, std::min(kNearShare * diagonal(cage_), kEdgeShare * shortest));
-    const std::vector<int> stand_ins = coincident_points(cage_.points, near);
+    const std::vector<int> stand_ins = coincident_vertices(cage_, near);
     for (PlacedEdge& edge : edges_) place(edge, stand_ins);
     std::stable_sort(edges_.begin(), edges_.end(), [](const PlacedEdge& a, const PlacedEdge& b) {
       return a.stand_ins < b.stand_ins;

@@ -2,7 +2,10 @@
 #include "surfmesh/cage/weld_cage.hh"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
+
+#include "surfmesh/cage/coincident_points.hh"
 
 namespace surfmesh {
 namespace {
@@ -22,6 +25,20 @@ void weld_tags(Cage& cage, const std::vector<int>& stand_ins) {
 }
 
 }  // namespace
+
+std::vector<int> coincident_vertices(const Cage& cage, double tolerance) {
+  const std::vector<int> used = used_vertices(cage);
+  std::vector<Vec3> points;
+  points.reserve(used.size());
+  for (const int v : used) points.push_back(cage.points[static_cast<std::size_t>(v)]);
+  const std::vector<int> found = coincident_points(points, tolerance);
+  std::vector<int> stand_ins(cage.points.size());
+  std::iota(stand_ins.begin(), stand_ins.end(), 0);
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    stand_ins[static_cast<std::size_t>(used[i])] = used[static_cast<std::size_t>(found[i])];
+  }
+  return stand_ins;
+}
 
 WeldReport weld(Cage& cage, const std::vector<int>& stand_ins) {
   WeldReport report;

@@ -14,7 +14,10 @@ struct WeldReport {
   std::vector<int> collapsed;  ///< faces that are no more than an edge or a point now
 };
 
-/// Replace vertices of faces and tags by those that stand for them (see coincident_points). Sides
+/// As coincident_points, of the vertices that faces use; others stand for themselves.
+std::vector<int> coincident_vertices(const Cage& cage, double tolerance);
+
+/// Replace vertices of faces and tags by those that stand for them (see coincident_vertices). Sides
 /// that become points are removed from their faces; collapsed faces become empty. Points keep their
 /// numbers.
 /// Cost     O(face corners)

@@ -71,7 +71,7 @@ struct Model {
   std::vector<Contour> contours;
   std::vector<Patch> patches;
   std::vector<Group> groups;
-  Eigen::AlignedBox3d box;  ///< of the cage's points, or of samples of the patches
+  Eigen::AlignedBox3d box;  ///< of the cage's used points, or of samples of the patches
   double diagonal = 0;      ///< of the box
   Notices notices;          ///< from its construction
 
