@@ -362,6 +362,26 @@ TEST(MendCage, WeldsTags) {
   EXPECT_EQ(mended.cage.corners.at(0).vertex, 5);
 }
 
+TEST(MendCage, LeavesFacesTheirNumbersInMessages) {
+  Cage cage = testing::cube();
+  cage.faces.insert(cage.faces.begin(), cage.faces[0]);
+  cage.faces[6] = {1, 3, 3, 7, 5};
+  cage.faces.push_back({0, 1, 0});
+  const Notices notices = model_from_cage(cage).notices;
+  ASSERT_EQ(notices.size(), 3U);
+  EXPECT_TRUE(notices[1].text.starts_with("face 7 comes back to a vertex")) << notices[1].text;
+  EXPECT_TRUE(notices[2].text.starts_with("face 6 has the same vertex twice in a row"))
+      << notices[2].text;
+  const auto loop = [&] { model_from_cage(cage, {.scheme = Scheme::Loop}); };
+  EXPECT_EQ(error_of(loop),
+            "invalid input: face 0 has 4 vertices: the Loop scheme knows triangles only");
+  cage = testing::octahedron();
+  cage.faces.insert(cage.faces.begin(), cage.faces[0]);
+  cage.faces.push_back({0, 2, 1, 3});
+  EXPECT_EQ(error_of(loop),
+            "invalid input: face 9 has 4 vertices: the Loop scheme knows triangles only");
+}
+
 TEST(MendCage, ChecksItsInput) {
   EXPECT_EQ(error_of([] {
               mend_cage(with_face(testing::cube(), {0, 1, 99}));

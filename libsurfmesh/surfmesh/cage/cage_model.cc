@@ -412,10 +412,7 @@ MendOptions mend_options(const Cage& cage, const CageOptions& options) {
 Model model_from_cage(const Cage& cage, const CageOptions& options) {
   MendedCage mended = mend_cage(cage, mend_options(cage, options));
   const Scheme scheme = resolve_scheme(mended.cage, options.scheme);
-  RefinedCage regular = make_regular(mended.cage, scheme);
-  for (int& parent : regular.parent_faces) {
-    parent = mended.parent_faces[static_cast<std::size_t>(parent)];
-  }
+  const RefinedCage regular = make_regular(mended.cage, scheme, mended.parent_faces);
   Model model = model_of_blocks(regular, scheme, options);
   model.notices.insert(model.notices.begin(), std::make_move_iterator(mended.notices.begin()),
                        std::make_move_iterator(mended.notices.end()));

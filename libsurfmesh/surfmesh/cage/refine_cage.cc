@@ -5,6 +5,7 @@
 #include <opensubdiv/far/primvarRefiner.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "surfmesh/cage/primvar.hh"
@@ -66,7 +67,7 @@ void copy_groups(const Cage& coarse, RefinedCage& refined) {
 }
 
 /// Leave out the faces that are not simple, and with them their tags and places in groups.
-RefinedCage leave_out_faces(const Cage& cage) {
+RefinedCage leave_out_faces(const Cage& cage, const std::vector<int>& numbers) {
   RefinedCage result;
   std::vector<int> stand_ins;
   for (int f = 0; static_cast<std::size_t>(f) < cage.faces.size(); ++f) {
@@ -76,9 +77,11 @@ RefinedCage leave_out_faces(const Cage& cage) {
         NoticeKind::IgnoredInput,
         fmt::format("face {} comes back to a vertex, or has fewer than three different ones; it "
                     "is left out",
-                    f)));
+                    numbers[static_cast<std::size_t>(f)])));
   }
-  result.parent_faces = taken_faces(stand_ins);
+  for (const int f : taken_faces(stand_ins)) {
+    result.parent_faces.push_back(numbers[static_cast<std::size_t>(f)]);
+  }
   result.cage = take_faces(cage, stand_ins);
   return result;
 }
@@ -124,15 +127,29 @@ RefinedCage refine_once(const Cage& cage, Scheme scheme) {
 }
 
 RefinedCage make_regular(const Cage& cage, Scheme scheme) {
+  std::vector<int> numbers(cage.faces.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return make_regular(cage, scheme, numbers);
+}
+
+RefinedCage make_regular(const Cage& cage, Scheme scheme, const std::vector<int>& numbers) {
   check_ranges(cage);
   scheme = resolve_scheme(cage, scheme);
-  RefinedCage simple = leave_out_faces(cage);
+  RefinedCage simple = leave_out_faces(cage, numbers);
+  if (simple.cage.faces.empty()) {
+    throw Error(ErrorCode::InvalidInput,
+                "each face of the cage comes back to a vertex, or has fewer than three different "
+                "ones");
+  }
   if (scheme != Scheme::Loop && std::all_of(simple.cage.faces.begin(), simple.cage.faces.end(),
                                             [](const auto& face) { return face.size() == 4; })) {
     return simple;
   }
   leave_out_sides(simple);
-  if (scheme == Scheme::Loop) return simple;
+  if (scheme == Scheme::Loop) {
+    check_triangles(simple.cage, simple.parent_faces);
+    return simple;
+  }
   RefinedCage refined = refine_once(simple.cage, scheme);
   for (int& parent : refined.parent_faces) {
     parent = simple.parent_faces[static_cast<std::size_t>(parent)];

@@ -38,4 +38,8 @@ RefinedCage refine_once(const Cage& cage, Scheme scheme);
 /// Throws   InvalidInput if the cage cannot be subdivided by the scheme
 RefinedCage make_regular(const Cage& cage, Scheme scheme);
 
+/// The same for a cage from which faces were left out. `numbers` has for each face the number that
+/// it has in messages and in `parent_faces`: that of the original cage.
+RefinedCage make_regular(const Cage& cage, Scheme scheme, const std::vector<int>& numbers);
+
 }  // namespace surfmesh

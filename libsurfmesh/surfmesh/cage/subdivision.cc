@@ -147,17 +147,20 @@ OpenSubdiv::Sdc::Options sdc_options(const Cage& cage) {
 
 }  // namespace
 
+void check_triangles(const Cage& cage, const std::vector<int>& numbers) {
+  const auto face = std::find_if(cage.faces.begin(), cage.faces.end(),
+                                 [](const auto& f) { return f.size() != 3; });
+  if (face == cage.faces.end()) return;
+  const auto index = static_cast<std::size_t>(face - cage.faces.begin());
+  throw Error(
+      ErrorCode::InvalidInput,
+      fmt::format("face {} has {} vertices: the Loop scheme knows triangles only",
+                  numbers.empty() ? static_cast<int>(index) : numbers[index], face->size()));
+}
+
 CageTopology make_topology(const Cage& cage, Scheme scheme) {
   check(cage);
-  if (scheme == Scheme::Loop) {
-    const auto face = std::find_if(cage.faces.begin(), cage.faces.end(),
-                                   [](const auto& f) { return f.size() != 3; });
-    if (face != cage.faces.end()) {
-      throw Error(ErrorCode::InvalidInput,
-                  fmt::format("face {} has {} vertices: the Loop scheme knows triangles only",
-                              face - cage.faces.begin(), face->size()));
-    }
-  }
+  if (scheme == Scheme::Loop) check_triangles(cage);
   using Factory = OpenSubdiv::Far::TopologyRefinerFactory<TaggedCage>;
   CageTopology topology;
   topology.refiner.reset(Factory::Create(TaggedCage{cage, topology.notices},

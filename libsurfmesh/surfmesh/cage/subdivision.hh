@@ -21,6 +21,12 @@ struct CageTopology {
   Notices notices;  ///< tags that make no sense and were ignored
 };
 
+/// Check that all faces are triangles, as Loop's scheme needs them. `numbers` are those that faces
+/// have in messages, for cages from which some were left out; empty for their own.
+///
+/// Throws   InvalidInput, naming the first face that is none
+void check_triangles(const Cage& cage, const std::vector<int>& numbers = {});
+
 /// Give a cage with its tags to OpenSubdiv.
 ///
 /// Everything that OpenSubdiv would refuse, or warn of, is looked for here first, because it
