@@ -123,6 +123,48 @@ TEST(MendCage, AdvisesAToleranceThatIsEnough) {
   EXPECT_EQ(only_kind(mended.notices), NoticeKind::IgnoredInput);
 }
 
+/// A body with sides of 2e-5, and a seam of two faces that are 5e-5 apart.
+Cage seam_beside_short_sides() {
+  Cage cage;
+  for (const double z : {0.0, 1.0}) {
+    for (const auto& [x, y] :
+         {std::array{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {2e-5, 1.0}, {0.0, 1.0}})
+      cage.points.emplace_back(x, y, z);
+  }
+  cage.faces = {{4, 3, 2, 1, 0}, {5, 6, 7, 8, 9}};
+  for (int i = 0; i < 5; ++i) cage.faces.push_back({i, (i + 1) % 5, (i + 1) % 5 + 5, i + 5});
+  for (const double y : {0.0, 1.00005}) {
+    const int first = static_cast<int>(cage.points.size());
+    for (const auto& [dx, dy] : {std::array{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}})
+      cage.points.emplace_back(3 + dx, y + dy, 0);
+    cage.faces.push_back({first, first + 1, first + 2, first + 3});
+  }
+  return cage;
+}
+
+TEST(MendCage, AdvisesNoToleranceThatDoesHarm) {
+  const Notices told = mend_cage(seam_beside_short_sides()).notices;
+  EXPECT_EQ(only_kind(told), NoticeKind::OpenSeams);
+  EXPECT_TRUE(told.at(0).text.ends_with(
+      "by up to 5e-05; a --weld that joins them joins ends of sides, too"))
+      << told[0].text;
+}
+
+TEST(MendCage, AdvisesToWeldFlatFacesOnlyWithoutHarm) {
+  Cage cage = testing::cube();
+  for (Vec3& point : cage.points) point.z() *= 1e-16;
+  EXPECT_TRUE(mend_cage(cage).notices.at(0).text.ends_with("; --weld removes these sides"));
+  // A closed surface with a side that is shorter than the tolerance, but has a length.
+  cage.points.insert(cage.points.end(), {{3, 0, 0}, {3 + 1e-7, 0, 0}, {3, 1, 0}, {3, 0, 1}});
+  for (std::vector<int> face : testing::tetrahedron().faces) {
+    for (int& vertex : face) vertex += 8;
+    cage.faces.push_back(face);
+  }
+  const Notices told = mend_cage(cage).notices;
+  EXPECT_EQ(only_kind(told), NoticeKind::FlatFaces);
+  EXPECT_EQ(told.at(0).text.find("--weld"), std::string::npos) << told[0].text;
+}
+
 TEST(MendCage, SeesNoSeamInAGap) {
   // Its sides are a hundredth of an edge apart.
   Cage cage = testing::sheet(2, 2);
@@ -404,6 +446,12 @@ TEST(CoincidentPoints, AreWithinTheTolerance) {
   EXPECT_EQ(coincident_points(row, 1), (std::vector<int>{0, 0, 2, 2, 4}));
   EXPECT_EQ(coincident_points(row, 0.1), (std::vector<int>{0, 1, 2, 3, 4}));
   EXPECT_EQ(coincident_points({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, 0), (std::vector<int>{0, 0, 0}));
+}
+
+TEST(CoincidentPoints, AreFoundAtAnyDistanceBesideFarPoints) {
+  const std::vector<Vec3> points = {{1e15, 0, 0}, {0, 0, 0}, {1e-9, 0, 0}, {0, 1e-6, 0}, {0, 1, 0}};
+  EXPECT_EQ(coincident_points(points, 1e-8), (std::vector<int>{0, 1, 1, 3, 4}));
+  EXPECT_EQ(coincident_points(points, 1e-300), (std::vector<int>{0, 1, 2, 3, 4}));
 }
 
 TEST(TurnedFaces, AreTheFewerOnes) {

@@ -11,9 +11,9 @@
 namespace surfmesh {
 namespace {
 
-/// Least width of a cell as a share of the diagonal: its numbers fit into 21 bits for each axis,
-/// and few cells hold more than a few points.
-constexpr double kLeastCell = 1e-6;
+/// Least width of a cell as a share of the diagonal, for tolerances of almost nothing: numbers of
+/// cells are then exact as doubles, and points in the same cell differ by rounding only.
+constexpr double kLeastCell = 1e-15;
 
 /// A cell is so many tolerances wide: most points then look into one cell only.
 constexpr double kCellWidth = 8;
@@ -57,13 +57,19 @@ class PointGrid {
     return cell;
   }
 
-  /// Cells beyond the box share the keys of others, where distances tell that no point fits.
+  /// Of all bits of the numbers. Cells that share a key do no harm, for distances are compared.
   static std::uint64_t key(const Cell& cell) {
-    constexpr std::uint64_t kMask = (1U << 21) - 1;
-    const auto part = [&](int axis) {
-      return static_cast<std::uint64_t>(cell[static_cast<std::size_t>(axis)]) & kMask;
-    };
-    return part(0) << 42 | part(1) << 21 | part(2);
+    std::uint64_t key = 0;
+    for (const std::int64_t number : cell) key = mix(key ^ static_cast<std::uint64_t>(number));
+    return key;
+  }
+
+  /// Source   Steele, Lea, Flood: Fast splittable pseudorandom number generators, OOPSLA 2014
+  static std::uint64_t mix(std::uint64_t bits) {
+    bits += 0x9e3779b97f4a7c15;
+    bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9;
+    bits = (bits ^ (bits >> 27)) * 0x94d049bb133111eb;
+    return bits ^ (bits >> 31);
   }
 
   /// Of points at the same distance the first one counts, whatever the order in the table.

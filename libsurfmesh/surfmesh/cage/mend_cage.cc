@@ -45,7 +45,7 @@ class Mender {
     leave_out_copies();
     if (!tell_open_seams()) tell_doubled_faces();
     tell_flat_faces();
-    look_at_turned_faces();
+    tell_or_turn_faces();
     result_.parent_faces = taken_faces(result_.stand_ins);
     if (result_.parent_faces.size() < faces().size()) {
       result_.cage = take_faces(result_.cage, result_.stand_ins);
@@ -134,16 +134,50 @@ class Mender {
     const double tolerance = ranges::kWeld.on * diagonal_;
     const OpenSeams seams = find_open_seams(result_.cage, tolerance);
     if (seams.edges == 0) return false;
-    const std::string flag = seams.gap <= tolerance
-                                 ? "--weld"
-                                 : fmt::format("--weld {:.2g}", kAdvisedTolerance * seams.gap);
     const Vec3 at = 0.5 * (point(seams.first[0]) + point(seams.first[1]));
     tell(NoticeKind::OpenSeams, at,
          fmt::format("{} on others, but with vertices of their own, the first: edge {}-{} at {}; "
-                     "the surface is open there, {} joins them",
+                     "the surface is open there, {}",
                      counted(seams.edges, "open edge lies", "open edges lie"), seams.first[0],
-                     seams.first[1], point_text(at), flag));
+                     seams.first[1], point_text(at), advice_for(seams.gap)));
     return true;
+  }
+
+  /// What joins seams of a gap; it is tried first.
+  std::string advice_for(double gap) const {
+    const double on = ranges::kWeld.on * diagonal_;
+    const std::string printed = fmt::format("{:.2g}", kAdvisedTolerance * gap);
+    const double tolerance = gap <= on ? on : std::stod(printed);
+    const std::vector<int> stand_ins = coincident_vertices(result_.cage, tolerance);
+    if (loses_sides(stand_ins)) {
+      return fmt::format("by up to {:.2g}; a --weld that joins them joins ends of sides, too", gap);
+    }
+    Cage welded = result_.cage;
+    weld(welded, stand_ins);
+    if (find_open_seams(welded, on).edges > 0) {
+      return fmt::format("by up to {:.2g}; --weld {} does not join them all", gap, printed);
+    }
+    return gap <= on ? "--weld joins them" : fmt::format("--weld {} joins them", printed);
+  }
+
+  /// True if welding makes points of sides that have a length.
+  bool loses_sides(const std::vector<int>& stand_ins) const {
+    const auto is_lost = [&](int a, int b) {
+      return stand_ins[static_cast<std::size_t>(a)] == stand_ins[static_cast<std::size_t>(b)] &&
+             (point(a) - point(b)).norm() > kNoLength * diagonal_;
+    };
+    return std::any_of(result_.cage.faces.begin(), result_.cage.faces.end(),
+                       [&](const std::vector<int>& face) {
+                         for (std::size_t i = 0; i < face.size(); ++i) {
+                           if (is_lost(face[i], face[(i + 1) % face.size()])) return true;
+                         }
+                         return false;
+                       });
+  }
+
+  /// The end of a sentence about what --weld by itself does, empty if it would do harm.
+  std::string advice_to_weld(const std::vector<int>& stand_ins, const char* what) const {
+    return loses_sides(stand_ins) ? std::string() : fmt::format("; --weld {}", what);
   }
 
   /// Faces that would be copies if vertices were welded: of closed surfaces that are given twice.
@@ -161,9 +195,10 @@ class Mender {
     const Vec3 at = middle_of(first);
     tell(NoticeKind::RepeatedFaces, at,
          fmt::format("{} on others, but with vertices of their own, the first: face {} on face {} "
-                     "at {}; --weld leaves them out",
+                     "at {}{}",
                      counted(count, "face lies", "faces lie"), first,
-                     kept[static_cast<std::size_t>(first)], point_text(at)));
+                     kept[static_cast<std::size_t>(first)], point_text(at),
+                     advice_to_weld(stand_ins, "leaves them out")));
   }
 
   bool is_flat(const std::vector<int>& face) const {
@@ -180,16 +215,15 @@ class Mender {
     if (first == faces().end()) return;
     const int f = static_cast<int>(first - faces().begin());
     const Vec3 at = middle_of(f);
-    tell(
-        NoticeKind::FlatFaces, at,
-        fmt::format("{} sides between vertices in the same place, the first: face {} at {}; --weld "
-                    "removes these sides",
-                    counted(static_cast<std::size_t>(std::count_if(first, faces().end(), flat)),
-                            "face has", "faces have"),
-                    f, point_text(at)));
+    const auto stand_ins = coincident_vertices(result_.cage, ranges::kWeld.on * diagonal_);
+    const auto count = static_cast<std::size_t>(std::count_if(first, faces().end(), flat));
+    tell(NoticeKind::FlatFaces, at,
+         fmt::format("{} sides between vertices in the same place, the first: face {} at {}{}",
+                     counted(count, "face has", "faces have"), f, point_text(at),
+                     advice_to_weld(stand_ins, "removes these sides")));
   }
 
-  void look_at_turned_faces() {
+  void tell_or_turn_faces() {
     const std::vector<char> is_turned = turned_faces(faces());
     const auto first = std::find(is_turned.begin(), is_turned.end(), 1);
     if (first == is_turned.end()) return;
