@@ -146,6 +146,46 @@ TEST(EstimateSag, IsNearTheMeasureOnASphere) {
   EXPECT_NEAR(estimate_sag(mesh, model).front(), exact, 0.03 * exact);
 }
 
+/// A net of squares over the hump, each two triangles.
+PolyMesh net_over_hump(const Model& model, int count) {
+  std::vector<Vec3> points;
+  std::vector<std::vector<int>> faces;
+  for (int j = 0; j <= count; ++j) {
+    for (int i = 0; i <= count; ++i) {
+      const Uv uv{double(i) / count, double(j) / count};
+      points.push_back(model.surface(0).evaluate(uv, Order::Position).point);
+      if (i == count || j == count) continue;
+      const int a = j * (count + 1) + i, b = a + 1, c = b + count + 1, d = a + count + 1;
+      faces.push_back({a, b, c});
+      faces.push_back({a, c, d});
+    }
+  }
+  return testing::mesh_of(points, faces);
+}
+
+TEST(Sag, IsMeasuredOfAllFacesAboveWhatIsAsked) {
+  const Model model = testing::model_of({make_callable_surface({0, 1, 0, 1}, [](auto u, auto v) {
+    return std::array{u, v, 2 * u * u * u * (1 - u) * v * (1 - v)};
+  })});
+  PolyMesh mesh = net_over_hump(model, 12);
+  const SurfaceSearch search(model);
+  project_mesh(mesh, {}, model, search);
+  const Sag exact = measure_sag(mesh, model, search, RunContext(), 0);
+  const double asked = 0.3 * exact.max;
+  const Sag sag = measure_sag(mesh, model, search, RunContext(), asked);
+  EXPECT_EQ(sag.max, exact.max);
+  EXPECT_EQ(measure_sag(mesh, model, search).max, exact.max);
+  std::size_t above = 0;
+  for (std::size_t f = 0; f < exact.of_faces.size(); ++f) {
+    EXPECT_EQ(sag.of_faces[f] > asked, exact.of_faces[f] > asked) << f;
+    if (exact.of_faces[f] <= asked) continue;
+    EXPECT_EQ(sag.of_faces[f], exact.of_faces[f]) << f;
+    ++above;
+  }
+  EXPECT_GT(above, exact.of_faces.size() / 10);
+  EXPECT_LT(above, exact.of_faces.size());
+}
+
 TEST(Sag, IsToldOfEachFace) {
   const PolyMesh mesh =
       testing::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});

@@ -25,6 +25,12 @@ TEST(FindNearPoint, FindsTheFootOnASphere) {
   }
 }
 
+TEST(FindNearPoint, EndsWhereItIsNearEnough) {
+  const NearPoint near = find_near_point(*testing::sphere(), {2, 0, 0}, {0.5, 0.3}, 1.05);
+  EXPECT_LE(near.distance, 1.05);
+  EXPECT_GT(near.distance, 1 + 1e-6);
+}
+
 TEST(FindNearPoint, GoesIntoPoles) {
   const NearPoint near = find_near_point(*testing::sphere(), {0, 0, 1.5}, {1, 1.1});
   EXPECT_NEAR(near.distance, 0.5, 1e-12);

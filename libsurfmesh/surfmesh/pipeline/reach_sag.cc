@@ -105,7 +105,7 @@ class SagLoop {
   /// Measure the mesh, and keep it if it is the best.
   void measure() {
     const StageClock clock(seconds_[Stage::Assemble]);
-    sag_ = measure_sag(now_.mesh, task_.model, search_, task_.context);
+    sag_ = measure_sag(now_.mesh, task_.model, search_, task_.context, asked());
     now_.report.sag = {asked(), sag_.max};
     if (!is_better()) return;
     best_ = now_;

@@ -19,6 +19,10 @@ namespace {
 /// Faces between two questions whether the run is cancelled: some milliseconds.
 constexpr std::size_t kFacesBetweenCancellation = 64;
 
+/// Faces that are measured together, before others that are then known to be below them are left
+/// out. Not by the number of threads, for that must not change a result.
+constexpr std::size_t kFacesAtOnce = 256;
+
 /// The greatest distance so far, and where it is.
 struct Greatest {
   double sag = 0;
@@ -50,20 +54,19 @@ std::vector<detail::SurfaceTriangle> triangles_of(const PolyMesh& mesh, FaceHand
 class SagMeter {
  public:
   SagMeter(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search,
-           const RunContext& context)
+           const RunContext& context, double asked)
       : mesh_(mesh),
         model_(model),
         search_(search),
         context_(context),
+        asked_(asked),
         patch_of_(require(mesh, keys::face_patch)) {}
 
   Sag run() {
     estimate_faces();
-    measure_where([](const Face& face) { return !std::isfinite(face.error); });
-    // What is below the greatest one so far can be estimated; its error shows in its own samples.
-    double least = 0;
-    for (const Face& face : faces_) least = std::max(least, face.sag - face.error);
-    measure_where([least](const Face& face) { return face.sag + face.error > least; });
+    for (const Face& face : faces_) greatest_ = std::max(greatest_, face.sag - face.error);
+    measure_estimated();
+    measure_unknown();
     Sag result;
     Greatest greatest;
     for (const Face& face : faces_) {
@@ -82,6 +85,8 @@ class SagMeter {
     double error = 0;  ///< of an estimate
     bool is_measured = false;
     Vec3 at = Vec3::Zero();  ///< where it is measured
+
+    double most() const { return sag + error; }
   };
 
   struct Triangle : detail::SurfaceTriangle {
@@ -132,36 +137,66 @@ class SagMeter {
         .stableNormalized();
   }
 
-  /// Measure the faces that are to be measured and have not been.
-  template <class IsToMeasure>
-  void measure_where(IsToMeasure is_to_measure) {
+  /// The sag below which that of a face does not matter.
+  double bar() const { return std::min(greatest_, asked_); }
+
+  /// Measure the faces that may be above the bar, which rises, the farthest first.
+  void measure_estimated() {
+    std::vector<std::size_t> order;
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      if (std::isfinite(faces_[f].error) && faces_[f].most() > bar()) order.push_back(f);
+    }
+    std::stable_sort(order.begin(), order.end(), [this](std::size_t f, std::size_t g) {
+      return faces_[f].most() > faces_[g].most();
+    });
+    for (std::size_t first = 0; first < order.size(); first += kFacesAtOnce) {
+      const std::size_t end = std::min(first + kFacesAtOnce, order.size());
+      if (faces_[order[first]].most() <= bar()) return;
+      measure({order.begin() + static_cast<std::ptrdiff_t>(first),
+               order.begin() + static_cast<std::ptrdiff_t>(end)});
+    }
+  }
+
+  /// Measure the faces that estimates tell nothing of.
+  void measure_unknown() {
     std::vector<std::size_t> chosen;
     for (std::size_t f = 0; f < faces_.size(); ++f) {
-      if (!faces_[f].is_measured && is_to_measure(faces_[f])) chosen.push_back(f);
+      if (!std::isfinite(faces_[f].error)) chosen.push_back(f);
     }
+    measure(chosen);
+  }
+
+  void measure(const std::vector<std::size_t>& chosen) {
     share_ranges(chosen.size(), [&](std::size_t first, std::size_t end) {
       for (std::size_t i = first; i < end; ++i) {
         if (i % kFacesBetweenCancellation == 0) context_.throw_if_cancelled();
-        const Greatest greatest = measure(FaceHandle(static_cast<int>(chosen[i])));
-        faces_[chosen[i]] = {greatest.sag, 0, true, greatest.at};
+        measure(FaceHandle(static_cast<int>(chosen[i])));
       }
     });
+    for (const std::size_t f : chosen) greatest_ = std::max(greatest_, faces_[f].sag);
   }
 
-  /// The sag of a face, and the sample at which it is.
-  Greatest measure(FaceHandle fh) const {
-    const int patch = mesh_.property(patch_of_, fh);
-    const Surface& surface = model_.surface(patch);
+  /// Measure a face, unless it is below what matters.
+  void measure(FaceHandle fh) {
+    const Surface& surface = model_.surface(mesh_.property(patch_of_, fh));
     Greatest greatest;
     for (const detail::SurfaceTriangle& triangle : triangles_of(mesh_, fh)) {
       const Greatest own_greatest = greatest_sample({triangle, fh, surface});
       greatest.take(own_greatest.sag, own_greatest.at);
     }
-    return greatest;
+    Face& face = faces_[index(fh)];
+    if (greatest.sag > 0) {
+      face = {greatest.sag, 0, true, greatest.at};
+    } else {
+      face.sag = std::min(face.sag, bar());
+    }
   }
 
+  /// The greatest distance at a sample, after a search around it; none if that cannot be above the
+  /// bar.
   Greatest greatest_sample(const Triangle& triangle) const {
-    detail::SagSample greatest;
+    const double least = detail::kSearchedShare * bar();
+    detail::SagSample greatest{{}, least};
     const auto distance = [&](const detail::Weights& w) {
       return distance_at(triangle, w, greatest.distance);
     };
@@ -169,8 +204,9 @@ class SagMeter {
       const double there = distance(w);
       if (there > greatest.distance) greatest = {w, there};
     }
-    const detail::SagSample found = detail::search_sag(greatest, distance);
     Greatest result;
+    if (greatest.distance <= least) return result;
+    const detail::SagSample found = detail::search_sag(greatest, distance);
     result.take(found.distance, point_at(triangle, found.weights));
     return result;
   }
@@ -220,7 +256,7 @@ class SagMeter {
 
   /// The distance of a point of the triangle from the surface.
   double from_surface(const Triangle& t, const Vec3& point, Uv uv, double known) const {
-    const NearPoint near = find_near_point(t.surface, point, uv);
+    const NearPoint near = find_near_point(t.surface, point, uv, known);
     if (!near.is_on_border || near.distance <= known) return near.distance;
     return std::min(near.distance, search_.nearest(point).distance);
   }
@@ -229,6 +265,8 @@ class SagMeter {
   const Model& model_;
   const SurfaceSearch& search_;
   const RunContext& context_;
+  double asked_;
+  double greatest_ = 0;  ///< that is known of
   decltype(keys::face_patch)::Handle patch_of_;
   std::vector<Face> faces_;
 };
@@ -236,8 +274,8 @@ class SagMeter {
 }  // namespace
 
 Sag measure_sag(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search,
-                const RunContext& context) {
-  return SagMeter(mesh, model, search, context).run();
+                const RunContext& context, double asked) {
+  return SagMeter(mesh, model, search, context, asked).run();
 }
 
 std::vector<double> estimate_sag(const PolyMesh& mesh, const Model& model,

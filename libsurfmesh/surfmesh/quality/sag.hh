@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "surfmesh/core/mesh.hh"
@@ -28,14 +29,15 @@ struct Sag {
 /// uneven.
 ///
 /// The nearest triangle is searched among those that share a vertex with the face. Faces that are
-/// surely below the greatest one are estimated at seven points.
+/// surely below the greatest one, and below `asked`, are estimated at seven points.
 /// Reads    surf:patch (face), surf:uv (halfedge)
 /// Error    a lower bound, by 3 % of the sag of a triangle over a sphere (test Sag.*); what lies
 ///          between a trimming curve and its chord is not sampled
 /// Cost     7 surface evaluations per triangle, about 60 for those that may be the greatest one
 /// Throws   MissingProperty; Cancelled
 Sag measure_sag(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search,
-                const RunContext& context = RunContext());
+                const RunContext& context = RunContext(),
+                double asked = std::numeric_limits<double>::infinity());
 
 /// About how far each face is from its surface, by the index of the face: the distance of the
 /// surface from the planes of its triangles, at a few points.

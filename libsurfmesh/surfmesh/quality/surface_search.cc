@@ -49,10 +49,10 @@ class Descent {
     }
   }
 
-  NearPoint run(Uv guess) {
+  NearPoint run(Uv guess, double enough) {
     start(guess);
     double share = 1;
-    for (int i = 0; i < kMostSteps && distance_ > 0; ++i) {
+    for (int i = 0; i < kMostSteps && distance_ > enough; ++i) {
       const Uv step = share * allowed_step();
       if (std::abs(step.u) + std::abs(step.v) < kSmallestStep) break;
       share = try_step(step) ? std::min(1.0, 4 * share) : 0.25 * share;
@@ -135,8 +135,8 @@ class Descent {
 
 }  // namespace
 
-NearPoint find_near_point(const Surface& surface, const Vec3& point, Uv guess) {
-  return Descent(surface, point).run(guess);
+NearPoint find_near_point(const Surface& surface, const Vec3& point, Uv guess, double enough) {
+  return Descent(surface, point).run(guess, enough);
 }
 
 /// The samples that are nearest to a point, in order.

@@ -24,8 +24,9 @@ struct NearPoint {
 /// that is in the way, and ends at a local minimum.
 /// Error    at distance d of a surface of curvature k each step leaves d k of the way to the
 ///          minimum, until it is below 1e-12 of the domain; 40 steps at most
+/// The search also ends at a point that is no farther than `enough`.
 /// Cost     2 to 5 evaluations of first order for a guess nearby
-NearPoint find_near_point(const Surface& surface, const Vec3& point, Uv guess);
+NearPoint find_near_point(const Surface& surface, const Vec3& point, Uv guess, double enough = 0);
 
 /// Finds the nearest points on all patches of a model; samples of the patches provide the guess.
 class SurfaceSearch {

@@ -37,10 +37,6 @@ constexpr std::array<Weights, 4> kTests = {{{1.0 / 3, 1.0 / 3, 1.0 / 3},
 /// Misses elsewhere are up to so many times those at the tests.
 constexpr double kErrorPerMiss = 2;
 
-/// Share of the distance up to which nothing is sought from which the search goes on from samples:
-/// they may miss a narrow bend.
-constexpr double kSearchedShare = 0.5;
-
 /// Share of the least height of a triangle that the middle of a side may lie aside, above which
 /// nothing is known.
 constexpr double kMostAside = 0.3;

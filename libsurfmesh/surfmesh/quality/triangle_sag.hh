@@ -31,6 +31,10 @@ inline constexpr int kSampleSteps = 6;
 inline constexpr double kFirstSearchStep = 0.5 / kSampleSteps;
 inline constexpr double kLastSearchStep = 0.125 / kSampleSteps;
 
+/// Share of the distance up to which nothing is sought from which the search goes on from samples:
+/// they may miss a narrow bend.
+inline constexpr double kSearchedShare = 0.5;
+
 /// A point of a triangle and the distance there.
 struct SagSample {
   Weights weights{};
