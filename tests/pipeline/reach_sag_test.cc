@@ -140,6 +140,31 @@ TEST(ReachSag, HoldsBesideRoundedCreases) {
   }
 }
 
+TEST(ReachSag, LeavesTrianglesOfGoodShape) {
+  const std::filesystem::path spot =
+      std::filesystem::path(SURFMESH_SHARED_DIR) / "models" / "spot_control_mesh.obj";
+  if (!std::filesystem::exists(spot)) GTEST_SKIP() << spot;
+  ModelInput input = load_model(spot);
+  input.options.sizing.sag = Length::share(0.0005);
+  const MeshResult result = mesh_model(input.model, input.sources, input.options);
+  EXPECT_GT(result.report.quality.mean, 0.95);
+  EXPECT_GT(result.report.quality.min, 0.4);
+  EXPECT_LT(result.report.mesh.triangles, 10'000u);
+  EXPECT_LE(*result.report.sag.reached, *result.report.sag.asked);
+}
+
+TEST(ReachSag, IsReachedByCorrectionsAloneOnATriangulationOfNodes) {
+  PipelineOptions options = with_sag(0.01);
+  options.control.kind = ControlKind::Mesh;
+  MeshCounter counter;
+  const MeshResult result = mesh_model(testing::torus_of(3), {}, options, &counter);
+  testing::expect_valid(result.mesh);
+  EXPECT_EQ(counter.count, 1);
+  EXPECT_LE(*result.report.sag.reached, 0.01);
+  EXPECT_GT(*result.report.sag.reached, 0.005);
+  EXPECT_TRUE(texts_of(result.report.notices, Severity::Shortfall).empty());
+}
+
 TEST(ReachSag, HoldsTogetherWithCurvature) {
   PipelineOptions options = with_sag(0.05);
   options.sizing.curvature = 0.15;

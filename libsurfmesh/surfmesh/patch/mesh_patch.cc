@@ -5,11 +5,17 @@
 #include <vector>
 
 #include "surfmesh/core/parallel.hh"
+#include "surfmesh/improve/shape_moves.hh"
 #include "surfmesh/patch/sag_corrections.hh"
+#include "surfmesh/patch/smooth_within_sag.hh"
 #include "surfmesh/refine/boundary_triangulation.hh"
 
 namespace surfmesh {
 namespace {
+
+/// Sweeps for the shapes of triangles before they are corrected: well shaped ones are seldom too
+/// far.
+constexpr int kShapeSweeps = 2;
 
 std::vector<std::vector<Uv>> points_of(const PatchBoundary& boundary) {
   std::vector<std::vector<Uv>> loops;
@@ -57,6 +63,8 @@ class PatchRun {
     const StageClock clock(result_.seconds[Stage::Improve]);
     result_.queries[Stage::Improve] =
         improve(*patch_.delaunay, task_.field, task_.improve, context_).queries;
+    if (task_.corrected_sag == 0) return;
+    for (int i = 0; i < kShapeSweeps; ++i) smooth_shapes(*patch_.delaunay, task_.field, context_);
   }
 
   /// Mends are counted as part of the assembly, which they are made for.
@@ -67,6 +75,7 @@ class PatchRun {
     result_.turned = mend_turned_triangles(patch_);
     if (task_.corrected_sag > 0) {
       detail::correct_sag(patch_, task_.corrected_sag, context_);
+      detail::smooth_within_sag(patch_, task_.corrected_sag, context_);
       result_.turned = find_turned_triangles(patch_);
     }
     result_.mesh = finish_patch(std::move(patch_));
