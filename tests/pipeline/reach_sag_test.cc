@@ -153,6 +153,30 @@ TEST(ReachSag, LeavesTrianglesOfGoodShape) {
   EXPECT_LE(*result.report.sag.reached, *result.report.sag.asked);
 }
 
+TEST(ReachSag, CountsItsEvaluations) {
+  const Model model = testing::torus_of(3);
+  PipelineOptions options = with_sag(0.005);
+  options.threads = 1;
+  const Report::Sag one = mesh_model(model, {}, options).report.sag;
+  options.threads = 2;
+  EXPECT_EQ(mesh_model(model, {}, options).report.sag.evaluations, one.evaluations);
+  EXPECT_FALSE(mesh_model(model, {}, {}).report.sag.evaluations.has_value());
+}
+
+TEST(ReachSag, TakesAtMost150EvaluationsATriangle) {
+  const std::filesystem::path shared(SURFMESH_SHARED_DIR);
+  for (const auto& file : {shared / "models" / "spot_control_mesh.obj",
+                           shared / "models" / "opensubdiv" / "catmark_pawn.obj",
+                           shared / "cases" / "trial" / "mug.obj"}) {
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
+    ModelInput input = load_model(file);
+    input.options.sizing.sag = Length::share(0.0005);
+    const Report report = mesh_model(input.model, input.sources, input.options).report;
+    EXPECT_LT(*report.sag.evaluations, 150 * report.mesh.triangles) << file;
+    EXPECT_GT(*report.sag.evaluations, 20 * report.mesh.triangles) << file;
+  }
+}
+
 TEST(ReachSag, IsReachedByCorrectionsAloneOnATriangulationOfNodes) {
   PipelineOptions options = with_sag(0.01);
   options.control.kind = ControlKind::Mesh;

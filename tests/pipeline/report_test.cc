@@ -56,7 +56,7 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
   EXPECT_EQ(keys_of(json["quality"]), (Keys{"min", "mean", "below_0.3"}));
   EXPECT_EQ(keys_of(json["quads"]),
             (Keys{"fraction", "min_scaled_jacobian", "mean_scaled_jacobian"}));
-  EXPECT_EQ(keys_of(json["sag"]), (Keys{"asked", "reached"}));
+  EXPECT_EQ(keys_of(json["sag"]), (Keys{"asked", "reached", "evaluations"}));
   EXPECT_EQ(keys_of(json["control"]),
             (Keys{"kind", "nodes", "faces", "precision", "classes", "queries", "answers"}));
   EXPECT_EQ(keys_of(json["seconds"]),

@@ -24,6 +24,7 @@
 #include "surfmesh/patch/mesh_patch.hh"
 #include "surfmesh/patch_mesh/improper_chords.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
+#include "surfmesh/pipeline/counted_surfaces.hh"
 #include "surfmesh/pipeline/fine_cage.hh"
 #include "surfmesh/pipeline/for_each_patch.hh"
 #include "surfmesh/pipeline/patch_cache.hh"
@@ -342,16 +343,19 @@ void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOpt
                       });
     return;
   }
+  const detail::CountedModel counted(model);
   detail::PatchCache cache(model.patches.size());
   const auto mesh_with = [&](ControlSpaces control, double corrected_sag,
                              const std::vector<double>& more_segments) {
     MeshResult once;
-    Run run(model, sizing, options, context);
+    Run run(counted.model(), sizing, options, context);
     run.demand(corrected_sag, more_segments, cache);
     run.mesh(std::move(control), once);
     return once;
   };
-  result = detail::reach_sag({model, sources, sizing, options.control, context}, mesh_with);
+  result =
+      detail::reach_sag({counted.model(), sources, sizing, options.control, context}, mesh_with);
+  result.report.sag.evaluations = counted.evaluations();
 }
 
 /// Of a cancelled run no other error counts, for which patch was at work then is a matter of

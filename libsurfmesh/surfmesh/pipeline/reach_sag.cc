@@ -106,7 +106,8 @@ class SagLoop {
   void measure() {
     const StageClock clock(seconds_[Stage::Assemble]);
     sag_ = measure_sag(now_.mesh, task_.model, search_, task_.context, asked());
-    now_.report.sag = {asked(), sag_.max};
+    now_.report.sag.asked = asked();
+    now_.report.sag.reached = sag_.max;
     if (!is_better()) return;
     best_ = now_;
     const auto worst = std::max_element(sag_.of_faces.begin(), sag_.of_faces.end());

@@ -103,8 +103,9 @@ Json control_json(const Report::Control& control) {
 }
 
 /// Null for what is not known.
-Json length_json(const std::optional<double>& length) {
-  return length ? Json(*length) : Json(nullptr);
+template <class Number>
+Json or_null(const std::optional<Number>& number) {
+  return number ? Json(*number) : Json(nullptr);
 }
 
 Json seconds_json(const Report& report) {
@@ -171,7 +172,9 @@ std::string to_json(const Report& report) {
       // Not built yet.
       {"quads", {{"fraction", 0}, {"min_scaled_jacobian", 0}, {"mean_scaled_jacobian", 0}}},
       {"sag",
-       {{"asked", length_json(report.sag.asked)}, {"reached", length_json(report.sag.reached)}}},
+       {{"asked", or_null(report.sag.asked)},
+        {"reached", or_null(report.sag.reached)},
+        {"evaluations", or_null(report.sag.evaluations)}}},
       {"control", control_json(report.control)},
       {"seconds", seconds_json(report)},
       {"triangles_per_second", report.triangles_per_second()},

@@ -45,7 +45,8 @@ struct Report {
   /// Greatest distance between mesh and surface, model units.
   struct Sag {
     std::optional<double> asked;
-    std::optional<double> reached;  ///< measured only with a requested sag
+    std::optional<double> reached;           ///< measured only with a requested sag
+    std::optional<std::size_t> evaluations;  ///< of surfaces, in all meshes it took; likewise
   };
 
   std::string input;
