@@ -9,6 +9,7 @@
 #include "support/models.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/geometry/callable_surface.hh"
+#include "surfmesh/pipeline/counted_surfaces.hh"
 #include "surfmesh/quality/surface_distance.hh"
 #include "surfmesh/quality/triangle_sag.hh"
 
@@ -146,6 +147,13 @@ TEST(EstimateSag, IsNearTheMeasureOnASphere) {
   EXPECT_NEAR(estimate_sag(mesh, model).front(), exact, 0.03 * exact);
 }
 
+/// A hump of uneven curvature over the unit square.
+Model hump() {
+  return testing::model_of({make_callable_surface({0, 1, 0, 1}, [](auto u, auto v) {
+    return std::array{u, v, 2 * u * u * u * (1 - u) * v * (1 - v)};
+  })});
+}
+
 /// A net of squares over the hump, each two triangles.
 PolyMesh net_over_hump(const Model& model, int count) {
   std::vector<Vec3> points;
@@ -164,15 +172,13 @@ PolyMesh net_over_hump(const Model& model, int count) {
 }
 
 TEST(Sag, IsMeasuredOfAllFacesAboveWhatIsAsked) {
-  const Model model = testing::model_of({make_callable_surface({0, 1, 0, 1}, [](auto u, auto v) {
-    return std::array{u, v, 2 * u * u * u * (1 - u) * v * (1 - v)};
-  })});
+  const Model model = hump();
   PolyMesh mesh = net_over_hump(model, 12);
   const SurfaceSearch search(model);
   project_mesh(mesh, {}, model, search);
-  const Sag exact = measure_sag(mesh, model, search, RunContext(), 0);
+  const Sag exact = measure_sag(mesh, model, search, RunContext(), {.asked = 0});
   const double asked = 0.3 * exact.max;
-  const Sag sag = measure_sag(mesh, model, search, RunContext(), asked);
+  const Sag sag = measure_sag(mesh, model, search, RunContext(), {.asked = asked});
   EXPECT_EQ(sag.max, exact.max);
   EXPECT_EQ(measure_sag(mesh, model, search).max, exact.max);
   std::size_t above = 0;
@@ -184,6 +190,29 @@ TEST(Sag, IsMeasuredOfAllFacesAboveWhatIsAsked) {
   }
   EXPECT_GT(above, exact.of_faces.size() / 10);
   EXPECT_LT(above, exact.of_faces.size());
+}
+
+TEST(Sag, IsNotMeasuredAgainWhereNothingHasChanged) {
+  const Model uncounted = hump();
+  const detail::CountedModel counted(uncounted);
+  const Model& model = counted.model();
+  PolyMesh mesh = net_over_hump(model, 12);
+  const SurfaceSearch search(model);
+  project_mesh(mesh, {}, model, search);
+  SagMemory memory;
+  const SagDemands demands{.asked = 0.01, .memory = &memory};
+  const Sag first = measure_sag(mesh, model, search, RunContext(), demands);
+  const std::size_t before = counted.evaluations();
+  const Sag second = measure_sag(mesh, model, search, RunContext(), demands);
+  EXPECT_EQ(counted.evaluations(), before);
+  EXPECT_EQ(second.max, first.max);
+  EXPECT_EQ(second.of_faces, first.of_faces);
+
+  // Another net shares no face.
+  PolyMesh finer = net_over_hump(model, 13);
+  project_mesh(finer, {}, model, search);
+  EXPECT_EQ(measure_sag(finer, model, search, RunContext(), demands).max,
+            measure_sag(finer, model, search, RunContext(), {.asked = 0.01}).max);
 }
 
 TEST(Sag, IsToldOfEachFace) {

@@ -105,7 +105,7 @@ class SagLoop {
   /// Measure the mesh, and keep it if it is the best.
   void measure() {
     const StageClock clock(seconds_[Stage::Assemble]);
-    sag_ = measure_sag(now_.mesh, task_.model, search_, task_.context, asked());
+    sag_ = measure_sag(now_.mesh, task_.model, search_, task_.context, {asked(), &memory_});
     now_.report.sag.asked = asked();
     now_.report.sag.reached = sag_.max;
     if (!is_better()) return;
@@ -236,6 +236,7 @@ class SagLoop {
   const SagTask& task_;
   const MeshWith& mesh_with_;
   SurfaceSearch search_;
+  SagMemory memory_;
   std::unique_ptr<ScaledSpaces> spaces_;
   std::vector<double> more_segments_;  ///< by contour
   MeshResult now_;

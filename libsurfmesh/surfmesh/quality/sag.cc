@@ -54,22 +54,25 @@ std::vector<detail::SurfaceTriangle> triangles_of(const PolyMesh& mesh, FaceHand
 class SagMeter {
  public:
   SagMeter(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search,
-           const RunContext& context, double asked)
+           const RunContext& context, const SagDemands& demands)
       : mesh_(mesh),
         model_(model),
         search_(search),
         context_(context),
-        asked_(asked),
-        patch_of_(require(mesh, keys::face_patch)) {}
+        demands_(demands),
+        patch_of_(require(mesh, keys::face_patch)),
+        faces_(mesh.n_faces()),
+        remembered_(mesh.n_faces()) {}
 
   Sag run() {
     estimate_faces();
-    for (const Face& face : faces_) greatest_ = std::max(greatest_, face.sag - face.error);
+    for (const FaceSag& face : faces_) greatest_ = std::max(greatest_, face.sag - face.error);
     measure_estimated();
     measure_unknown();
+    if (demands_.memory) demands_.memory->keep(mesh_, faces_);
     Sag result;
     Greatest greatest;
-    for (const Face& face : faces_) {
+    for (const FaceSag& face : faces_) {
       result.of_faces.push_back(face.sag);
       if (face.is_measured) greatest.take(face.sag, face.at);
     }
@@ -79,34 +82,43 @@ class SagMeter {
   }
 
  private:
-  /// What is known of a face.
-  struct Face {
-    double sag = 0;
-    double error = 0;  ///< of an estimate
-    bool is_measured = false;
-    Vec3 at = Vec3::Zero();  ///< where it is measured
-
-    double most() const { return sag + error; }
-  };
-
   struct Triangle : detail::SurfaceTriangle {
     FaceHandle face;
     const Surface& surface;
   };
 
   void estimate_faces() {
-    faces_.resize(mesh_.n_faces());
-    share_ranges(faces_.size(), [&](std::size_t first, std::size_t end) {
+    for_each_face([this](FaceHandle fh) {
+      remembered_[index(fh)] = demands_.memory ? demands_.memory->find(mesh_, fh) : nullptr;
+    });
+    for_each_face([this](FaceHandle fh) {
+      faces_[index(fh)] = is_remembered(fh) ? *remembered_[index(fh)] : estimate(fh);
+    });
+  }
+
+  template <class Visit>
+  void for_each_face(Visit visit) const {
+    share_ranges(mesh_.n_faces(), [&](std::size_t first, std::size_t end) {
       for (std::size_t f = first; f < end; ++f) {
         if (f % kFacesBetweenCancellation == 0) context_.throw_if_cancelled();
-        faces_[f] = estimate(FaceHandle(static_cast<int>(f)));
+        visit(FaceHandle(static_cast<int>(f)));
       }
     });
   }
 
-  Face estimate(FaceHandle fh) const {
+  /// True if a face and all around it are as they were.
+  bool is_remembered(FaceHandle fh) const {
+    for (const VertexHandle vh : mesh_.fv_range(fh)) {
+      for (const FaceHandle near : mesh_.vf_range(vh)) {
+        if (!remembered_[index(near)]) return false;
+      }
+    }
+    return true;
+  }
+
+  FaceSag estimate(FaceHandle fh) const {
     const Surface& surface = model_.surface(mesh_.property(patch_of_, fh));
-    Face face;
+    FaceSag face;
     double aside = 0;
     for (const detail::SurfaceTriangle& triangle : triangles_of(mesh_, fh)) {
       const detail::SagEstimate estimate = detail::estimate_plane_sag(surface, triangle);
@@ -138,13 +150,14 @@ class SagMeter {
   }
 
   /// The sag below which that of a face does not matter.
-  double bar() const { return std::min(greatest_, asked_); }
+  double bar() const { return std::min(greatest_, demands_.asked); }
 
   /// Measure the faces that may be above the bar, which rises, the farthest first.
   void measure_estimated() {
     std::vector<std::size_t> order;
     for (std::size_t f = 0; f < faces_.size(); ++f) {
-      if (std::isfinite(faces_[f].error) && faces_[f].most() > bar()) order.push_back(f);
+      const FaceSag& face = faces_[f];
+      if (!face.is_measured && std::isfinite(face.error) && face.most() > bar()) order.push_back(f);
     }
     std::stable_sort(order.begin(), order.end(), [this](std::size_t f, std::size_t g) {
       return faces_[f].most() > faces_[g].most();
@@ -184,11 +197,12 @@ class SagMeter {
       const Greatest own_greatest = greatest_sample({triangle, fh, surface});
       greatest.take(own_greatest.sag, own_greatest.at);
     }
-    Face& face = faces_[index(fh)];
+    FaceSag& face = faces_[index(fh)];
     if (greatest.sag > 0) {
       face = {greatest.sag, 0, true, greatest.at};
     } else {
-      face.sag = std::min(face.sag, bar());
+      face.sag = std::min(face.sag, detail::kSearchedShare * bar());
+      face.error = 0;
     }
   }
 
@@ -265,17 +279,18 @@ class SagMeter {
   const Model& model_;
   const SurfaceSearch& search_;
   const RunContext& context_;
-  double asked_;
+  const SagDemands& demands_;
   double greatest_ = 0;  ///< that is known of
   decltype(keys::face_patch)::Handle patch_of_;
-  std::vector<Face> faces_;
+  std::vector<FaceSag> faces_;
+  std::vector<const FaceSag*> remembered_;  ///< of the mesh before, by face; null for others
 };
 
 }  // namespace
 
 Sag measure_sag(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search,
-                const RunContext& context, double asked) {
-  return SagMeter(mesh, model, search, context, asked).run();
+                const RunContext& context, const SagDemands& demands) {
+  return SagMeter(mesh, model, search, context, demands).run();
 }
 
 std::vector<double> estimate_sag(const PolyMesh& mesh, const Model& model,

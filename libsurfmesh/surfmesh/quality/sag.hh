@@ -8,6 +8,7 @@
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/core/run_context.hh"
 #include "surfmesh/model/model.hh"
+#include "surfmesh/quality/sag_memory.hh"
 #include "surfmesh/quality/surface_search.hh"
 
 namespace surfmesh {
@@ -17,6 +18,15 @@ struct Sag {
   double max = 0;
   Vec3 max_at = Vec3::Zero();    ///< a point of the mesh
   std::vector<double> of_faces;  ///< by the index of the face
+};
+
+/// What else is to be known, or known already.
+struct SagDemands {
+  /// Faces above this are measured, too, not only the greatest one.
+  double asked = std::numeric_limits<double>::infinity();
+  /// If not null, faces are taken from there that are as they were, and so are all around them; all
+  /// faces are kept there.
+  SagMemory* memory = nullptr;
 };
 
 /// Measure the distance between a mesh and its surface, both ways.
@@ -29,15 +39,14 @@ struct Sag {
 /// uneven.
 ///
 /// The nearest triangle is searched among those that share a vertex with the face. Faces that are
-/// surely below the greatest one, and below `asked`, are estimated at seven points.
+/// surely below the greatest one, and below `demands.asked`, are estimated at seven points.
 /// Reads    surf:patch (face), surf:uv (halfedge)
 /// Error    a lower bound, by 3 % of the sag of a triangle over a sphere (test Sag.*); what lies
 ///          between a trimming curve and its chord is not sampled
 /// Cost     7 surface evaluations per triangle, about 60 for those that may be the greatest one
 /// Throws   MissingProperty; Cancelled
 Sag measure_sag(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search,
-                const RunContext& context = RunContext(),
-                double asked = std::numeric_limits<double>::infinity());
+                const RunContext& context = RunContext(), const SagDemands& demands = {});
 
 /// About how far each face is from its surface, by the index of the face: the distance of the
 /// surface from the planes of its triangles, at a few points.
