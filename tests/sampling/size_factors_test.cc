@@ -55,6 +55,17 @@ TEST_F(Factors, AreLoweredInOnePlaceOnly) {
   EXPECT_EQ(at(factors, {0.2, 0.2}), 1);
 }
 
+TEST_F(Factors, TellWhetherTheyHaveChanged) {
+  SizeFactors factors(cells_);
+  factors.multiply({});
+  factors.lower({});
+  EXPECT_EQ(factors.changes(), 0);
+  factors.multiply({{{0.5, 0.5}, std::log(2)}});
+  EXPECT_EQ(factors.changes(), 1);
+  factors.lower({{{0.5, 0.5}, std::log(0.5)}});
+  EXPECT_EQ(factors.changes(), 2);
+}
+
 TEST_F(Factors, ChangeCopiesOfCellsAndWhatTheyGetLater) {
   const auto copy =
       cells_.changed_copy([](const ControlNode& node) { return scaled(node.size, 1 + node.uv.u); });

@@ -39,6 +39,7 @@ ScaledSpaces::ScaledSpaces(const Model& model, const Sources& sources, const Res
     lattices_.push_back(dynamic_cast<const LatticeSpace*>(space.get()));
     factors_.push_back(std::make_shared<SizeFactors>(*lattices_.back()));
   }
+  graded_.resize(lattices_.size());
 }
 
 ControlSpaces ScaledSpaces::make() {
@@ -55,15 +56,23 @@ ControlSpaces ScaledSpaces::make() {
   return result;
 }
 
-std::unique_ptr<ControlSpace> ScaledSpaces::scaled(std::size_t patch) const {
+std::unique_ptr<ControlSpace> ScaledSpaces::scaled(std::size_t patch) {
+  return graded(patch).changed_copy([](const ControlNode& node) { return node.size; });
+}
+
+const LatticeSpace& ScaledSpaces::graded(std::size_t patch) {
+  const int changes = factors_[patch]->changes();
+  if (changes == 0) return *lattices_[patch];  // these are graded within their patch
+  Graded& kept = graded_[patch];
+  if (kept.changes == changes) return *kept.space;
   const auto change = [bounds = bounds_, factors = factors_[patch], wishes = wishes_[patch],
                        near = -1](const ControlNode& node) mutable {
     const SizeTensor size = bounds.clamp(surfmesh::scaled(node.size, factors->at(node.uv, near)));
     return wishes ? minimum(size, wishes->at(node.uv).size) : size;
   };
-  std::unique_ptr<LatticeSpace> space = lattices_[patch]->changed_copy(change);
-  if (bases_.inputs[patch].options.grade > 0) space->grade_all(context_);
-  return space;
+  kept = {lattices_[patch]->changed_copy(change), changes};
+  if (bases_.inputs[patch].options.grade > 0) kept.space->grade_all(context_);
+  return *kept.space;
 }
 
 }  // namespace surfmesh::detail

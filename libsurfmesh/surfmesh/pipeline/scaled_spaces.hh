@@ -34,7 +34,14 @@ class ScaledSpaces {
   ControlSpaces make();
 
  private:
-  std::unique_ptr<ControlSpace> scaled(std::size_t patch) const;
+  /// Sizes times factors, graded within the patch, but not finished.
+  struct Graded {
+    std::unique_ptr<LatticeSpace> space;
+    int changes = 0;  ///< of the factors
+  };
+
+  std::unique_ptr<ControlSpace> scaled(std::size_t patch);
+  const LatticeSpace& graded(std::size_t patch);
 
   const Model& model_;
   const RunContext& context_;
@@ -42,6 +49,7 @@ class ScaledSpaces {
   ControlBases bases_;
   std::vector<const LatticeSpace*> lattices_;  ///< of the bases; none of a triangulation
   std::vector<std::shared_ptr<SizeFactors>> factors_;
+  std::vector<Graded> graded_;  ///< for the next time that factors are as they were
   std::vector<std::shared_ptr<const SizeField>> wishes_;  ///< what is not scaled; null for nothing
 };
 

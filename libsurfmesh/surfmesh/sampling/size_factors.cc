@@ -31,6 +31,7 @@ SizeFactors::SizeFactors(const LatticeSpace& lattice)
 
 void SizeFactors::multiply(const std::vector<Wanted>& wanted) {
   if (wanted.empty()) return;
+  ++changes_;
   std::vector<double> logs = mean_of(wanted);
   spread(logs);
   for (int sweep = 0; sweep < kSmoothingSweeps; ++sweep) smooth(logs);
@@ -38,6 +39,8 @@ void SizeFactors::multiply(const std::vector<Wanted>& wanted) {
 }
 
 void SizeFactors::lower(const std::vector<Wanted>& wanted) {
+  if (wanted.empty()) return;
+  ++changes_;
   std::vector<double> least(logs_.size(), 0);
   int near = -1;
   for (const Wanted& w : wanted) {

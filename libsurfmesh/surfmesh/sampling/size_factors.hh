@@ -27,6 +27,9 @@ class SizeFactors {
   /// Multiply the factors by the least one wanted around each node, if that is below 1.
   void lower(const std::vector<Wanted>& wanted);
 
+  /// How often they have changed.
+  int changes() const { return changes_; }
+
   /// The factor at a point; fast if its cell is `near`, which becomes that cell.
   double at(Uv uv, int& near) const;
 
@@ -37,6 +40,7 @@ class SizeFactors {
 
   const LatticeSpace& lattice_;
   std::vector<double> logs_;  ///< of the factors, by node
+  int changes_ = 0;
 };
 
 }  // namespace surfmesh
