@@ -184,36 +184,27 @@ class SagLoop {
     return true;
   }
 
-  /// Make sizes smaller around the faces that are too far, or segments beside them shorter: a
+  /// Make sizes smaller around the faces that are too far, and segments beside them shorter: a
   /// contour has as few as it needs itself, and takes no notice of smaller sizes. Returns false if
   /// no face is too far.
   bool shrink_locally() {
     if (sag_.max <= asked()) return false;
+    const auto contour_of = require(now_.mesh, keys::edge_contour);
     std::set<int> contours;
     WantedByPatch wanted(task_.model.patches.size());
     for (const FaceHandle fh : now_.mesh.faces()) {
       const double sag = sag_.of_faces[index(fh)];
       if (sag <= asked()) continue;
-      const std::vector<int> beside = contours_of(fh);
-      contours.insert(beside.begin(), beside.end());
-      if (!beside.empty()) continue;
+      for (const EdgeHandle eh : now_.mesh.fe_range(fh)) {
+        const int contour = now_.mesh.property(contour_of, eh);
+        if (contour >= 0) contours.insert(contour);
+      }
       wanted[patch_of(fh)].push_back(
           {middle_of(fh), std::min(std::log(kLeastShrinking), log_scale(sag))});
     }
     for (const int c : contours) more_segments_[static_cast<std::size_t>(c)] *= kMoreSegments;
     for (std::size_t p = 0; p < wanted.size(); ++p) spaces_->factors(p).lower(wanted[p]);
     return true;
-  }
-
-  /// The contours that a face has sides on.
-  std::vector<int> contours_of(FaceHandle fh) const {
-    const auto contour_of = require(now_.mesh, keys::edge_contour);
-    std::vector<int> contours;
-    for (const EdgeHandle eh : now_.mesh.fe_range(fh)) {
-      const int contour = now_.mesh.property(contour_of, eh);
-      if (contour >= 0) contours.push_back(contour);
-    }
-    return contours;
   }
 
   std::size_t patch_of(FaceHandle fh) const {
