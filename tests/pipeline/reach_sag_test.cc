@@ -153,6 +153,18 @@ TEST(ReachSag, LeavesTrianglesOfGoodShape) {
   EXPECT_LE(*result.report.sag.reached, *result.report.sag.asked);
 }
 
+TEST(ReachSag, LeavesHardlyAFlatTriangleWhereItIsNotReached) {
+  const std::filesystem::path car =
+      std::filesystem::path(SURFMESH_SHARED_DIR) / "models" / "opensubdiv" / "catmark_car.obj";
+  if (!std::filesystem::exists(car)) GTEST_SKIP() << car;
+  ModelInput input = load_model(car);
+  input.options.sizing.sag = Length::share(0.0002);
+  const Report report = mesh_model(input.model, input.sources, input.options).report;
+  EXPECT_LT(report.quality.below_0_3, 5e-4);
+  EXPECT_EQ(*report.sag.reached > *report.sag.asked,
+            !texts_of(report.notices, Severity::Shortfall).empty());
+}
+
 TEST(ReachSag, CountsItsEvaluations) {
   const Model model = testing::torus_of(3);
   PipelineOptions options = with_sag(0.005);

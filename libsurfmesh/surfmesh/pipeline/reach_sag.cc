@@ -46,6 +46,10 @@ constexpr double kAtLeastSize = 1.1;
 /// Segments of a contour beside such a triangle become so many times as many.
 constexpr double kMoreSegments = 1.4;
 
+/// In all they become at most so many times as many: where that does not help, more would only make
+/// the triangles beside flat.
+constexpr double kMostSegments = 3;
+
 class SagLoop {
  public:
   SagLoop(const SagTask& task, const MeshWith& mesh_with)
@@ -202,7 +206,10 @@ class SagLoop {
       wanted[patch_of(fh)].push_back(
           {middle_of(fh), std::min(std::log(kLeastShrinking), log_scale(sag))});
     }
-    for (const int c : contours) more_segments_[static_cast<std::size_t>(c)] *= kMoreSegments;
+    for (const int c : contours) {
+      double& times = more_segments_[static_cast<std::size_t>(c)];
+      times = std::min(kMostSegments, kMoreSegments * times);
+    }
     for (std::size_t p = 0; p < wanted.size(); ++p) spaces_->factors(p).lower(wanted[p]);
     return true;
   }
