@@ -321,8 +321,7 @@ class SurfaceMaker {
   }
 
   /// Mark the vertices whose faces share a refinement: of wide fans, and around inner vertices of
-  /// two faces. There Bfr 3.5.0 takes one of the two edges for the other: it gives creases to edges
-  /// that have none, or reads memory out of bounds.
+  /// two faces. There Bfr 3.5.0 reads memory out of bounds if there are tags.
   static std::vector<char> shared_vertices(const Far::TopologyLevel& level,
                                            Sdc::SchemeType scheme) {
     std::vector<char> is_shared(static_cast<std::size_t>(level.GetNumVertices()), 0);

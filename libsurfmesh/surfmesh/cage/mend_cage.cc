@@ -11,7 +11,7 @@
 
 #include "surfmesh/cage/cage_copies.hh"
 #include "surfmesh/cage/open_seams.hh"
-#include "surfmesh/cage/take_faces.hh"
+#include "surfmesh/cage/select_faces.hh"
 #include "surfmesh/cage/turned_faces.hh"
 #include "surfmesh/cage/weld_cage.hh"
 #include "surfmesh/core/error.hh"
@@ -46,9 +46,9 @@ class Mender {
     if (!tell_open_seams()) tell_doubled_faces();
     tell_flat_faces();
     tell_or_turn_faces();
-    result_.parent_faces = taken_faces(result_.stand_ins);
+    result_.parent_faces = selected_faces(result_.stand_ins);
     if (result_.parent_faces.size() < faces().size()) {
-      result_.cage = take_faces(result_.cage, result_.stand_ins);
+      result_.cage = select_faces(result_.cage, result_.stand_ins);
     }
     return std::move(result_);
   }

@@ -35,10 +35,11 @@ struct MendedCage {
 /// Tell where a cage is not what it seems, and mend what the options ask for.
 ///
 /// A face that is given again is always left out; the first one is then in the groups of both.
-/// Told, and mended only if asked for, are: open edges that lie on others but have vertices of
-/// their own, faces of closed surfaces that do so, faces that are turned against their neighbours,
-/// and faces with sides without length. Of each kind there is one notice, with the number and the
-/// first place. Points keep their numbers; a welded vertex is where the first one was.
+/// The following are reported, and mended only on request: open edges that lie on others but have
+/// vertices of their own, faces of closed surfaces that do so, faces that are turned against their
+/// neighbours, and faces with sides without length. Of each kind there is one notice, with the
+/// number and the first place. A tolerance is advised only if it makes points of no sides that have
+/// a length. Points keep their numbers; a welded vertex is where the first one was.
 ///
 /// Throws   InvalidInput as check_ranges; InvalidOption for a tolerance that is negative or not
 ///          finite, or that leaves no face of the cage

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "surfmesh/cage/primvar.hh"
+#include "surfmesh/cage/select_faces.hh"
 #include "surfmesh/cage/subdivision.hh"
-#include "surfmesh/cage/take_faces.hh"
 #include "surfmesh/core/error.hh"
 
 namespace surfmesh {
@@ -79,10 +79,10 @@ RefinedCage leave_out_faces(const Cage& cage, const std::vector<int>& numbers) {
                     "is left out",
                     numbers[static_cast<std::size_t>(f)])));
   }
-  for (const int f : taken_faces(stand_ins)) {
+  for (const int f : selected_faces(stand_ins)) {
     result.parent_faces.push_back(numbers[static_cast<std::size_t>(f)]);
   }
-  result.cage = take_faces(cage, stand_ins);
+  result.cage = select_faces(cage, stand_ins);
   return result;
 }
 
