@@ -47,6 +47,6 @@ set_tests_properties(Sanitize.Build PROPERTIES FIXTURES_SETUP sanitize)
 # Random small models through the program, judged by a script of its own.
 if(TARGET surfmesh_program)
   add_test(NAME Soak.RandomModels COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/soak.sh
-    ${PROJECT_SOURCE_DIR}/../shared/bench/soak.py $<TARGET_FILE:surfmesh_program> 100 14)
+    ${PROJECT_SOURCE_DIR}/../shared/bench/soak.py $<TARGET_FILE:surfmesh_program> 50 14)
   set_tests_properties(Soak.RandomModels PROPERTIES LABELS "soak;long" SKIP_RETURN_CODE 77)
 endif()
