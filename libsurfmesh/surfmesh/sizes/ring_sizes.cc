@@ -70,7 +70,7 @@ bool are_opposite(const Domain& domain, const ContourUse& a, const ContourUse& b
   if (along(on_a.end) != of_a || along(on_b.end) != of_b) return false;
   if (std::min(of_a, of_b) != low || std::max(of_a, of_b) != high) return false;
   const auto range = [&](const ContourUse& use) {
-    return std::minmax(across(use, 0, is_along_u), across(use, 1, is_along_u));
+    return std::minmax({across(use, 0, is_along_u), across(use, 1, is_along_u)});
   };
   return range(a) == range(b);
 }
