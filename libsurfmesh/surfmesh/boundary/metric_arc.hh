@@ -17,8 +17,7 @@ namespace surfmesh {
 ///
 /// Error    about 1e-3 of the length, 1e-2 for a curve with waves within a unit (test MetricArc.*)
 /// Cost     four to eight metric queries per unit of length, at least 17
-/// Throws   Cancelled; Limit for more than a million units; Geometry for a metric that is not
-/// finite
+/// Throws   Cancelled; Limit for more than a million units; Geometry where a metric is not finite
 class MetricArc {
  public:
   MetricArc(const Curve& curve, const MetricField& field, const RunContext& context = RunContext());

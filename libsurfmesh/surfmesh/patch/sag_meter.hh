@@ -10,9 +10,8 @@ namespace surfmesh::detail {
 
 /// Measures the distance of triangles from a surface.
 ///
-/// Error    from the planes of triangles, at 25 samples each and beyond; those that are surely
-/// below
-///          the aim are estimated
+/// Error    from the planes of triangles, at 25 samples each and beyond; an estimate serves
+///          for those that are surely below the aim
 class SagMeter {
  public:
   SagMeter(const Surface& surface, double aim) : surface_(surface), aim_(aim) {}

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 #include "surfmesh/improve/shape_moves.hh"
@@ -33,7 +34,7 @@ constexpr double kLeastGain = 0.01;
 constexpr std::size_t kNodesBetweenCancellation = 64;
 
 /// Unit vectors around a circle.
-constexpr double kDiagonal = 0.70710678118654752;
+constexpr double kDiagonal = std::numbers::sqrt2 / 2;
 constexpr std::array<Uv, 8> kDirections = {{{1, 0},
                                             {kDiagonal, kDiagonal},
                                             {0, 1},

@@ -9,7 +9,8 @@
 namespace surfmesh {
 
 /// True if the triangle's normal points against the sum of the surface's normals at its vertices,
-/// or if it has no area. Pre      evaluate_vertices has been called
+/// or if it has no area.
+/// Pre      evaluate_vertices has been called
 bool is_turned(const TriangulatedPatch& patch, FaceHandle fh);
 
 /// The middle of a turned triangle.

@@ -167,7 +167,9 @@ class Run {
                    .improve = options_.improve,
                    .corrected_sag = corrected_sag_};
     PatchResult result =
-        cache_ ? mesh_unless_kept(p, std::move(task)) : mesh_patch(std::move(task), context_);
+        // A mesh that is not corrected is never asked for again.
+        cache_ && corrected_sag_ > 0 ? mesh_unless_kept(p, std::move(task))
+                                     : mesh_patch(std::move(task), context_);
     result.seconds[Stage::Triangulate] += seconds;
     return result;
   }

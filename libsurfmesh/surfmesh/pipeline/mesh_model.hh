@@ -29,9 +29,8 @@ struct MeshResult {
 /// observer is not owned and may be null; any thread calls it, one at a time.
 ///
 /// Writes   of the result: surf:patch (face), surf:contour (edge), surf:uv, surf:metric (halfedge)
-/// Cost     about 2 µs per triangle. Sizes that ask for more than max_elements triangles are
-/// refused
-///          before the mesh is begun, mostly within milliseconds
+/// Cost     about 2 µs per triangle. Sizes that ask for more than max_elements are refused before
+///          the mesh is begun, mostly within milliseconds
 /// Throws   InvalidOption, InvalidInput, Geometry, Limit, Cancelled
 /// Source   paper, section 2.1
 MeshResult mesh_model(const Model& model, const Sources& sources = {},

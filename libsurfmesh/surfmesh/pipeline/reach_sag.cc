@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -99,10 +100,10 @@ class SagLoop {
 
   /// Mesh until the sag is reached or nothing more can be done.
   void correct() {
-    for (int i = 0; i < kMostCorrectedMeshes; ++i) {
+    for (int i = 1;; ++i) {
       mesh(kCorrectedShare * asked());
       measure();
-      if (!shrink_locally()) return;
+      if (i == kMostCorrectedMeshes || !shrink_locally()) return;
     }
   }
 
@@ -139,7 +140,10 @@ class SagLoop {
     if (least_size(worst_face_) <= kAtLeastSize * hmin) {
       return fmt::format("hmin = {:.6g} is in the way, a smaller one helps", hmin);
     }
-    if (!spaces_->can_scale()) return "control = mesh does not scale sizes, control = cells does";
+    if (!spaces_->can_scale()) {
+      return "control = mesh does not scale sizes; control = cells does, without the options that "
+             "belong to control = mesh";
+    }
     return "the surface bends there within less than triangles can follow without being flat";
   }
 

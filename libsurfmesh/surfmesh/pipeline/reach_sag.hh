@@ -18,7 +18,7 @@ struct SagTask {
 };
 
 /// Mesh the model with these sizes; correct the triangles above a sag one by one, unless it is 0.
-/// The last are ContourDemands::more_segments.
+/// `more_segments` is that of ContourDemands.
 using MeshWith = std::function<MeshResult(ControlSpaces, double corrected_sag,
                                           const std::vector<double>& more_segments)>;
 

@@ -40,9 +40,8 @@ struct ControlOptions {
 /// The kind that takes effect: that of the options, unless it is automatic.
 ControlKind effective_kind(const ControlOptions& options);
 
-/// Throws   InvalidOption naming the option, its value and its range, or an option without effect
-/// on
-///          the kind of control space
+/// Throws   InvalidOption naming the option, its value and its range, or an option that has no
+///          effect on the kind of control space
 void check(const ControlOptions& options);
 
 /// Everything that the control space of one patch is made from.
@@ -64,9 +63,8 @@ struct ControlInput {
 /// mesh are those of `at` and the corners, with the size of the nearest `at`; a lattice represents
 /// what they give. If gradation is off, a curve of sizes without a radius becomes nodes along it.
 ///
-/// Cost     with make_control, 1 µs per node of cells, 8 µs per node of a mesh, 2.5 µs per node of
-/// a
-///          grid (make_whole_control in tests/bench/control_bench.cc)
+/// Cost     with make_control, 1 µs per node of cells, 8 µs of a mesh, 2.5 µs of a grid
+///          (make_whole_control in tests/bench/control_bench.cc)
 /// Throws   Cancelled; InvalidOption; InvalidInput for a source that is out of range or outside the
 ///          domain, naming its (u,v)
 /// Source   paper, section 3.2

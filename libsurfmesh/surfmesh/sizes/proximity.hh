@@ -25,10 +25,8 @@ namespace surfmesh {
 /// Units    gaps are measured in space
 /// Error    a gap is within 5 %, whatever hmax (test
 ///          Proximity.IsTheWidthOfACurvedStripWhateverHmax)
-/// Cost     O(n log n) for n pieces of the boundary, plus, for each, the pieces that are nearer
-/// than
-///          its gap. Without a gap, the pieces within reach: O(n²) if all are and none face each
-///          other
+/// Cost     O(n log n) for n pieces of the boundary, and for each those that are nearer than its
+///          gap. Without a gap, those within reach: O(n²) if all are and none face each other
 std::vector<std::vector<PlacedSize>> proximity_sizes(const Model& model,
                                                      const ResolvedSizing& sizing);
 
