@@ -124,6 +124,12 @@ double find(const std::vector<double>& values, double value) {
   return static_cast<double>(above - 1 - values.begin()) + share;
 }
 
+bool has_several_cells(const std::vector<Crossing>& crossings) {
+  return std::any_of(crossings.begin(), crossings.end(), [](const Crossing& c) {
+    return c.surface->cells().u * c.surface->cells().v > 1;
+  });
+}
+
 /// Finds the patches around a tube, and measures its rings.
 class Tube {
  public:
@@ -169,6 +175,8 @@ void Tube::follow(const LoopEntry& start) {
     const auto crossing = cross(entry, exit);
     if (!crossing) return;
     crossings_.push_back(*crossing);
+    // Blocks of cages end at edges of the shape; tubes of several were dear to measure.
+    if (crossings_.size() > 1 && has_several_cells(crossings_)) return;
     entry = {exit.contour, 1 - exit.use};
     if (entry.contour != start.contour) continue;
     // Lines around a Möbius band come back elsewhere.
