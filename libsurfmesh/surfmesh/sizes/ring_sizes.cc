@@ -175,7 +175,7 @@ void Tube::follow(const LoopEntry& start) {
     const auto crossing = cross(entry, exit);
     if (!crossing) return;
     crossings_.push_back(*crossing);
-    // Blocks of cages end at edges of the shape; tubes of several were dear to measure.
+    // Measuring the tubes of all blocks of a cage takes more evaluations than meshing it.
     if (crossings_.size() > 1 && has_several_cells(crossings_)) return;
     entry = {exit.contour, 1 - exit.use};
     if (entry.contour != start.contour) continue;

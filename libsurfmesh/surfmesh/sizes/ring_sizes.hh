@@ -9,7 +9,7 @@
 namespace surfmesh {
 
 /// The closed lines around a tube, as one of its patches sees them. The tube is a patch that meets
-/// itself at a seam, or it is up to eight patches, one after the other.
+/// itself at a seam, or up to eight patches of one cell each, one after the other.
 struct Ring {
   bool is_along_u = true;  ///< the lines are those of constant v
   double from = 0;         ///< of the other parameter: the tube runs along it
