@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "cage/cages.hh"
@@ -42,7 +43,7 @@ double line_length(const Surface& surface, double v) {
 TEST(RingSizes, AreTheLengthsAroundATube) {
   const Model model = model_from_cage(testing::tube(4, 3));
   ASSERT_EQ(model.patches.size(), 1u);
-  const auto rings = short_rings(model, 0, bounds(1, 100));
+  const auto rings = short_rings(model, 0, 400);
   ASSERT_EQ(rings.size(), 1u);
   const Ring& ring = rings[0];
   ASSERT_TRUE(ring.is_along_u);
@@ -55,20 +56,20 @@ TEST(RingSizes, AreTheLengthsAroundATube) {
 
 TEST(RingSizes, AreThereInBothDirectionsOfATorus) {
   const Model model = model_from_cage(testing::torus());
-  const auto rings = short_rings(model, 0, bounds(1, 100));
+  const auto rings = short_rings(model, 0, 400);
   ASSERT_EQ(rings.size(), 2u);
   EXPECT_NE(rings[0].is_along_u, rings[1].is_along_u);
 }
 
 TEST(RingSizes, AreNotThereWhereBoundsAreSmaller) {
   const Model model = model_from_cage(testing::torus());
-  EXPECT_TRUE(short_rings(model, 0, bounds(0.01, 0.5)).empty());
-  EXPECT_EQ(short_rings(model, 0, bounds(0.01, 2)).size(), 1u);
+  EXPECT_TRUE(short_rings(model, 0, 2).empty());
+  EXPECT_EQ(short_rings(model, 0, 8).size(), 1u);
 }
 
 TEST(RingSizes, AreNotThereWithoutASeam) {
   const Model model = model_from_cage(testing::sheet(5, 4));
-  EXPECT_TRUE(short_rings(model, 0, bounds(1, 100)).empty());
+  EXPECT_TRUE(short_rings(model, 0, 400).empty());
 }
 
 TEST(RingSizes, AreOfTheSeamOnly) {
@@ -95,7 +96,7 @@ TEST(RingSizes, AreThereAroundATubeOfOneOrMorePatches) {
     const Model model = testing::model_of(shapes);
     for (int p = 0; p < parts; ++p) {
       SCOPED_TRACE(::testing::Message() << p << " of " << parts);
-      const auto rings = short_rings(model, p, bounds(1, 10));
+      const auto rings = short_rings(model, p, 40);
       ASSERT_EQ(rings.size(), 1u);
       EXPECT_TRUE(rings[0].is_along_u);
       const double exact = 2 * std::numbers::pi * 0.03;
@@ -110,7 +111,7 @@ TEST(RingSizes, AreNotThereAroundAMoebiusBand) {
         const auto r = 1 + v * cos(u / 2);
         return std::array{r * cos(u), r * sin(u), v * sin(u / 2)};
       })});
-  EXPECT_TRUE(short_rings(model, 0, bounds(1, 10)).empty());
+  EXPECT_TRUE(short_rings(model, 0, 40).empty());
 }
 
 TEST(RingSizes, AtAPoleAreThoseOneElementAway) {
@@ -118,7 +119,7 @@ TEST(RingSizes, AtAPoleAreThoseOneElementAway) {
       {make_callable_surface(Domain{0, 2 * std::numbers::pi, 0, 1}, [](auto u, auto v) {
         return std::array{v * cos(u), v * sin(u), 20 * (1 - v)};
       })});
-  const auto rings = short_rings(model, 0, bounds(1, 10));
+  const auto rings = short_rings(model, 0, 40);
   ASSERT_EQ(rings.size(), 1u);
   EXPECT_EQ(rings[0].poles, std::vector<double>{0});
   const double slant = std::hypot(1, 20);
@@ -145,13 +146,40 @@ TEST(RingSizes, MayHaveAPoleInside) {
   const std::vector<double> poles = {0.3 * std::numbers::sqrt2, std::numbers::pi};
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     SCOPED_TRACE(i);
-    const auto rings = short_rings(testing::model_of({shapes[i]}), 0, bounds(1, 10));
+    const auto rings = short_rings(testing::model_of({shapes[i]}), 0, 40);
     const auto ring =
         std::find_if(rings.begin(), rings.end(), [](const Ring& r) { return r.is_along_u; });
     ASSERT_NE(ring, rings.end());
     ASSERT_EQ(ring->poles.size(), 1u);
     EXPECT_NEAR(ring->poles[0], poles[i], 0.02 * poles[i]);
   }
+}
+
+TEST(RingSizes, AreFoundAtAPoleBetweenLongLines) {
+  // A double cone whose lines next to the pole are longer than any ring that is looked for.
+  const Model model = testing::model_of(
+      {make_callable_surface(Domain{0, 2 * std::numbers::pi, 0, 1}, [](auto u, auto v) {
+        const auto r = v - 0.51;
+        return std::array{r * cos(u), r * sin(u), r};
+      })});
+  const auto rings = short_rings(model, 0, 1e-3);
+  ASSERT_EQ(rings.size(), 1u);
+  ASSERT_EQ(rings[0].poles.size(), 1u);
+  EXPECT_NEAR(rings[0].poles[0], 0.51 * std::numbers::sqrt2, 1e-6);
+}
+
+TEST(RingSizes, AreNotLookedForWhereCurvatureGivesEnoughElements) {
+  const auto greatest = [](double curvature, std::optional<double> sag) {
+    Sizing sizing = testing::sizing_of(curvature, 0.01, 3, 2);
+    if (sag) sizing.sag = testing::units(*sag);
+    return greatest_ring(resolve(sizing, 1));
+  };
+  EXPECT_DOUBLE_EQ(greatest(0, {}), 12);
+  EXPECT_DOUBLE_EQ(greatest(0.25, {}), 0.08);
+  EXPECT_DOUBLE_EQ(greatest(2, {}), 12);  // three elements around
+  EXPECT_DOUBLE_EQ(greatest(0, 0.001), 0.08);
+  EXPECT_DOUBLE_EQ(greatest(0, 0.01), 0.8);
+  EXPECT_DOUBLE_EQ(greatest(0.25, 0.01), 0.08);
 }
 
 TEST(RingSizes, GoBelowHminButNotWithoutEnd) {

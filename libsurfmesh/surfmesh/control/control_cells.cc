@@ -103,8 +103,8 @@ std::optional<bool> ControlCells::halving_beside_finer(int leaf) {
 
 /// The leaves that have not been compared as they are now. What a leaf gives, and what its finer
 /// neighbours ask for, depends on the nodes that it touches alone.
-std::set<int> ControlCells::changed_leaves() {
-  std::set<int> leaves;
+std::vector<char> ControlCells::changed_leaves() {
+  std::vector<char> is_changed(tree_.size(), 0);
   const std::size_t compared = compared_cells_ == 0 ? 0 : compared_sizes_.size();
   compared_sizes_.resize(static_cast<std::size_t>(node_count()));
   for (std::size_t node = 0; node < compared_sizes_.size(); ++node) {
@@ -114,20 +114,21 @@ std::set<int> ControlCells::changed_leaves() {
     compared_sizes_[node] = now;
     // At first, all leaves are new.
     if (is_same || compared_cells_ == 0) continue;
-    const auto around = tree_.leaves_around(uv(number));
-    leaves.insert(around.begin(), around.end());
+    for (const int leaf : tree_.leaves_around(uv(number))) {
+      is_changed[static_cast<std::size_t>(leaf)] = 1;
+    }
   }
-  for (; compared_cells_ < tree_.size(); ++compared_cells_) {
-    leaves.insert(leaves.end(), static_cast<int>(compared_cells_));
-  }
-  return leaves;
+  std::fill(is_changed.begin() + static_cast<std::ptrdiff_t>(compared_cells_), is_changed.end(), 1);
+  compared_cells_ = tree_.size();
+  return is_changed;
 }
 
 std::vector<int> ControlCells::divide_beside_finer() {
-  const int first = node_count(), end = static_cast<int>(tree_.size());
-  std::set<int> leaves = changed_leaves();
-  while (!leaves.empty()) {
-    const int leaf = leaves.extract(leaves.begin()).value();
+  const int first = node_count();
+  std::vector<char> waits = changed_leaves();
+  for (std::size_t i = 0; i < waits.size(); ++i) {
+    if (!waits[i]) continue;
+    const int leaf = static_cast<int>(i);
     const std::optional<bool> along_u = halving_beside_finer(leaf);
     if (!along_u) continue;
     const int first_new = node_count();
@@ -135,7 +136,8 @@ std::vector<int> ControlCells::divide_beside_finer() {
     // Leaves before this one have their turn in the next call, as the new ones have.
     for (const int node : nodes_from(first_new)) {
       for (const int other : tree_.leaves_around(uv(node))) {
-        if (other > leaf && other < end) leaves.insert(other);
+        const auto at = static_cast<std::size_t>(other);
+        if (at > i && at < waits.size()) waits[at] = 1;
       }
     }
   }

@@ -5,7 +5,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include "surfmesh/control/cell_tree.hh"
@@ -60,7 +59,7 @@ class ControlCells : public LatticeSpace {
 
  private:
   CellTree::MakeNode make_node();
-  std::set<int> changed_leaves();
+  std::vector<char> changed_leaves();
   std::optional<bool> halving_beside_finer(int leaf);
   bool misses_finer(int leaf, bool along_u) const;
 

@@ -17,16 +17,22 @@
 namespace surfmesh {
 namespace {
 
-/// Cells of the lattice along each side of a patch, and of all patches together.
-constexpr int kLeastCells = 8, kMostCells = 32;
-constexpr double kCellsInAll = 128;
+/// Cells of a lattice along each side of a patch, and of all patches together.
+struct LatticeCells {
+  int least;
+  int most;
+  double in_all;
+};
+
+constexpr LatticeCells kOfSizes{8, 32, 128};
+constexpr LatticeCells kOfAreas{4, 32, 64};
 
 /// How much larger the area may be than it looks between samples.
 constexpr double kAreaMargin = 2;
 
-int cells_per_side(const Model& model) {
+int cells_per_side(const Model& model, const LatticeCells& cells) {
   const double patches = static_cast<double>(model.patches.size());
-  return std::clamp(static_cast<int>(kCellsInAll / std::sqrt(patches)), kLeastCells, kMostCells);
+  return std::clamp(static_cast<int>(cells.in_all / std::sqrt(patches)), cells.least, cells.most);
 }
 
 /// Call `visit(column, row)` for each cell of a lattice whose middle is inside the region of a
@@ -92,7 +98,7 @@ class PatchSampler {
 
 CoarseEstimate estimate_coarsely(const Model& model, const std::vector<PatchSources>& sources,
                                  const ResolvedSizing& sizing) {
-  const int cells = cells_per_side(model);
+  const int cells = cells_per_side(model, kOfSizes);
   std::vector<SizedPatch> likely(sources.size()), least(sources.size());
   share_indices(sources.size(), [&](std::size_t p) {
     at_location("patch " + model.patches[p].name, [&] {
@@ -113,7 +119,7 @@ CoarseEstimate estimate_coarsely(const Model& model, const std::vector<PatchSour
 }
 
 double most_triangles(const Model& model, double hmin) {
-  const int cells = cells_per_side(model);
+  const int cells = cells_per_side(model, kOfAreas);
   std::vector<double> areas(model.patches.size(), 0);
   share_indices(model.patches.size(), [&](std::size_t p) {
     at_location("patch " + model.patches[p].name,

@@ -18,13 +18,13 @@
 namespace surfmesh {
 namespace {
 
-/// Triangles on a border of the region are divided down to this share of the domain.
-constexpr double kLeastShare = 1.0 / 65536;
+/// Triangles on a border of the region are divided down to this share of its area.
+constexpr double kLeastShare = 1.0 / 4096;
 
 /// Ratio of the areas of two sizes between which three points are enough for an integral.
 constexpr double kEvenShare = 4;
 
-constexpr int kChordsPerPart = 8;
+constexpr int kChordsPerPart = 4;
 
 /// Sizes below hmin by more than rounding are those around tubes.
 constexpr double kJustBelow = 0.999;
@@ -69,7 +69,7 @@ class PatchIntegral {
         space_(space),
         lattice_(dynamic_cast<const LatticeSpace*>(&space)),
         region_(model, patch),
-        least_area_(kLeastShare * area_of(model.surface(patch).domain())) {}
+        least_area_(kLeastShare * region_.area()) {}
 
   SizedPatch run() {
     add_faces();
@@ -80,10 +80,6 @@ class PatchIntegral {
   }
 
  private:
-  static double area_of(const Domain& domain) {
-    return (domain.u1 - domain.u0) * (domain.v1 - domain.v0);
-  }
-
   std::vector<Node> nodes() const {
     const PolyMesh& mesh = space_.mesh();
     const auto uv_of = require(mesh, keys::vertex_uv);

@@ -43,9 +43,9 @@ bool may_meet(const PatchRegion::Segment& s, const UvTriangle& t) {
 PatchRegion::PatchRegion(const Model& model, int patch) : domain_(model.surface(patch).domain()) {
   const Patch& own = model.patch(patch);
   for (const PatchLoop& loop : own.loops) add_loop(model, loop);
-  const double area = area_of(domain_);
-  is_whole_ =
-      own.loops.size() == 1 && std::abs(0.5 * twice_area(segments_) - area) <= kWholeShare * area;
+  area_ = std::abs(0.5 * twice_area(segments_));
+  const double of_domain = area_of(domain_);
+  is_whole_ = own.loops.size() == 1 && std::abs(area_ - of_domain) <= kWholeShare * of_domain;
   if (!is_whole_) fill_cells();
 }
 

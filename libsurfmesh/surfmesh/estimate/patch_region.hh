@@ -31,6 +31,9 @@ class PatchRegion {
   /// True if the loops cut nothing off the domain.
   bool is_whole() const { return is_whole_; }
 
+  /// The area inside, in parameters.
+  double area() const { return area_; }
+
   /// True if a point is inside.
   /// Cost     the segments beside it in the direction of u: O(√n) for n segments spread evenly
   bool contains(Uv uv) const;
@@ -54,6 +57,7 @@ class PatchRegion {
   const Segment& segment(int i) const { return segments_[static_cast<std::size_t>(i)]; }
 
   bool is_whole_ = false;
+  double area_ = 0;
   std::vector<Segment> segments_;
   Domain domain_;
   std::size_t side_ = 1;  ///< cells along each side of a grid over the domain

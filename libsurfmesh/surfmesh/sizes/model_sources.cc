@@ -73,7 +73,7 @@ std::vector<PatchSources> model_sources(const Model& model, const Sources& sourc
   std::vector<PatchSources> result = sources_by_patch(sources, model.patches.size());
   for (std::size_t p = 0; p < result.size(); ++p) {
     PatchSources& patch = result[p];
-    patch.rings = short_rings(model, static_cast<int>(p), sizing.bounds);
+    patch.rings = short_rings(model, static_cast<int>(p), greatest_ring(sizing));
     if (near) patch.trees.push_back(near);
     if (boundary[p].empty()) continue;
     patch.trees.push_back(std::make_shared<SourceTree>(std::move(boundary[p]), sizing.grade));

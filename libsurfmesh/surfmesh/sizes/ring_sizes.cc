@@ -5,16 +5,24 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 namespace surfmesh {
 namespace {
 
-constexpr int kChordsPerCell = 8;
-constexpr int kLinesPerCell = 4;
+/// How many chords measure a line. Formulas may hold more than a cell of a cage.
+struct Chords {
+  int around;    ///< at least, over all patches
+  int per_cell;  ///< at least
+};
 
-/// Formulas may hold more than a cell of a cage.
-constexpr int kLeastChords = 32;
+constexpr Chords kMeasured{32, 8};
+
+/// Enough to see that a line is long.
+constexpr Chords kFew{8, 1};
+
+constexpr int kLinesPerCell = 4;
 constexpr int kLeastLines = 32;
 
 /// Patches around a tube that are helped: more have a segment each, and are not flat together.
@@ -31,6 +39,16 @@ constexpr double kPoleShare = 1e-6;
 /// is longer than this share of their sum is near none.
 constexpr double kShareBesidePole = 0.3;
 constexpr int kBisections = 50;
+
+/// Sizes of up to this share of its radius leave a round tube eight elements around.
+constexpr double kRoundFactor = std::numbers::pi / 4;
+
+/// A size from sag is √(8 sag r) on a tube of radius r: eight elements are around where a quarter
+/// of the ring is at least this many sags long.
+constexpr double kRoundSags = 20;
+
+/// Tubes that are not round have sides with larger sizes.
+constexpr double kOvalMargin = 2;
 
 /// A patch that lines run across, from one contour to the one on the opposite side.
 struct Crossing {
@@ -88,11 +106,8 @@ std::optional<Crossing> crossing_between(const Model& model, const ContourUse& a
 }
 
 /// Length of the part of a line in one patch.
-double length_across(const Crossing& crossing, double coordinate) {
+double length_across(const Crossing& crossing, double coordinate, int chords) {
   const Domain domain = crossing.surface->domain();
-  const CellCount cells = crossing.surface->cells();
-  const int chords =
-      std::max(kLeastChords, kChordsPerCell * (crossing.is_along_u ? cells.u : cells.v));
   const auto point = [&](int i) {
     const Uv on = domain.at(double(i) / chords, double(i) / chords);
     const Uv uv = crossing.is_along_u ? Uv{on.u, coordinate} : Uv{coordinate, on.v};
@@ -114,6 +129,13 @@ double interpolate(const std::vector<double>& values, double at) {
   const auto i = static_cast<std::size_t>(std::clamp(at, 0.0, last - 1));
   const double share = at - static_cast<double>(i);
   return (1 - share) * values[i] + share * values[i + 1];
+}
+
+/// True if the lines around this one may meet in a point beside it.
+bool is_near_pole(const std::vector<double>& lengths, std::size_t i) {
+  const double before = lengths[i - 1], after = lengths[i + 1];
+  return lengths[i] <= std::min(before, after) && lengths[i] != after &&
+         lengths[i] <= kShareBesidePole * (before + after);
 }
 
 /// The fractional index at which growing values reach `value`.
@@ -138,13 +160,17 @@ class Tube {
   /// True if lines through the contour of the start come back to it.
   bool is_closed() const { return is_closed_; }
 
+  /// False if all lines are at least this long. Takes few evaluations.
+  bool may_be_shorter_than(double length) const;
+
   Ring measure() const;
 
  private:
   std::optional<Crossing> cross(const LoopEntry& entry, LoopEntry& exit) const;
   void follow(const LoopEntry& start);
   double returned_parameter(double t) const;
-  double line_length(double t) const;
+  double line_length(double t, const Chords& chords) const;
+  Ring lines() const;
   double parameter_at(const Ring& ring, double line) const;
   void find_poles(Ring& ring) const;
 
@@ -194,11 +220,14 @@ double Tube::returned_parameter(double t) const {
 }
 
 /// Length of the closed line that starts at this t of the first contour.
-double Tube::line_length(double t) const {
+double Tube::line_length(double t, const Chords& chords) const {
+  const int patches = static_cast<int>(crossings_.size());
   double length = 0;
   for (const Crossing& c : crossings_) {
     const double coordinate = across(*c.entry, t, c.is_along_u);
-    length += length_across(c, coordinate);
+    const CellCount cells = c.surface->cells();
+    const int of_cells = chords.per_cell * (c.is_along_u ? cells.u : cells.v);
+    length += length_across(c, coordinate, std::max(chords.around / patches, of_cells));
     t = parameter(*c.exit, coordinate, c.is_along_u);
   }
   return length;
@@ -211,7 +240,8 @@ double Tube::parameter_at(const Ring& ring, double line) const {
   return parameter(*first.entry, (1 - share) * ring.from + share * ring.to, first.is_along_u);
 }
 
-Ring Tube::measure() const {
+/// The lines to be measured.
+Ring Tube::lines() const {
   const Crossing& first = crossings_.front();
   const double a = across(*first.entry, 0, first.is_along_u);
   const double b = across(*first.entry, 1, first.is_along_u);
@@ -219,6 +249,23 @@ Ring Tube::measure() const {
   const int lines = std::max(kLeastLines, kLinesPerCell * (first.is_along_u ? cells.v : cells.u));
   Ring ring{first.is_along_u, std::min(a, b), std::max(a, b), {}};
   ring.lengths.resize(static_cast<std::size_t>(lines) + 1);
+  return ring;
+}
+
+bool Tube::may_be_shorter_than(double length) const {
+  Ring ring = lines();
+  auto& lengths = ring.lengths;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    lengths[i] = line_length(parameter_at(ring, static_cast<double>(i)), kFew);
+    if (lengths[i] < length) return true;
+    if (i > 1 && is_near_pole(lengths, i - 1)) return true;
+  }
+  return false;
+}
+
+Ring Tube::measure() const {
+  const Crossing& first = crossings_.front();
+  Ring ring = lines();
   double distance = 0;
   Vec3 last = model_.point(*first.entry, parameter_at(ring, 0));
   for (std::size_t i = 0; i < ring.lengths.size(); ++i) {
@@ -226,7 +273,7 @@ Ring Tube::measure() const {
     const Vec3 point = model_.point(*first.entry, t);
     distance += (point - last).norm();
     last = point;
-    ring.lengths[i] = line_length(t);
+    ring.lengths[i] = line_length(t, kMeasured);
     ring.distances.push_back(distance);
   }
   find_poles(ring);
@@ -238,21 +285,20 @@ void Tube::find_poles(Ring& ring) const {
   const auto& lengths = ring.lengths;
   const double small = kPoleShare * *std::max_element(lengths.begin(), lengths.end());
   const std::size_t last = lengths.size() - 1;
+  const auto length_at = [&](double line) {
+    return line_length(parameter_at(ring, line), kMeasured);
+  };
   if (lengths[0] <= small) ring.poles.push_back(0);
   for (std::size_t i = 1; i < last; ++i) {
-    const double before = lengths[i - 1], after = lengths[i + 1];
-    if (lengths[i] > std::min(before, after) || lengths[i] == after ||
-        lengths[i] > kShareBesidePole * (before + after)) {
-      continue;
-    }
+    if (!is_near_pole(lengths, i)) continue;
     double low = static_cast<double>(i - 1), high = static_cast<double>(i + 1);
     for (int k = 0; k < kBisections; ++k) {
       const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-      const bool is_first = line_length(parameter_at(ring, a)) < line_length(parameter_at(ring, b));
+      const bool is_first = length_at(a) < length_at(b);
       (is_first ? high : low) = is_first ? b : a;
     }
     const double line = 0.5 * (low + high);
-    if (line_length(parameter_at(ring, line)) > small) continue;
+    if (length_at(line) > small) continue;
     ring.poles.push_back(interpolate(ring.distances, line));
   }
   if (lengths[last] <= small) ring.poles.push_back(ring.distances.back());
@@ -278,13 +324,25 @@ double Ring::length_at(Uv uv, double element_length) const {
   return interpolate(lengths, at);
 }
 
-std::vector<Ring> short_rings(const Model& model, int patch, const SizeBounds& bounds) {
+double greatest_ring(const ResolvedSizing& sizing) {
+  double greatest = sizing.bounds.hmax;
+  if (sizing.curvature > 0 && sizing.curvature <= kRoundFactor) {
+    greatest = std::min(greatest, kOvalMargin * sizing.bounds.hmin);
+  }
+  if (sizing.sag > 0) {
+    greatest =
+        std::min(greatest, std::max(kOvalMargin * sizing.bounds.hmin, kRoundSags * sizing.sag));
+  }
+  return kUnitsAround * greatest;
+}
+
+std::vector<Ring> short_rings(const Model& model, int patch, double greatest) {
   const Patch& own = model.patch(patch);
   std::vector<Ring> rings;
   for (const LoopEntry& entry : own.loops.front()) {
     if (model.contour(entry).is_degenerate) continue;
     const Tube tube(model, entry);
-    if (!tube.is_closed()) continue;
+    if (!tube.is_closed() || !tube.may_be_shorter_than(greatest)) continue;
     Ring ring = tube.measure();
     // A line across is met at both of its ends.
     const auto is_same = [&](const Ring& other) {
@@ -292,7 +350,7 @@ std::vector<Ring> short_rings(const Model& model, int patch, const SizeBounds& b
     };
     if (std::any_of(rings.begin(), rings.end(), is_same)) continue;
     const double least = *std::min_element(ring.lengths.begin(), ring.lengths.end());
-    if (least >= kUnitsAround * bounds.hmax) continue;
+    if (least >= greatest && ring.poles.empty()) continue;
     rings.push_back(std::move(ring));
   }
   return rings;

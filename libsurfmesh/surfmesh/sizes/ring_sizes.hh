@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "surfmesh/model/model.hh"
+#include "surfmesh/sizes/resolved_sizing.hh"
 #include "surfmesh/sizes/size_bounds.hh"
 
 namespace surfmesh {
@@ -23,14 +24,19 @@ struct Ring {
   double length_at(Uv uv, double element_length) const;
 };
 
-/// Find the rings of a patch that are so short that `bounds` alone would leave fewer than
-/// `kUnitsAround` elements around. A mesh would be flat or improper there.
+/// The greatest length of a ring that can have fewer than `kUnitsAround` elements around without
+/// a size of its own: longer ones get enough from hmax, or from curvature above hmin.
+double greatest_ring(const ResolvedSizing& sizing);
+
+/// Find the rings of a patch that are shorter than `greatest` somewhere, or meet in a pole. A mesh
+/// would be flat or improper there.
 ///
 /// Error    lengths are those of polylines of 8 chords per cell of the surface and at least 32,
 ///          interpolated between 4 lines per cell and at least 32: 3 % too short for a round ring
 ///          of four faces (test RingSizes.*)
-/// Cost     32 evaluations per cell, at least 1,000, for a patch that has rings
-std::vector<Ring> short_rings(const Model& model, int patch, const SizeBounds& bounds);
+/// Cost     32 evaluations per cell, at least 1,000, for a patch that has such rings; a quarter for
+///          one that has longer rings
+std::vector<Ring> short_rings(const Model& model, int patch, double greatest);
 
 /// Elements wanted around a ring, even if they have to be smaller than hmin.
 inline constexpr double kUnitsAround = 4;
