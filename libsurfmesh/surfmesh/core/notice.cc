@@ -44,6 +44,8 @@ std::string_view name(NoticeKind kind) {
       return "narrow_gap";
     case NoticeKind::UnusedContour:
       return "unused_contour";
+    case NoticeKind::UnusedOption:
+      return "unused_option";
     case NoticeKind::SurfaceGap:
       return "surface_gap";
     case NoticeKind::ClampedSizes:

@@ -24,6 +24,7 @@ enum class NoticeKind {
   TurnedLoop,       ///< a loop was given the wrong way round
   NarrowGap,        ///< loops nearly meet
   UnusedContour,    ///< no loop names a contour
+  UnusedOption,     ///< an option has no effect beside another one
   SurfaceGap,       ///< surfaces of neighbouring faces do not quite meet
   ClampedSizes,     ///< sizes of sources are brought into the bounds
   CutEdges,         ///< edges are left open, as a half-edge mesh cannot be so
@@ -38,7 +39,7 @@ enum class NoticeKind {
   BrokenPromise,    ///< the mesh is not as the model promises
 };
 
-inline constexpr std::size_t kNoticeKinds = 22;
+inline constexpr std::size_t kNoticeKinds = 23;
 
 /// The name of a kind in reports: "ignored_input", "turned_triangles", ...
 std::string_view name(NoticeKind kind);

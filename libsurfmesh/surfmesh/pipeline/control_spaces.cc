@@ -156,6 +156,7 @@ ControlBases make_control_bases(const Model& model, const Sources& sources,
   if (auto notice = clamp_notice(model, sources, sizing.bounds)) {
     control.notices.push_back(std::move(*notice));
   }
+  if (auto notice = unused_option(options)) control.notices.push_back(std::move(*notice));
   refuse_hopeless_sizes(model, sources, sizing, context);
   result.sources = model_sources(model, sources, sizing);
   result.inputs.resize(model.patches.size());

@@ -144,13 +144,16 @@ void check(const ControlOptions& options) {
   check_option(ranges::kControl, options.kind);
   check(node_options(options));
   check(space_options(options));
-  if (options.kind == ControlKind::Mesh || options.kind == ControlKind::Automatic) return;
+}
+
+std::optional<Notice> unused_option(const ControlOptions& options) {
+  if (effective_kind(options) != options.kind || options.kind == ControlKind::Mesh) return {};
   std::string_view unused = option_of_mesh(options);
   if (options.kind == ControlKind::Cells && options.regular_nodes > 0) unused = ranges::kNodes.name;
-  if (unused.empty()) return;
-  throw Error(ErrorCode::InvalidOption,
-              fmt::format("{} has no effect with control = {}, but with control = mesh", unused,
-                          to_text(ranges::kControl, static_cast<double>(options.kind))));
+  if (unused.empty()) return {};
+  return warning(NoticeKind::UnusedOption,
+                 fmt::format("{} has no effect with control = {}, but with control = mesh", unused,
+                             to_text(ranges::kControl, static_cast<double>(options.kind))));
 }
 
 ControlInput collect_control_input(const Surface& surface, const ResolvedSizing& sizing,

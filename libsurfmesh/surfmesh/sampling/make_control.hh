@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "surfmesh/control/control_space.hh"
 #include "surfmesh/control/lattice_space.hh"
+#include "surfmesh/core/notice.hh"
 #include "surfmesh/core/run_context.hh"
 #include "surfmesh/sampling/control_nodes.hh"
 #include "surfmesh/sampling/sample_cells.hh"
@@ -40,9 +42,11 @@ struct ControlOptions {
 /// The kind that takes effect: that of the options, unless it is automatic.
 ControlKind effective_kind(const ControlOptions& options);
 
-/// Throws   InvalidOption naming the option, its value and its range, or an option that has no
-///          effect on the kind of control space
+/// Throws   InvalidOption naming the option, its value and its range
 void check(const ControlOptions& options);
+
+/// Tell an option that has no effect on the kind of control space that was asked for.
+std::optional<Notice> unused_option(const ControlOptions& options);
 
 /// Everything that the control space of one patch is made from.
 struct ControlInput {
