@@ -10,6 +10,7 @@
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/geometry/callable_surface.hh"
 #include "surfmesh/pipeline/counted_surfaces.hh"
+#include "surfmesh/quality/project_mesh.hh"
 #include "surfmesh/quality/surface_distance.hh"
 #include "surfmesh/quality/triangle_sag.hh"
 

@@ -11,6 +11,8 @@
 #include "support/meshes.hh"
 #include "support/models.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/geometry/callable_surface.hh"
+#include "surfmesh/quality/project_mesh.hh"
 
 namespace surfmesh {
 namespace {
@@ -60,6 +62,47 @@ TEST(ProjectMesh, GoesByTheNamesOfPatchesAndGroups) {
     project_mesh(mesh, {name}, model, SurfaceSearch(model));
     EXPECT_EQ(mesh.property(find(mesh, keys::face_patch), FaceHandle(0)), patch) << name;
   }
+}
+
+/// A sheet folded at u = 0 like a hairpin: a cell of a mesh by `columns` × `rows` of its domain.
+PolyMesh mesh_over(const Surface& surface, int columns, int rows) {
+  const Domain domain = surface.domain();
+  PolyMesh mesh = testing::plane_grid(columns, rows);
+  for (const VertexHandle vh : mesh.vertices()) {
+    const Vec3 at = to_eigen(mesh.point(vh));
+    const Uv uv = domain.at(at.x() / columns, at.y() / rows);
+    mesh.set_point(vh, to_openmesh(surface.evaluate(uv, Order::Position).point));
+  }
+  return mesh;
+}
+
+TEST(ProjectMesh, StaysOnTheSheetOfAHairpin) {
+  const Model model =
+      testing::model_of({make_callable_surface(Domain{-1, 1, 0, 1}, [](auto u, auto v) {
+        return std::array{u * u, v, 0.004 * u};
+      })});
+  PolyMesh mesh = mesh_over(*model.patches[0].surface, 40, 5);
+  const SurfaceSearch search(model);
+  project_mesh(mesh, {}, model, search);
+  const auto uv_of = require(mesh, keys::corner_uv);
+  for (const HalfedgeHandle heh : mesh.halfedges()) {
+    if (mesh.is_boundary(heh)) continue;
+    const double z = mesh.point(mesh.to_vertex_handle(heh))[2];
+    EXPECT_NEAR(mesh.property(uv_of, heh).u, z / 0.004, 1e-6);
+  }
+  EXPECT_TRUE(measure_distance(mesh, model, search, true).faults.empty());
+}
+
+TEST(MeasureDistance, CallsNoFaceTurnedThatFacesOneOfTwoSheetsInOnePlace) {
+  // Beyond u = π / 6.4 the sheet lies on itself, turned over.
+  const Model model =
+      testing::model_of({make_callable_surface(Domain{0, 1, 0, 1}, [](auto u, auto v) {
+        return std::array{sin(3.2 * u), v, 0 * u};
+      })});
+  PolyMesh mesh = mesh_over(*model.patches[0].surface, 32, 8);
+  const SurfaceSearch search(model);
+  project_mesh(mesh, {}, model, search);
+  EXPECT_TRUE(measure_distance(mesh, model, search, true).faults.empty());
 }
 
 TEST(MeasureDistance, FallsWithTheSquareOfTheElements) {

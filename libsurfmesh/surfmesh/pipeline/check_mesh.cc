@@ -16,6 +16,7 @@
 #include "surfmesh/core/run_context.hh"
 #include "surfmesh/metric/tensor.hh"
 #include "surfmesh/pipeline/notice_json.hh"
+#include "surfmesh/quality/project_mesh.hh"
 #include "surfmesh/quality/sag.hh"
 #include "surfmesh/sizes/model_sources.hh"
 #include "surfmesh/sizes/size_field.hh"

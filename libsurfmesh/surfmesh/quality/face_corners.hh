@@ -24,4 +24,10 @@ inline std::vector<HalfedgeHandle> corners_of(const PolyMesh& mesh, FaceHandle f
   return corners;
 }
 
+inline Vec3 middle_of(const PolyMesh& mesh, const std::vector<HalfedgeHandle>& corners) {
+  Vec3 sum = Vec3::Zero();
+  for (const HalfedgeHandle corner : corners) sum += point_of(mesh, corner);
+  return sum / static_cast<double>(corners.size());
+}
+
 }  // namespace surfmesh::detail

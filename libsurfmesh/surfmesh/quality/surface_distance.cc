@@ -39,43 +39,6 @@ constexpr double kClearlyTurned = 0.5;
 /// Distances below this share of the diagonal need no second search.
 constexpr double kOnSurface = 1e-10;
 
-/// A name as it is in OBJ files, where blanks are not part of words.
-std::string as_word(std::string name) {
-  for (char& c : name) c = static_cast<unsigned char>(c) <= ' ' ? '_' : c;
-  return name;
-}
-
-/// The patches of a model that have the name, or are in the group of the name.
-std::vector<int> patches_named(const Model& model, const std::string& name) {
-  std::vector<int> patches;
-  for (std::size_t p = 0; p < model.patches.size(); ++p) {
-    if (as_word(model.patches[p].name) == as_word(name)) patches.push_back(static_cast<int>(p));
-  }
-  for (const Group& group : model.groups) {
-    if (!patches.empty() || as_word(group.name) != as_word(name)) continue;
-    patches = group.patches;
-  }
-  return patches;
-}
-
-Vec3 middle_of(const PolyMesh& mesh, const std::vector<HalfedgeHandle>& corners) {
-  Vec3 sum = Vec3::Zero();
-  for (const HalfedgeHandle heh : corners) sum += point_of(mesh, heh);
-  return sum / static_cast<double>(corners.size());
-}
-
-/// A corner of a face: from the face's middle, unless it is much nearer elsewhere on the patch. At
-/// an extraordinary vertex the search from the middle ends short of it; the vertex itself may be
-/// found on the wrong side of a seam.
-Uv project_corner(const Model& model, const SurfaceSearch& search, const Vec3& point,
-                  const NearPoint& middle) {
-  const Surface& surface = model.surface(middle.patch);
-  const NearPoint near = find_near_point(surface, point, middle.uv);
-  if (near.distance <= kOffSurface * model.diagonal) return near.uv;
-  const NearPoint other = search.nearest(point, {middle.patch});
-  return other.distance < 0.5 * near.distance ? other.uv : near.uv;
-}
-
 /// Measures the faces of a mesh one after the other.
 class DistanceMeter {
  public:
@@ -138,10 +101,10 @@ class DistanceMeter {
       area += (b.point - a.point).cross(c.point - a.point);
       measure_samples(surface, {a, b, c}, fh);
     }
-    const double facing = surfmesh::facing(area, normal);
-    facing_[index(fh)] = facing;
+    const double cosine = facing(area, normal);
+    facing_[index(fh)] = cosine;
     side_of_[static_cast<std::size_t>(mesh_.property(patch_of_, fh))] +=
-        facing > 0 ? area.norm() : -area.norm();
+        cosine > 0 ? area.norm() : -area.norm();
   }
 
   /// Returns the normal p_u × p_v of the surface there; zero where it has none.
@@ -185,13 +148,31 @@ class DistanceMeter {
     const double least_facing = is_projected_ ? -kClearlyTurned : 0;
     for (const FaceHandle fh : mesh_.faces()) {
       const double side = side_of_[static_cast<std::size_t>(mesh_.property(patch_of_, fh))];
-      const double facing = facing_[index(fh)];
-      if (facing * (side < 0 ? -1 : 1) > least_facing) continue;
+      if (facing_[index(fh)] * (side < 0 ? -1 : 1) > least_facing) continue;
+      if (is_projected_ && faces_a_sheet(fh)) continue;
       turned_.add([&] {
         return fmt::format("{} at {}", face_text(fh),
-                           point_text(middle_of(mesh_, corners_of(mesh_, fh))));
+                           point_text(detail::middle_of(mesh_, corners_of(mesh_, fh))));
       });
     }
+  }
+
+  /// True if a face is turned against one sheet of the surface, but not against another one in
+  /// the same place: where the surface is folded onto itself, projection takes either.
+  bool faces_a_sheet(FaceHandle fh) const {
+    const std::vector<HalfedgeHandle> corners = corners_of(mesh_, fh);
+    Vec3 area = Vec3::Zero();
+    for (std::size_t k = 2; k < corners.size(); ++k) {
+      const Vec3 a = point_of(mesh_, corners[0]);
+      area += (point_of(mesh_, corners[k - 1]) - a).cross(point_of(mesh_, corners[k]) - a);
+    }
+    const std::vector<NearPoint> feet = search_.feet(detail::middle_of(mesh_, corners));
+    const double reach = 2 * feet.front().distance + kOnSurface * model_.diagonal;
+    return std::any_of(feet.begin(), feet.end(), [&](const NearPoint& foot) {
+      const Jet jet = model_.surface(foot.patch).evaluate(foot.uv, Order::First);
+      const double side = side_of_[static_cast<std::size_t>(foot.patch)] < 0 ? -1 : 1;
+      return foot.distance <= reach && side * facing(area, jet.du.cross(jet.dv)) > 0;
+    });
   }
 
   const PolyMesh& mesh_;
@@ -210,29 +191,6 @@ class DistanceMeter {
 };
 
 }  // namespace
-
-void project_mesh(PolyMesh& mesh, const std::vector<std::string>& patch_names, const Model& model,
-                  const SurfaceSearch& search, const RunContext& context) {
-  std::vector<std::vector<int>> allowed;
-  for (const std::string& name : patch_names) allowed.push_back(patches_named(model, name));
-  const bool has_patches = find(mesh, keys::face_patch).is_valid();
-  const auto patch_of = has_patches ? find(mesh, keys::face_patch) : attach(mesh, keys::face_patch);
-  detach(mesh, keys::corner_uv);
-  const auto uv_of = attach(mesh, keys::corner_uv);
-  const std::vector<int> all;
-  for (const FaceHandle fh : mesh.faces()) {
-    ask_at(fh, context);
-    const int group = has_patches ? mesh.property(patch_of, fh) : -1;
-    const bool has_name = group >= 0 && static_cast<std::size_t>(group) < allowed.size();
-    const std::vector<HalfedgeHandle> corners = corners_of(mesh, fh);
-    const NearPoint middle = search.nearest(
-        middle_of(mesh, corners), has_name ? allowed[static_cast<std::size_t>(group)] : all);
-    mesh.property(patch_of, fh) = middle.patch;
-    for (const HalfedgeHandle heh : corners) {
-      mesh.property(uv_of, heh) = project_corner(model, search, point_of(mesh, heh), middle);
-    }
-  }
-}
 
 SurfaceDistance measure_distance(const PolyMesh& mesh, const Model& model,
                                  const SurfaceSearch& search, bool is_projected,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "surfmesh/core/mesh.hh"
@@ -12,20 +11,6 @@
 #include "surfmesh/quality/surface_search.hh"
 
 namespace surfmesh {
-
-/// Give the corners of a mesh the patches and parameters of the nearest points of a model.
-///
-/// The patch of a face is that of the point nearest to its middle, among the patches that have the
-/// name of the face's group, or are in the model's group of that name. If no patch or group has
-/// this name, all patches count. Its corners are projected from there, so that a face at a seam
-/// stays on one side of it.
-///
-/// Reads    surf:patch (face; optional), with its names
-/// Writes   surf:patch (face), surf:uv (halfedge)
-/// Cost     about 10 surface evaluations per corner
-/// Throws   Cancelled
-void project_mesh(PolyMesh& mesh, const std::vector<std::string>& patch_names, const Model& model,
-                  const SurfaceSearch& search, const RunContext& context = RunContext());
 
 /// How far a mesh is from the surface. Lengths in model units.
 struct SurfaceDistance {

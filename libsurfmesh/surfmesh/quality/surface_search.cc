@@ -224,6 +224,12 @@ bool SurfaceSearch::are_beside(const Sample& a, const Sample& b) const {
          std::abs(a.uv.v - b.uv.v) < kElsewhere * (domain.v1 - domain.v0);
 }
 
+NearPoint SurfaceSearch::descend(const Sample& from, const Vec3& point) const {
+  NearPoint found = find_near_point(model_.surface(from.patch), point, from.uv);
+  found.patch = from.patch;
+  return found;
+}
+
 NearPoint SurfaceSearch::nearest(const Vec3& point, const std::vector<int>& patches) const {
   Candidates candidates{point, patches, {}};
   search(0, samples_.size(), 0, candidates);
@@ -235,11 +241,23 @@ NearPoint SurfaceSearch::nearest(const Vec3& point, const std::vector<int>& patc
         std::any_of(first, first + static_cast<std::ptrdiff_t>(i),
                     [&](const auto& candidate) { return are_beside(*candidate.second, sample); });
     if (is_tried && i > 1) continue;
-    NearPoint found = find_near_point(model_.surface(sample.patch), point, sample.uv);
-    found.patch = sample.patch;
+    const NearPoint found = descend(sample, point);
     if (found.distance < best.distance) best = found;
   }
   return best;
+}
+
+std::vector<NearPoint> SurfaceSearch::feet(const Vec3& point) const {
+  const std::vector<int> all;
+  Candidates candidates{point, all, {}};
+  search(0, samples_.size(), 0, candidates);
+  std::vector<NearPoint> feet;
+  for (std::size_t i = 0; i < candidates.count; ++i) {
+    feet.push_back(descend(*candidates.best[i].second, point));
+  }
+  std::stable_sort(feet.begin(), feet.end(),
+                   [](const NearPoint& a, const NearPoint& b) { return a.distance < b.distance; });
+  return feet;
 }
 
 }  // namespace surfmesh

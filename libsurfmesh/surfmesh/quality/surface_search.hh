@@ -42,6 +42,12 @@ class SurfaceSearch {
   ///          the point, compared with the distance of the samples
   NearPoint nearest(const Vec3& point, const std::vector<int>& patches = {}) const;
 
+  /// The points found downhill from the samples that are nearest to a point, the nearest first:
+  /// where the surface has several sheets in one place, one on each.
+  ///
+  /// Error    as for nearest(); at most 8 samples are tried
+  std::vector<NearPoint> feet(const Vec3& point) const;
+
  private:
   struct Sample {
     Vec3 point;
@@ -51,6 +57,7 @@ class SurfaceSearch {
   struct Candidates;
 
   void add_samples(int patch, int count);
+  NearPoint descend(const Sample& from, const Vec3& point) const;
   void sort_tree(std::size_t first, std::size_t end, int axis);
   /// True if both lead to the same point of a patch.
   bool are_beside(const Sample& a, const Sample& b) const;

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/quality/project_mesh.hh"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "surfmesh/core/properties.hh"
+#include "surfmesh/quality/face_corners.hh"
+
+namespace surfmesh {
+namespace {
+
+using detail::corners_of;
+using detail::point_of;
+
+/// Distances below this share of the diagonal are rounding.
+constexpr double kOnSurface = 1e-10;
+
+/// Corners or faces between two questions whether the run is cancelled: each may take some hundred
+/// evaluations.
+constexpr std::size_t kBetweenCancellation = 256;
+
+/// Rounds in which corners learn from neighbours. A region of a wrong sheet shrinks by a row of
+/// faces a round.
+constexpr int kMostRounds = 100;
+
+/// A name as it is in OBJ files, where blanks are not part of words.
+std::string as_word(std::string name) {
+  for (char& c : name) c = static_cast<unsigned char>(c) <= ' ' ? '_' : c;
+  return name;
+}
+
+/// The patches of a model that have the name, or are in the group of the name.
+std::vector<int> patches_named(const Model& model, const std::string& name) {
+  std::vector<int> patches;
+  for (std::size_t p = 0; p < model.patches.size(); ++p) {
+    if (as_word(model.patches[p].name) == as_word(name)) patches.push_back(static_cast<int>(p));
+  }
+  for (const Group& group : model.groups) {
+    if (!patches.empty() || as_word(group.name) != as_word(name)) continue;
+    patches = group.patches;
+  }
+  return patches;
+}
+
+class MeshProjection {
+ public:
+  MeshProjection(PolyMesh& mesh, const std::vector<std::string>& patch_names, const Model& model,
+                 const SurfaceSearch& search)
+      : mesh_(mesh),
+        model_(model),
+        search_(search),
+        on_surface_(kOnSurface * model.diagonal),
+        distances_(mesh.n_halfedges(), 0) {
+    for (const std::string& name : patch_names) allowed_.push_back(patches_named(model, name));
+    has_patches_ = find(mesh, keys::face_patch).is_valid();
+    patch_of_ = has_patches_ ? find(mesh, keys::face_patch) : attach(mesh, keys::face_patch);
+    detach(mesh, keys::corner_uv);
+    uv_of_ = attach(mesh, keys::corner_uv);
+  }
+
+  void run(const RunContext& context) {
+    for (const FaceHandle fh : mesh_.faces()) {
+      if (index(fh) % kBetweenCancellation == 0) context.throw_if_cancelled();
+      project(fh);
+    }
+    learn_from_neighbours(context);
+  }
+
+ private:
+  double& distance(HalfedgeHandle corner) { return distances_[index(corner)]; }
+
+  void take(HalfedgeHandle corner, const NearPoint& near) {
+    mesh_.property(uv_of_, corner) = near.uv;
+    distance(corner) = near.distance;
+  }
+
+  void project(FaceHandle fh) {
+    const std::vector<int> all;
+    const int group = has_patches_ ? mesh_.property(patch_of_, fh) : -1;
+    const bool has_name = group >= 0 && static_cast<std::size_t>(group) < allowed_.size();
+    const std::vector<HalfedgeHandle> corners = corners_of(mesh_, fh);
+    const NearPoint middle =
+        search_.nearest(detail::middle_of(mesh_, corners),
+                        has_name ? allowed_[static_cast<std::size_t>(group)] : all);
+    mesh_.property(patch_of_, fh) = middle.patch;
+    for (const HalfedgeHandle corner : corners) take(corner, project_corner(corner, middle));
+  }
+
+  /// A corner of a face: from the face's middle, unless it is much nearer elsewhere on the patch.
+  /// At an extraordinary vertex the search from the middle ends short of it; the vertex itself may
+  /// be found on the wrong side of a seam.
+  NearPoint project_corner(HalfedgeHandle corner, const NearPoint& middle) const {
+    const Vec3 point = point_of(mesh_, corner);
+    const NearPoint near = find_near_point(model_.surface(middle.patch), point, middle.uv);
+    if (near.distance <= on_surface_) return near;
+    const NearPoint other = search_.nearest(point, {middle.patch});
+    return other.distance < 0.5 * near.distance ? other : near;
+  }
+
+  void learn_from_neighbours(const RunContext& context) {
+    std::vector<HalfedgeHandle> off;
+    for (const HalfedgeHandle heh : mesh_.halfedges()) {
+      if (!mesh_.is_boundary(heh) && distance(heh) > on_surface_) off.push_back(heh);
+    }
+    for (int round = 0; round < kMostRounds; ++round) {
+      const std::size_t before = off.size();
+      std::size_t asked = 0;
+      std::erase_if(off, [&](HalfedgeHandle corner) {
+        if (asked++ % kBetweenCancellation == 0) context.throw_if_cancelled();
+        return search_from_neighbours(corner);
+      });
+      if (off.size() == before) return;
+    }
+  }
+
+  /// Returns true if the corner is found on the surface.
+  bool search_from_neighbours(HalfedgeHandle corner) {
+    const FaceHandle fh = mesh_.face_handle(corner);
+    const int patch = mesh_.property(patch_of_, fh);
+    for (const HalfedgeHandle own : corners_of(mesh_, fh)) {
+      if (search_from(own, corner)) return true;
+      const HalfedgeHandle opposite = mesh_.opposite_halfedge_handle(own);
+      if (mesh_.is_boundary(opposite)) continue;
+      const FaceHandle beside = mesh_.face_handle(opposite);
+      if (mesh_.property(patch_of_, beside) != patch) continue;
+      for (const HalfedgeHandle other : corners_of(mesh_, beside)) {
+        if (search_from(other, corner)) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Search from a corner that lies on the surface.
+  bool search_from(HalfedgeHandle start, HalfedgeHandle corner) {
+    if (distance(start) > on_surface_) return false;
+    const int patch = mesh_.property(patch_of_, mesh_.face_handle(corner));
+    const NearPoint near = find_near_point(model_.surface(patch), point_of(mesh_, corner),
+                                           mesh_.property(uv_of_, start), on_surface_);
+    if (near.distance > on_surface_) return false;
+    take(corner, near);
+    return true;
+  }
+
+  PolyMesh& mesh_;
+  const Model& model_;
+  const SurfaceSearch& search_;
+  double on_surface_;
+  std::vector<double> distances_;  ///< of corners from the surface, by halfedge
+  std::vector<std::vector<int>> allowed_;
+  bool has_patches_ = false;
+  decltype(keys::face_patch)::Handle patch_of_;
+  decltype(keys::corner_uv)::Handle uv_of_;
+};
+
+}  // namespace
+
+void project_mesh(PolyMesh& mesh, const std::vector<std::string>& patch_names, const Model& model,
+                  const SurfaceSearch& search, const RunContext& context) {
+  MeshProjection(mesh, patch_names, model, search).run(context);
+}
+
+}  // namespace surfmesh
