@@ -236,6 +236,20 @@ TEST(LimitSurface, ReachHalvesWithTheLevel) {
   EXPECT_EQ(surfaces_of(testing::cube(), 8)[0]->singular_points()[0].reach, 1.0 / 128);
 }
 
+TEST(LimitSurface, HasAValueAtAnyDistanceFromASingularCorner) {
+  for (const Cage& cage : {testing::cube(), testing::icosahedron()}) {
+    const auto surface = surfaces_of(cage)[0];
+    const Uv at = surface->singular_points()[0].at;
+    const Vec3 corner = surface->evaluate(at, Order::Position).point;
+    for (const double near : {1e-12, 1e-200, 4e-311}) {
+      const Uv uv{at.u > 0 ? 1 - near : near, at.v > 0 ? 1 - near : 0};
+      const Jet jet = surface->evaluate(uv, Order::Second);
+      EXPECT_LT((jet.point - corner).norm(), 1e-9) << near;
+      EXPECT_TRUE(jet.duu.allFinite()) << near;
+    }
+  }
+}
+
 TEST(LimitSurface, HasUsableFirstDerivativesAtSingularCorners) {
   for (const Cage& cage : {testing::cube(), testing::tetrahedron(), testing::icosahedron()}) {
     for (const auto& surface : surfaces_of(cage)) {

@@ -68,6 +68,20 @@ TEST(InnerNodes, AreNotAddedWhereShapesAreGood) {
   EXPECT_TRUE(triangulation.add_inner_nodes().empty());
 }
 
+TEST(InnerNodes, DoNotDivideWhatIsNothingBesideTheDomain) {
+  std::vector<ControlNode> nodes;
+  for (const Uv uv : {Uv{1, 0.5}, {1, 0.5 + 1e-9}, {0.5, 0.5}, {0.5 + 1e-12, 0.5}}) {
+    nodes.push_back(testing::node(uv, isotropic(1e-12)));
+  }
+  NodeTriangulation triangulation({}, testing::with_corners({}, isotropic(1), nodes));
+  EXPECT_EQ(triangulation.mesh().n_vertices(), 8u);
+  for (const Uv uv : triangulation.add_inner_nodes()) {
+    for (const ControlNode& node : nodes) {
+      EXPECT_GT(std::abs(uv.u - node.uv.u) + std::abs(uv.v - node.uv.v), 1e-7);
+    }
+  }
+}
+
 TEST(InnerNodes, LieInTheDomain) {
   const Domain domain{-2, 3, 10, 11};
   std::vector<ControlNode> nodes;

@@ -62,6 +62,22 @@ TEST(Location, IsOnTheEdgeExactly) {
             Location::Kind::Inside);
 }
 
+TEST_P(Locate, TellsTheOpenEdgeFromAnywhere) {
+  const auto delaunay = long_triangles(GetParam());
+  const PolyMesh& mesh = delaunay->mesh();
+  for (std::size_t i = 0; i < delaunay->n_faces(); i += 17) {
+    for (const Uv p : {Uv{-1e-9, 0.7}, {1e9, 0.5}, {0.2, 1.5}, {0.6, -1e-3}}) {
+      const Location location = delaunay->locate(p, FaceHandle(static_cast<int>(i)));
+      ASSERT_EQ(location.kind, Location::Kind::Outside);
+      ASSERT_TRUE(location.edge.is_valid());
+      EXPECT_TRUE(mesh.is_boundary(mesh.opposite_halfedge_handle(location.edge)));
+      EXPECT_LT(orient2d(delaunay->uv(mesh.from_vertex_handle(location.edge)),
+                         delaunay->uv(mesh.to_vertex_handle(location.edge)), p),
+                0);
+    }
+  }
+}
+
 TEST(Location, OutsideTellsTheOpenEdge) {
   DelaunayMesh delaunay({0, 0}, {1, 1});
   const Location location = delaunay.locate({0.5, -0.25}, FaceHandle(1));

@@ -32,6 +32,14 @@ TEST(Orient2d, SeesOneUnitInTheLastPlace) {
   EXPECT_EQ(orient2d(a, b, below), -1);
 }
 
+TEST(Orient2d, IsExactForNumbersOfAnySize) {
+  const double tiny = 1e-200;
+  EXPECT_EQ(orient2d({0, 0}, {1, 1}, {tiny, tiny}), 0);
+  EXPECT_EQ(orient2d({0, 0}, {1, 1}, {tiny, std::nextafter(tiny, 1)}), 1);
+  EXPECT_EQ(orient2d({0, 0}, {1e150, 1e150}, {0.1, std::nextafter(0.1, 0)}), -1);
+  EXPECT_EQ(orient2d({0, 0}, {1e150, 1e150}, {0.1, 0.1}), 0);
+}
+
 TEST(Orient2d, DoesNotDependOnTheScaleOfTheAxes) {
   const auto scaled = [](Uv p) { return Uv{p.u * 0x1p20, p.v * 0x1p-10}; };
   const Uv a{0.1, 0.7}, b{0.4, 0.2}, c{0.3, 0.9};

@@ -30,6 +30,9 @@ using BfrSurface = Bfr::Surface<double>;
 /// singular corner (2^-9 and more), large beside the rounding of first derivatives.
 constexpr double kSignStep = 1.0 / 16384;
 
+/// Nearer to a corner, rounding leaves no direction from it.
+constexpr double kNoDirection = 1e-100;
+
 /// Faces around a vertex from which on they share one refinement: each by itself takes time with
 /// the square of their number. Below it, faces alone take less memory and evaluate faster.
 constexpr int kWideFan = 32;
@@ -128,7 +131,7 @@ class LimitSurface : public Surface {
       Uv step = uv - singular.at;
       if (step.u * step.u + step.v * step.v >= singular.reach * singular.reach) continue;
       double length = std::hypot(step.u, step.v);
-      if (length == 0) {
+      if (length < kNoDirection) {
         step = {singular.at.u > 0 ? -1.0 : 1.0, singular.at.v > 0 ? -1.0 : 1.0};
         if (domain_.shape == Domain::Shape::Triangle) step = to_middle_of_triangle(singular.at);
         length = std::hypot(step.u, step.v);

@@ -20,6 +20,9 @@ constexpr double kMergeLength = 0.1;
 /// Square of the greatest circumradius over the shortest edge: from √2 on refinement ends.
 constexpr double kBadShape = 2;
 
+/// Sides shorter than this share of the domain are not divided.
+constexpr double kTinyShare = 1e-6;
+
 /// Bound of refinement where the spacing changes, for then it need not end.
 constexpr std::size_t kMostInnerNodes = 8;
 
@@ -159,12 +162,28 @@ std::vector<Uv> NodeTriangulation::add_inner_nodes() {
   return added;
 }
 
+/// True if a triangle has a side that is nothing beside the domain.
+bool NodeTriangulation::is_tiny(const std::array<Uv, 3>& triangle) const {
+  const Uv diagonal = delaunay_.uv(VertexHandle(2)) - delaunay_.uv(VertexHandle(0));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Uv side = triangle[(k + 1) % 3] - triangle[k];
+    if (std::abs(side.u) < kTinyShare * std::abs(diagonal.u) &&
+        std::abs(side.v) < kTinyShare * std::abs(diagonal.v)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Insert the node that a badly shaped triangle needs; an invalid handle if it needs none.
 VertexHandle NodeTriangulation::improve(FaceHandle fh) {
   const Metric metric = around(fh);
   const std::array<Uv, 3> triangle = corners(delaunay_.mesh(), fh, delaunay_.uv_handle());
   const MetricCircle circle = circumcircle(triangle, metric);
   if (!is_badly_shaped(triangle, metric, circle.squared_radius)) return VertexHandle();
+  // Rounding makes a triangle flat that is much longer than wide in its metric. In a sharp corner
+  // of the domain, as its metric has it, refinement does not end.
+  if (!std::isfinite(circle.squared_radius) || is_tiny(triangle)) return VertexHandle();
   const auto middle = [this](HalfedgeHandle heh) {
     const PolyMesh& mesh = delaunay_.mesh();
     return lerp(delaunay_.uv(mesh.from_vertex_handle(heh)),

@@ -53,6 +53,7 @@ class NodeTriangulation {
   Metric around(FaceHandle fh) const;
   bool merge_with_neighbour(const ControlNode& node, FaceHandle fh);
   bool merge_with(const ControlNode& node, VertexHandle vh);
+  bool is_tiny(const std::array<Uv, 3>& triangle) const;
   VertexHandle improve(FaceHandle fh);
   VertexHandle insert_alone(Uv uv, FaceHandle fh);
 

@@ -42,6 +42,15 @@ class Walk {
     return true;
   }
 
+  /// The open edge of a triangle that p lies behind; invalid if there is none.
+  HalfedgeHandle open_edge_before(FaceHandle fh) const {
+    HalfedgeHandle heh = mesh_.halfedge_handle(fh);
+    for (int k = 0; k < 3; ++k, heh = mesh_.next_halfedge_handle(heh)) {
+      if (mesh_.is_boundary(mesh_.opposite_halfedge_handle(heh)) && side(heh) < 0) return heh;
+    }
+    return HalfedgeHandle();
+  }
+
  private:
   const PolyMesh& mesh_;
   decltype(keys::vertex_uv)::Handle uv_;
@@ -49,11 +58,15 @@ class Walk {
 };
 
 Location search_all(const Walk& walk, FaceHandle last, std::size_t face_count) {
+  Location outside{Location::Kind::Outside, last, HalfedgeHandle(), VertexHandle()};
   for (std::size_t i = 0; i < face_count; ++i) {
     const FaceHandle fh(static_cast<int>(i));
     if (walk.contains(fh)) return walk.classify(fh);
+    if (outside.edge.is_valid()) continue;
+    outside.edge = walk.open_edge_before(fh);
+    if (outside.edge.is_valid()) outside.face = fh;
   }
-  return {Location::Kind::Outside, last, HalfedgeHandle(), VertexHandle()};
+  return outside;
 }
 
 /// A walk across n triangles of a reasonable mesh takes about √n steps; this leaves room for

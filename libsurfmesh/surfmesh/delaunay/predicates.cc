@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/delaunay/predicates.hh"
 
+#include <algorithm>
+#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 
 namespace surfmesh::detail {
 namespace {
@@ -23,6 +28,29 @@ int compare_products(double w, double x, double y, double z) {
   return sign(std::fma(w, x, -left) - std::fma(y, z, -right));
 }
 
+using Integer = boost::multiprecision::cpp_int;
+
+/// Numbers as multiples of one power of two. Rationals would be reduced after each operation, which
+/// takes most of the time.
+std::array<Integer, 6> multiples(const std::array<double, 6>& numbers) {
+  constexpr int digits = std::numeric_limits<double>::digits;
+  std::array<std::int64_t, 6> mantissas{};
+  std::array<int, 6> exponents{};
+  int least = std::numeric_limits<int>::max();
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    mantissas[i] =
+        static_cast<std::int64_t>(std::ldexp(std::frexp(numbers[i], &exponents[i]), digits));
+    if (mantissas[i] != 0) least = std::min(least, exponents[i]);
+  }
+  std::array<Integer, 6> result;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (mantissas[i] == 0) continue;
+    result[i] = mantissas[i];
+    result[i] <<= exponents[i] - least;
+  }
+  return result;
+}
+
 }  // namespace
 
 int orient2d_exact(Uv a, Uv b, Uv c) {
@@ -35,10 +63,8 @@ int orient2d_exact(Uv a, Uv b, Uv c) {
       is_exact_difference(b.u, c.u) && is_exact_difference(b.v, c.v)) {
     return compare_products(a.u - c.u, b.v - c.v, a.v - c.v, b.u - c.u);
   }
-  using Exact = boost::multiprecision::cpp_rational;
-  const Exact cu(c.u), cv(c.v);
-  const Exact determinant =
-      (Exact(a.u) - cu) * (Exact(b.v) - cv) - (Exact(a.v) - cv) * (Exact(b.u) - cu);
+  const auto [au, av, bu, bv, cu, cv] = multiples({a.u, a.v, b.u, b.v, c.u, c.v});
+  const Integer determinant = (au - cu) * (bv - cv) - (av - cv) * (bu - cu);
   return determinant.sign();
 }
 
