@@ -161,13 +161,21 @@ TEST(PlyFile, TellsFaultsOfTheHeader) {
             std::string::npos);
 }
 
+TEST(PlyFile, LeavesOutFacesOfTwoVertices) {
+  const MeshArraysFile file = parse_ply(with(kText, "4 0 1 2 3", "2 0 1"), "a.ply");
+  EXPECT_EQ(file.mesh.faces.size(), 1u);
+  EXPECT_EQ(file.mesh.patches, std::vector<int>{-1});
+  EXPECT_EQ(
+      texts_of(file.notices),
+      std::vector<std::string>{
+          "a.ply:21: a face without three different vertices, or without an inside, is left out"});
+}
+
 TEST(PlyFile, TellsFaultsOfTheBody) {
   EXPECT_EQ(error_in(with(kText, "1.5", "nan")),
             "invalid input: a.ply:19: a coordinate is 'nan', which is not finite");
   EXPECT_EQ(error_in(with(kText, "4 0 1 2 3", "4 0 1 2 4")),
             "invalid input: a.ply:21: vertex index 4, but there are 4 vertices, from 0");
-  EXPECT_EQ(error_in(with(kText, "3 0 1 2", "3 0 1 0")),
-            "invalid input: a.ply:22: a face has fewer than three different vertices");
   EXPECT_EQ(error_in(with(kText, "4 0 1 2 3 1 0", "4 0 1 2 3")),
             "invalid input: a.ply:21: a patch is missing");
   EXPECT_EQ(error_in(with(kText, "7\n", "")),

@@ -32,18 +32,53 @@ TEST(ReadOff, ReadsPointsAndPolygons) {
 
 TEST(ReadOff, ReadsAllFormsOfTheHeader) {
   const std::string rest = "\n" + kFour + "3 0 1 2\n";
-  for (const char* header : {"OFF\n4 1 0", "OFF 4 1 5", "4 1 0", "4 1", "OFF\r\n4 1 0\r"}) {
+  for (const char* header :
+       {"OFF\n4 1 0", "OFF 4 1 5", "4 1 0", "4 1", "OFF\r\n4 1 0\r", "OFF4 1 0"}) {
     EXPECT_EQ(read(header + rest).faces.size(), 1u) << header;
   }
 }
 
 TEST(ReadOff, IgnoresColumnsThatTheHeaderTells) {
-  for (const char* header : {"COFF", "NOFF", "STOFF", "CNOFF", "STCNOFF"}) {
+  for (const char* header : {"COFF", "NOFF", "STOFF", "CNOFF", "NCOFF", "STCNOFF"}) {
     const Cage cage = read(header + std::string("\n3 1 0\n0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n"
                                                 "3 0 1 2\n"));
     EXPECT_EQ(cage.points[2], Vec3(0, 1, 0)) << header;
     EXPECT_TRUE(texts_of(cage.notices).empty()) << header;
   }
+}
+
+TEST(ReadOff, DividesByTheFourthCoordinate) {
+  const Cage cage = read("4OFF\n3 1 0\n0 0 0 2\n1 0 0 0.5\n2 6 0 4\n3 0 1 2\n");
+  EXPECT_EQ(cage.points[1], Vec3(2, 0, 0));
+  EXPECT_EQ(cage.points[2], Vec3(0.5, 1.5, 0));
+  EXPECT_EQ(texts_of(cage.notices),
+            std::vector<std::string>{
+                "a.off:3: coordinates are divided by the weight after them (and 2 more)"});
+  EXPECT_EQ(fault("4OFF\n1 0 0\n1 2 3 0\n"), "3: the weight of a vertex is 0");
+}
+
+TEST(ReadOff, ReadsLinesThatEndAnywhere) {
+  const std::string points = "0 0 0 1 0 0 1 1 0 0 1 0.5";
+  const std::string faces = "4 0 1 2 3 3 0 2 3";
+  for (const std::string& text :
+       {"OFF 4 2 0 " + points + " " + faces, "OFF\n4 2 0\n" + points + "\n4 0 1 2 3\n3 0 2 3",
+        "OFF\n4 2 0\n" + kFour + faces}) {
+    const Cage cage = read(text);
+    EXPECT_EQ(cage.points[3], Vec3(0, 1, 0.5)) << text;
+    EXPECT_EQ(cage.faces, (Faces{{0, 1, 2, 3}, {0, 2, 3}})) << text;
+  }
+  // With a value too few or too many, the fault is that of a file of lines.
+  for (const char* more : {"\n3 0 1\n", "\n3 0 1 2 3\n"}) {
+    EXPECT_EQ(fault("OFF\n4 1 0\n" + points + more), "5: the file ends after 2 of 4 vertices");
+  }
+}
+
+TEST(ReadOff, LeavesOutFacesOfOneOrTwoVertices) {
+  const Cage cage = read("OFF\n4 4 0\n" + kFour + "2 0 1\n3 0 1 2\n1 3\n3 0 2 0\n");
+  EXPECT_EQ(cage.faces, (Faces{{0, 1, 2}}));
+  EXPECT_EQ(texts_of(cage.notices),
+            std::vector<std::string>{"a.off:7: a face without three different vertices, or without "
+                                     "an inside, is left out (and 2 more)"});
 }
 
 TEST(ReadOff, WarnsOfColumnsThatTheHeaderDoesNotTell) {
@@ -65,7 +100,7 @@ TEST(ReadOff, WarnsOfLinesAfterTheLastFace) {
 }
 
 TEST(ReadOffFaults, OfTheHeader) {
-  EXPECT_EQ(fault("4OFF\n4 1 0\n"), "1: the header '4OFF' is none of OFF, STOFF, COFF, NOFF");
+  EXPECT_EQ(fault("XOFF\n4 1 0\n"), "1: the header 'XOFF' is none of OFF, STOFF, COFF, NOFF, 4OFF");
   EXPECT_EQ(fault("OFF BINARY\n4 1 0\n"), "1: binary OFF files are not read");
   EXPECT_EQ(fault("ply\n4 1 0\n"), "1: the count of vertices is 'ply', which is not an integer");
   EXPECT_EQ(fault("OFF\n4\n"), "2: the count of faces is '', which is not an integer");
@@ -94,9 +129,8 @@ TEST(ReadOffFaults, OfFaces) {
   const std::string front = "OFF\n4 1 0\n" + kFour;
   EXPECT_EQ(fault(front + "3 0 1 4\n"), "7: vertex index 4 is not in 0 to 3");
   EXPECT_EQ(fault(front + "3 0 1 -1\n"), "7: vertex index -1 is not in 0 to 3");
-  EXPECT_EQ(fault(front + "2 0 1\n"), "7: a face has fewer than three different vertices");
-  EXPECT_EQ(fault(front + "3 0 1 0\n"), "7: a face has fewer than three different vertices");
-  EXPECT_EQ(fault(front + "4 0 1 0 2\n"), "7: a face has a vertex twice, not in a row");
+  EXPECT_EQ(fault(front + "-3 0 1 2\n"), "7: the vertex count of a face is negative");
+  EXPECT_EQ(fault(front + "5 0 1 2 0 3\n"), "7: a face has a vertex twice, not in a row");
   EXPECT_EQ(fault(front + "2000000000 0 1\n"), "7: a face has 2 of 2000000000 vertices");
   EXPECT_EQ(fault(front + "x 0 1\n"),
             "7: the vertex count of a face is 'x', which is not an integer");

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <limits>
 
 #include "formats/example_meshes.hh"
@@ -33,6 +34,22 @@ TEST(StlFile, IsReadFromTextAndWelded) {
   EXPECT_EQ(file.mesh.points.size(), 4u);
   EXPECT_EQ(file.mesh.faces.size(), 2u);
   EXPECT_TRUE(file.mesh.patches.empty());
+}
+
+TEST(StlFile, ReadsWhatOthersWrite) {
+  const auto in_capitals = [](std::string text) {
+    for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return text;
+  };
+  std::string parted = "solid\n" + kFacet + "end solid\n";
+  for (const char* word : {"endloop", "endfacet"}) {
+    parted.replace(parted.find(word), 3, "end ");
+  }
+  for (const std::string& text : {"\n\n  solid a\n" + kFacet + "endsolid\n",
+                                  in_capitals("solid a\n" + kFacet + "endsolid a\n"), parted,
+                                  "\tSolid\r\n" + kFacet + "endsolid"}) {
+    EXPECT_EQ(parse_stl(text, "a.stl").mesh.faces.size(), 1u) << text;
+  }
 }
 
 TEST(StlFile, MakesPatchesOfSeveralSolids) {

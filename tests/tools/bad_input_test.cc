@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"InfiniteCoordinate", "a.off", "OFF\n1 1 0\n0 0 inf\n",
                  "a.off:3: a coordinate is 'inf', which is not finite"},
         BadInput{"TwoDifferentVertices", "a.obj", kPoints + "f 1 2 2\n",
-                 "a.obj:5: a face has fewer than three different vertices"},
+                 "a.obj: the file has no faces"},
         BadInput{"CutShort", "a.off", kOff, "a.off:7: the file ends after 0 of 1 faces"},
         BadInput{"CutShortInAVertex", "a.obj", "v 0 0 0\nv 1 0",
                  "a.obj:2: a vertex needs three coordinates"},

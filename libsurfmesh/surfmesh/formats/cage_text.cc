@@ -32,13 +32,30 @@ void drop_equal_neighbours(std::vector<int>& corners) {
   while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
 }
 
+/// True if the border of a face runs along each of its edges there and back: 0 1 0 2.
+bool has_no_inside(std::vector<int> corners) {
+  for (std::size_t i = 0; i < corners.size() && corners.size() > 2;) {
+    const std::size_t next = (i + 1) % corners.size(), after = (i + 2) % corners.size();
+    if (corners[i] != corners[after]) {
+      ++i;
+      continue;
+    }
+    // Off with the tip, and one of the two that are now neighbours.
+    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(std::max(next, after)));
+    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(std::min(next, after)));
+    i = 0;
+  }
+  return corners.size() < 3;
+}
+
 }  // namespace
 
 CornerFault mend_corners(std::vector<int>& corners) {
   if (corners.size() >= 3 && are_all_different(corners)) return CornerFault::None;
   if (count_different(corners) < 3) return CornerFault::TooFew;
   drop_equal_neighbours(corners);
-  return are_all_different(corners) ? CornerFault::TwiceInARow : CornerFault::Twice;
+  if (are_all_different(corners)) return CornerFault::TwiceInARow;
+  return has_no_inside(corners) ? CornerFault::TooFew : CornerFault::Twice;
 }
 
 const char* text_of(CornerFault fault) {
@@ -46,7 +63,7 @@ const char* text_of(CornerFault fault) {
     case CornerFault::TwiceInARow:
       return "a face has a vertex twice in a row, taken once";
     case CornerFault::TooFew:
-      return "a face has fewer than three different vertices";
+      return "a face without three different vertices, or without an inside, is left out";
     case CornerFault::Twice:
       return "a face has a vertex twice, not in a row";
     case CornerFault::None:
@@ -59,16 +76,32 @@ void CageText::begin() {
   if (!scanner.next_line()) scanner.fail_whole("the file is empty");
 }
 
-void CageText::add_face(const std::vector<int>& corners) {
+bool CageText::add_face(const std::vector<int>& corners) {
   cage.faces.push_back(corners);
   const CornerFault fault = mend_corners(cage.faces.back());
-  if (fault == CornerFault::TooFew || fault == CornerFault::Twice) scanner.fail(text_of(fault));
-  if (fault == CornerFault::None) return;
+  if (fault == CornerFault::None) return true;
+  if (fault == CornerFault::Twice) scanner.fail(text_of(fault));
+  if (fault == CornerFault::TooFew) {
+    cage.faces.pop_back();
+    left_out_.push_back(static_cast<int>(cage.faces.size() + left_out_.size()));
+    warnings.add(scanner.line(), text_of(fault));
+    return false;
+  }
   if (purpose_ == ReadFor::Cage) {
     cage.faces.back() = corners;
   } else {
     warnings.add(scanner.line(), text_of(fault));
   }
+  return true;
+}
+
+Vec3 CageText::divided(const Vec3& point, double weight) {
+  if (weight == 1) return point;
+  if (weight == 0) scanner.fail("the weight of a vertex is 0");
+  warnings.add(scanner.line(), "coordinates are divided by the weight after them");
+  const Vec3 result = point / weight;
+  if (!result.allFinite()) scanner.fail("the weight of a vertex is too small");
+  return result;
 }
 
 void CageText::check_not_empty() const {

@@ -15,6 +15,8 @@ namespace surfmesh {
 enum class CornerFault { None, TwiceInARow, TooFew, Twice };
 
 /// Drop all but one of equal vertices in a row, also across the end, and tell what was or is wrong.
+/// TooFew is also for a border that runs along each edge there and back. Readers leave such faces
+/// out, as others do.
 CornerFault mend_corners(std::vector<int>& corners);
 
 /// The fault as it stands in messages.
@@ -39,10 +41,20 @@ class CageText {
   void begin();
 
   /// Check the vertices of a face just read from the current line and add it to the cage as the
-  /// purpose asks for.
+  /// purpose asks for. One with TooFew is left out, with a warning.
   ///
-  /// Throws   InvalidInput for fewer than three different vertices, or one twice but not in a row
-  void add_face(const std::vector<int>& corners);
+  /// Returns  false if it was left out
+  /// Throws   InvalidInput for a vertex that comes twice but not in a row
+  bool add_face(const std::vector<int>& corners);
+
+  /// A point given by homogeneous coordinates: divided by its weight, with a warning unless that
+  /// is 1.
+  ///
+  /// Throws   InvalidInput for weight 0
+  Vec3 divided(const Vec3& point, double weight);
+
+  /// The faces that were left out, as the file counts them from 0.
+  const std::vector<int>& left_out() const { return left_out_; }
 
   /// Throws   InvalidInput if the cage has no vertices or no faces
   void check_not_empty() const;
@@ -56,6 +68,7 @@ class CageText {
 
  private:
   ReadFor purpose_;
+  std::vector<int> left_out_;
 };
 
 /// The faces of a cage, without its groups, as those of a mesh.

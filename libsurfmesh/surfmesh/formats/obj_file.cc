@@ -36,6 +36,7 @@ class ObjReader {
 
  private:
   void read_statement(std::string_view keyword);
+  void read_vertex();
   void read_face();
   int read_corner(std::string_view word);
   void check_ignored_indices(std::string_view indices) const;
@@ -58,13 +59,13 @@ Cage ObjReader::read() {
   } while (scanner_.next_line());
   text_.check_not_empty();
   check_references();
-  tags_.check_references();
+  tags_.number_holes();
   tags_.drop_creases_without_edge();
   return text_.finish();
 }
 
 void ObjReader::read_statement(std::string_view keyword) {
-  if (keyword == "v") return text_.cage.points.push_back(scanner_.next_point());
+  if (keyword == "v") return read_vertex();
   if (keyword == "f") return read_face();
   if (keyword == "g") return read_group_names();
   if (keyword == "o") return labels_.set_object(read_name());
@@ -78,13 +79,29 @@ void ObjReader::read_statement(std::string_view keyword) {
                      "unknown keyword");
 }
 
+/// Coordinates, with a weight and a colour of three values behind them or either of these.
+void ObjReader::read_vertex() {
+  Vec3 point = scanner_.next_point();
+  std::array<std::string_view, 5> more;
+  std::size_t count = 0;
+  for (auto word = scanner_.next_word(); !word.empty(); word = scanner_.next_word()) {
+    if (count < more.size()) more[count] = word;
+    ++count;
+  }
+  if (count == 1 || count == 4) {
+    point = text_.divided(point, scanner_.to_number(more[0], "the weight of a vertex"));
+  } else if (count != 0 && count != 3) {
+    text_.warnings.add(scanner_.line(), "values after the coordinates are ignored");
+  }
+  text_.cage.points.push_back(point);
+}
+
 void ObjReader::read_face() {
   corners_.clear();
   for (auto word = scanner_.next_word(); !word.empty(); word = scanner_.next_word()) {
     corners_.push_back(read_corner(word));
   }
-  text_.add_face(corners_);
-  labels_.add_face();
+  if (text_.add_face(corners_)) labels_.add_face();
 }
 
 int ObjReader::read_corner(std::string_view word) {
@@ -120,7 +137,6 @@ void ObjReader::read_group_names() {
   labels_.set_groups(std::move(words));
 }
 
-/// Unlike groups, an object has one name, which may have blanks.
 /// The words of the rest of the line: names of objects and materials may have blanks.
 std::string ObjReader::read_name() {
   std::string name(scanner_.next_word());

@@ -37,7 +37,6 @@ void ObjTags::read() {
   if (tag == "hole") {
     for (const int face : read_values().ints) {
       hole_faces_.push_back({scanner_.line(), face, face});
-      cage_.holes.push_back(face);
     }
   } else if (tag == "creasemethod") {
     cage_.is_chaikin = read_choice(read_values(), "normal", "chaikin");
@@ -150,12 +149,17 @@ void ObjTags::drop_creases_without_edge() {
   cage_.creases = std::move(kept);
 }
 
-void ObjTags::check_references() const {
-  const int face_count = static_cast<int>(cage_.faces.size());
+void ObjTags::number_holes() {
+  const std::vector<int>& left_out = text_.left_out();
+  const int face_count = static_cast<int>(cage_.faces.size() + left_out.size());
   for (const Reference& face : hole_faces_) {
-    if (face.index >= 0 && face.index < face_count) continue;
-    scanner_.fail_at(face.line, fmt::format("face index {} of a hole, but there are {} faces",
-                                            face.written, face_count));
+    if (face.index < 0 || face.index >= face_count) {
+      scanner_.fail_at(face.line, fmt::format("face index {} of a hole, but there are {} faces",
+                                              face.written, face_count));
+    }
+    const auto next = std::lower_bound(left_out.begin(), left_out.end(), face.index);
+    if (next != left_out.end() && *next == face.index) continue;
+    cage_.holes.push_back(face.index - static_cast<int>(next - left_out.begin()));
   }
 }
 

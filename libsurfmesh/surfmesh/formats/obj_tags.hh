@@ -20,7 +20,8 @@ class ObjTags {
  public:
   /// Vertices that tags name are added to `later_vertices`. All must outlive the object.
   ObjTags(CageText& text, std::vector<LaterReference>& later_vertices)
-      : scanner_(text.scanner),
+      : text_(text),
+        scanner_(text.scanner),
         warnings_(text.warnings),
         cage_(text.cage),
         later_vertices_(later_vertices) {}
@@ -29,8 +30,10 @@ class ObjTags {
   /// Throws   InvalidInput
   void read();
 
-  /// Throws   InvalidInput for holes in faces that are not there; to be asked at the end
-  void check_references() const;
+  /// Give holes the numbers of their faces in the cage, which has not all faces of the file; to be
+  /// called at the end.
+  /// Throws   InvalidInput for holes in faces that are not there
+  void number_holes();
 
   /// Leave out creases that name no edge of a face, with a warning that knows the line.
   void drop_creases_without_edge();
@@ -53,6 +56,7 @@ class ObjTags {
   int vertex_of_tag(int index);
   double sharpness_of(const Values& values, std::size_t i, std::size_t count) const;
 
+  const CageText& text_;
   TextScanner& scanner_;
   WarningList& warnings_;
   Cage& cage_;

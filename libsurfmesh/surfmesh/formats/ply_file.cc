@@ -245,7 +245,7 @@ class BodyReader {
 
   void read_corners(const Property& property) {
     const std::int64_t count = values_.integer(*property.count_type, "the vertex count of a face");
-    if (count < 3) values_.fail("a face has fewer than three different vertices");
+    if (count < 0) values_.fail("the vertex count of a face is negative");
     corners_.clear();
     for (std::int64_t k = 0; k < count; ++k) {
       const std::int64_t vertex = values_.integer(property.type, "a vertex index");
@@ -268,7 +268,9 @@ class BodyReader {
   void add_face() {
     switch (mend_corners(corners_)) {
       case CornerFault::TooFew:
-        values_.fail(text_of(CornerFault::TooFew));
+        values_.warn(text_of(CornerFault::TooFew));
+        if (!file_.mesh.patches.empty()) file_.mesh.patches.pop_back();
+        return;
       case CornerFault::Twice:
         values_.fail(text_of(CornerFault::Twice));
       case CornerFault::TwiceInARow:

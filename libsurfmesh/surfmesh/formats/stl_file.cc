@@ -146,7 +146,7 @@ class TextReader {
 
   MeshArraysFile read() {
     while (scanner_.next_line()) {
-      const std::string word = lower_case(scanner_.next_word());
+      const std::string word = next_keyword();
       if (word == "solid" && !is_in_solid_) {
         begin_solid();
       } else if (word == "endsolid" && is_in_solid_) {
@@ -163,6 +163,13 @@ class TextReader {
   }
 
  private:
+  /// Some write "end loop" for endloop.
+  std::string next_keyword() {
+    std::string word = lower_case(scanner_.next_word());
+    if (word == "end") word += lower_case(scanner_.next_word());
+    return word;
+  }
+
   void begin_solid() {
     is_in_solid_ = true;
     triangles_.begin_solid(std::string(scanner_.next_word()));
@@ -170,9 +177,9 @@ class TextReader {
 
   void expect_line(std::string_view keyword) {
     if (!scanner_.next_line()) scanner_.fail("the file ends in a triangle");
-    const std::string_view word = scanner_.next_word();
-    if (lower_case(word) != keyword) {
-      scanner_.fail(fmt::format("{} instead of {}", quoted(word), keyword));
+    const std::string word = next_keyword();
+    if (word != keyword) {
+      scanner_.fail(fmt::format("{} instead of {}", surfmesh::quoted(word), keyword));
     }
   }
 
@@ -193,9 +200,10 @@ class TextReader {
   bool is_in_solid_ = false;
 };
 
-/// A binary file may begin with "solid", too: its size tells.
+/// A binary file may begin with "solid", too: its size tells. Text may have blanks before it.
 bool is_binary(std::string_view bytes) {
-  if (!bytes.starts_with("solid")) return true;
+  const std::size_t start = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
+  if (lower_case(bytes.substr(start, 5)) != "solid") return true;
   if (bytes.size() < kHeaderSize + sizeof(std::uint32_t)) return false;
   const auto count = ByteScanner(bytes, kHeaderSize, {}).take<std::uint32_t>();
   return bytes.size() == kHeaderSize + sizeof(std::uint32_t) + kTriangleSize * std::size_t{count};
