@@ -22,6 +22,9 @@
 namespace surfmesh {
 namespace {
 
+/// Share of the length of an edge by which an end may move in a file without a word.
+constexpr double kToldRounding = 1e-3;
+
 constexpr const char* kFooter =
     "Examples:\n"
     "  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report knob.json\n";
@@ -94,6 +97,7 @@ class MeshRun {
              const std::string& report_path) const {
     Outputs outputs;
     const double start = processor_seconds();
+    tell_rounding(result, mesh_path);
     OutputFile& mesh_file = outputs.add(mesh_path);
     write_mesh(result, mesh_file);
     mesh_file.finish();
@@ -104,6 +108,17 @@ class MeshRun {
   }
 
  private:
+  static void tell_rounding(MeshResult& result, const std::string& path) {
+    const Rounding rounding = rounding_of(result.mesh, path);
+    if (!(rounding.share > kToldRounding)) return;
+    result.report.notices.push_back(warning(
+        NoticeKind::RoundedPositions,
+        fmt::format("{} holds positions in single precision: vertices move by up to {:.3g}, "
+                    "{:.2g} % of the length of an edge; .obj and .ply keep all digits, and "
+                    "so would a model nearer to the origin",
+                    path, rounding.greatest_move, 100 * rounding.share)));
+  }
+
   double seconds_so_far() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }

@@ -204,8 +204,11 @@ std::vector<std::string> with_switch_values(std::vector<std::string> arguments) 
 CageOptions cage_options(Scheme scheme, const Settings& settings) {
   PipelineOptions options;
   for (const auto& [name, value] : settings) set_option(options, name, value);
-  return {
-      .scheme = scheme, .patches = options.patches, .weld = options.weld, .orient = options.orient};
+  return {.scheme = scheme,
+          .patches = options.patches,
+          .weld = options.weld,
+          .orient = options.orient,
+          .crease_angle = options.crease_angle};
 }
 
 void add_scheme(CLI::App& command, Scheme& scheme) {

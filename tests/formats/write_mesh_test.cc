@@ -152,7 +152,8 @@ TEST(WriteMesh, RefusesPositionsThatAreNotFiniteAndLeavesTheOldFile) {
 TEST(WhatIsLost, TellsWhatAFormatCannotHold) {
   using Lost = std::vector<std::string>;
   PolyMesh mesh = wavy_grid(3, 2);
-  const std::string digits = "the digits of positions beyond single precision";
+  const std::string digits =
+      "the digits of positions beyond single precision: vertices move by up to 2.98e-08";
   const std::string quads = "5 faces of more than three corners, which are split";
   EXPECT_EQ(what_is_lost(mesh, "a.obj"), Lost());
   EXPECT_EQ(what_is_lost(mesh, "a.stl"), (Lost{digits, quads}));
@@ -167,6 +168,16 @@ TEST(WhatIsLost, TellsWhatAFormatCannotHold) {
   EXPECT_EQ(what_is_lost(mesh, "a.obj", {{"x y"}, {}}).size(), 4u);
   EXPECT_EQ(what_is_lost(mesh, "a.off", {{"x"}, {{"all", {0}}}}).at(1),
             "the groups of the patches");
+}
+
+TEST(RoundingOf, IsHowFarVerticesMoveInSinglePrecision) {
+  PolyMesh mesh = testing::mesh_of({{4e5, 0, 0}, {4e5 + 1.01, 0, 0}, {4e5, 2, 0}}, {{0, 1, 2}});
+  const Rounding rounding = rounding_of(mesh, "a.stl");
+  const double move = std::abs(double(float(4e5 + 1.01)) - (4e5 + 1.01));
+  EXPECT_GT(move, 0);
+  EXPECT_EQ(rounding.greatest_move, move);
+  EXPECT_NEAR(rounding.share, move / 1.01, 1e-9);
+  EXPECT_EQ(rounding_of(mesh, "a.obj").greatest_move, 0);
 }
 
 TEST(WriteMesh, TellsThatADeviceIsFull) {

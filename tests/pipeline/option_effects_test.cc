@@ -29,6 +29,8 @@ struct Case {
 const std::map<std::string_view, Case> kCases = {
     {"curvature", {"0.5"}},
     {"sag", {"1%"}},
+    {"size", {"5%"}},
+    {"isotropic", {"on", "window.json"}},
     {"hmin", {"10%"}},
     {"hmax", {"3%"}},
     {"stretch", {"1"}},
@@ -59,6 +61,7 @@ const std::map<std::string_view, Case> kCases = {
     {"patches", {"faces", "torus.obj"}},
     {"weld", {"15%", "torus.obj"}},
     {"orient", {"on", "../tests/pipeline/turned_face.obj"}},
+    {"crease_angle", {"30", "torus.obj"}},
     {"quads", {"on"}},
     {"threads", {"1"}},
     {"max_elements", {"10"}},

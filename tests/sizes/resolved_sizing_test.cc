@@ -29,6 +29,18 @@ TEST(ResolvedSizing, TurnsTheFactorOffBesideASag) {
   EXPECT_EQ(resolve({.curvature = 0.2, .sag = Length::units(0.1)}, 1).curvature, 0.2);
 }
 
+TEST(ResolvedSizing, OfOneLengthEverywhereHasNoOtherSizes) {
+  Sizing sizing;
+  sizing.size = Length::share(0.02);
+  const ResolvedSizing resolved = resolve(sizing, 50);
+  EXPECT_EQ(resolved.bounds.hmin, 1);
+  EXPECT_EQ(resolved.bounds.hmax, 1);
+  EXPECT_FALSE(resolved.follows_curvature());
+  EXPECT_EQ(resolved.proximity, 0);
+  sizing.size = Length::units(0);
+  EXPECT_NE(error_of([&] { resolve(sizing, 50); }).find("size = 0"), std::string::npos);
+}
+
 TEST(ResolvedSizing, FollowsCurvatureWithAFactorOrASag) {
   EXPECT_TRUE(resolve({}, 1).follows_curvature());
   EXPECT_TRUE(resolve({.sag = Length::units(0.1)}, 1).follows_curvature());

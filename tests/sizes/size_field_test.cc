@@ -54,6 +54,15 @@ TEST(SizeField, OnACylinderIsStretchedAlongTheAxis) {
   expect_near(field.at({1, 0.3}).size, {0.5, 0, 1.5}, 1e-12);
 }
 
+TEST(SizeField, IsIsotropicOnRequestWhateverTheSources) {
+  const auto surface = cylinder(2);
+  Sizing sizing = sizing_of(0.25, 0.01, 10, 3);
+  sizing.isotropic = true;
+  expect_near(field_of(surface, sizing).at({1, 0.3}).size, isotropic(0.5), 1e-12);
+  const EverywhereSource stretched{0, {units(0.1), units(0.4), 0.3}};
+  expect_near(field_of(surface, sizing, {stretched}).at({1, 0.3}).size, isotropic(0.1), 1e-12);
+}
+
 TEST(SizeField, OnATorusFollowsBothCurvatures) {
   const test::Torus surface(3, 1, {0, 2 * pi, 0, 2 * pi});
   const SizeField field = field_of(surface, sizing_of(0.25, 0.01, 10, 100));

@@ -123,6 +123,18 @@ INSTANTIATE_TEST_SUITE_P(
                       SharedCase{"field/two-regions/plates.json", kDisc}),
     test_name);
 
+TEST_F(Program, TellsHowFarVerticesOfAFarModelMoveInStl) {
+  const auto path =
+      std::filesystem::path(SURFMESH_SHARED_DIR) / "cases/field/far-from-origin/utm.json";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no file " << path;
+  EXPECT_EQ(run("mesh '" + path.string() + "' -o out.stl"), 0);
+  EXPECT_TRUE(says("out.stl holds positions in single precision: vertices move by up to 0.25"))
+      << err_;
+  EXPECT_EQ(run("mesh '" + path.string() + "' -o out.om"), 0);
+  EXPECT_EQ(run("convert out.om out.stl"), 0);
+  EXPECT_TRUE(says("beyond single precision: vertices move by up to 0.25")) << err_;
+}
+
 class RefusedCases : public SharedCases {};
 
 TEST_P(RefusedCases, SayWhyAndLeaveNothing) {

@@ -22,10 +22,6 @@ namespace {
 constexpr double kShortestHalved = 0.02;
 constexpr double kShortestUncrossed = 1e-6;
 
-/// Segments that are made or looked at between two questions whether the run is cancelled: each may
-/// take some projections.
-constexpr std::size_t kSegmentsBetweenCancellation = 256;
-
 }  // namespace
 
 ContourDivision::ContourDivision(const Model& model, const Contour& contour,
@@ -143,7 +139,7 @@ QueryCounts ContourDivision::queries() const {
 
 /// One more segment was made or looked at.
 void ContourDivision::step() {
-  if (++steps_ % kSegmentsBetweenCancellation == 0) context_.throw_if_cancelled();
+  if (++steps_ % kSearchesBetweenCancellation == 0) context_.throw_if_cancelled();
 }
 
 /// The t on a use of the point at t of the selected use.

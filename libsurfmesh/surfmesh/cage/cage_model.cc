@@ -13,11 +13,13 @@
 #include <utility>
 
 #include "surfmesh/cage/block_surface.hh"
+#include "surfmesh/cage/creases.hh"
 #include "surfmesh/cage/gather_blocks.hh"
 #include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/cage/refine_cage.hh"
 #include "surfmesh/cage/subdivision.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/option_range.hh"
 
 namespace surfmesh {
 namespace {
@@ -411,6 +413,10 @@ MendOptions mend_options(const Cage& cage, const CageOptions& options) {
 
 Model model_from_cage(const Cage& cage, const CageOptions& options) {
   MendedCage mended = mend_cage(cage, mend_options(cage, options));
+  if (options.crease_angle.value_or(0) > 0) {
+    check_option(ranges::kCreaseAngle, *options.crease_angle);
+    add_creases(*options.crease_angle, mended.cage);
+  }
   const Scheme scheme = resolve_scheme(mended.cage, options.scheme);
   const RefinedCage regular = make_regular(mended.cage, scheme, mended.parent_faces);
   Model model = model_of_blocks(regular, scheme, options);

@@ -21,6 +21,9 @@ struct CageOptions {
   /// diagonal; 0 is off, and so is unset.
   std::optional<Length> weld = {};
   std::optional<bool> orient = {};  ///< turn faces to agree with their neighbours; unset is off
+  /// Edges where two faces meet at more than this angle become creases, degrees up to 180; 0 is
+  /// off, and so is unset. See add_creases.
+  std::optional<double> crease_angle = {};
 };
 
 /// Make a model of the limit surface of a cage. Each block of faces becomes a patch, and model

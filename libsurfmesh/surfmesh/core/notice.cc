@@ -50,6 +50,8 @@ std::string_view name(NoticeKind kind) {
       return "surface_gap";
     case NoticeKind::ClampedSizes:
       return "clamped_sizes";
+    case NoticeKind::RoundedPositions:
+      return "rounded_positions";
     case NoticeKind::CutEdges:
       return "cut_edges";
     case NoticeKind::SplitVertices:

@@ -14,32 +14,33 @@ namespace surfmesh {
 
 /// What a notice is about.
 enum class NoticeKind {
-  IgnoredInput,     ///< a part of a file or cage is ignored, left out or mended
-  UnjoinedSides,    ///< contours run along each other but are not joined
-  TurnedFaces,      ///< faces of a cage pass an edge in the same direction as their neighbours
-  OpenSeams,        ///< open edges of a cage lie on others, but have vertices of their own
-  RepeatedFaces,    ///< faces of a cage are given more than once
-  FlatFaces,        ///< faces of a cage have sides without length
-  FineCage,         ///< faces of a cage are smaller than the elements asked for
-  TurnedLoop,       ///< a loop was given the wrong way round
-  NarrowGap,        ///< loops nearly meet
-  UnusedContour,    ///< no loop names a contour
-  UnusedOption,     ///< an option has no effect beside another one
-  SurfaceGap,       ///< surfaces of neighbouring faces do not quite meet
-  ClampedSizes,     ///< sizes of sources are brought into the bounds
-  CutEdges,         ///< edges are left open, as a half-edge mesh cannot be so
-  SplitVertices,    ///< vertices are taken apart, likewise
-  FlatTriangles,    ///< triangles of very low quality
-  CoarseControl,    ///< a control space does not hold its precision
-  MissedPrecision,  ///< the control space misses its precision on an independent sample
-  UnsearchedSizes,  ///< the search for small sizes in fields ended at its budget
-  GivenUp,          ///< refinement was given up
-  TurnedTriangles,  ///< triangles against the normal of the surface
-  SagNotReached,    ///< mesh and surface are farther apart than asked for
-  BrokenPromise,    ///< the mesh is not as the model promises
+  IgnoredInput,      ///< a part of a file or cage is ignored, left out or mended
+  UnjoinedSides,     ///< contours run along each other but are not joined
+  TurnedFaces,       ///< faces of a cage pass an edge in the same direction as their neighbours
+  OpenSeams,         ///< open edges of a cage lie on others, but have vertices of their own
+  RepeatedFaces,     ///< faces of a cage are given more than once
+  FlatFaces,         ///< faces of a cage have sides without length
+  FineCage,          ///< faces of a cage are smaller than the elements asked for
+  TurnedLoop,        ///< a loop was given the wrong way round
+  NarrowGap,         ///< loops nearly meet
+  UnusedContour,     ///< no loop names a contour
+  UnusedOption,      ///< an option has no effect beside another one
+  SurfaceGap,        ///< surfaces of neighbouring faces do not quite meet
+  ClampedSizes,      ///< sizes of sources are brought into the bounds
+  RoundedPositions,  ///< a file holds fewer digits of positions than its mesh
+  CutEdges,          ///< edges are left open, as a half-edge mesh cannot be so
+  SplitVertices,     ///< vertices are taken apart, likewise
+  FlatTriangles,     ///< triangles of very low quality
+  CoarseControl,     ///< a control space does not hold its precision
+  MissedPrecision,   ///< the control space misses its precision on an independent sample
+  UnsearchedSizes,   ///< the search for small sizes in fields ended at its budget
+  GivenUp,           ///< refinement was given up
+  TurnedTriangles,   ///< triangles against the normal of the surface
+  SagNotReached,     ///< mesh and surface are farther apart than asked for
+  BrokenPromise,     ///< the mesh is not as the model promises
 };
 
-inline constexpr std::size_t kNoticeKinds = 23;
+inline constexpr std::size_t kNoticeKinds = 24;
 
 /// The name of a kind in reports: "ignored_input", "turned_triangles", ...
 std::string_view name(NoticeKind kind);

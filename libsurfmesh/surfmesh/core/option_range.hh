@@ -116,6 +116,7 @@ inline constexpr double kMostElements = 2147483647;
 
 inline constexpr OptionRange kCurvature = {"curvature", words::kOff, 0, kMostFactor, true};
 inline constexpr OptionRange kStretch = {"stretch", {}, 1, kMostFactor};
+inline constexpr OptionRange kIsotropic = {"isotropic", words::kSwitch};
 inline constexpr OptionRange kGrade = {"grade", words::kOff, 1, kMostFactor};
 inline constexpr OptionRange kContourCurvature = {"contour_curvature", words::kSwitch};
 inline constexpr OptionRange kProximity = {"proximity", words::kOff, 0, kMostFactor, true};
@@ -137,6 +138,7 @@ inline constexpr OptionRange kSmoothing = {"smoothing", words::kSweeps, 1,
 inline constexpr OptionRange kRepairs = {"repairs", words::kOff, 1, kMostPasses, false, true};
 inline constexpr OptionRange kPatches = {"patches", words::kPatches};
 inline constexpr OptionRange kOrient = {"orient", words::kSwitch};
+inline constexpr OptionRange kCreaseAngle = {"crease_angle", words::kOff, 0, 180, true};
 inline constexpr OptionRange kQuads = {"quads", words::kOffYet};
 inline constexpr OptionRange kThreads = {"threads", words::kAll, 1, kMostThreads, false, true};
 inline constexpr OptionRange kMaxElements = {"max_elements", {}, 1, kMostElements, false, true};

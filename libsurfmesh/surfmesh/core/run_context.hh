@@ -15,6 +15,9 @@ namespace surfmesh {
 /// milliseconds.
 inline constexpr std::size_t kStepsBetweenCancellation = 4096;
 
+/// Likewise of steps that search surfaces, with some hundred evaluations each.
+inline constexpr std::size_t kSearchesBetweenCancellation = 64;
+
 /// What the stages of a run share: who is told of its progress, whether it has been cancelled, and
 /// how many elements it may still make.
 ///

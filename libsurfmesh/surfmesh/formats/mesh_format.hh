@@ -36,6 +36,8 @@ struct MeshFormat {
   /// Never null.
   void (*write)(const PolyMesh& mesh, const MeshNames& names, OutputFile& file) = nullptr;
 
+  bool is_single_precision = false;  ///< positions are written so
+
   /// Never null. As what_is_lost of write_mesh.hh.
   std::vector<std::string> (*what_is_lost)(const PolyMesh& mesh, const MeshNames& names) = nullptr;
 };

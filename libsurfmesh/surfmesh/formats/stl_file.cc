@@ -12,6 +12,7 @@
 
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/formats/write_mesh.hh"
 #include "surfmesh/io/byte_scanner.hh"
 #include "surfmesh/io/file_writer.hh"
 #include "surfmesh/io/text_scanner.hh"
@@ -287,7 +288,11 @@ std::size_t count_polygons(const PolyMesh& mesh) {
 }
 
 std::vector<std::string> lost_in_stl(const PolyMesh& mesh, const MeshNames& names) {
-  std::vector<std::string> lost = {"the digits of positions beyond single precision"};
+  std::vector<std::string> lost;
+  if (const double move = rounding_of(mesh, "a.stl").greatest_move; move > 0) {
+    lost.push_back(fmt::format(
+        "the digits of positions beyond single precision: vertices move by up to {:.3g}", move));
+  }
   if (const std::size_t count = count_polygons(mesh); count > 0) {
     lost.push_back(fmt::format("{} faces of more than three corners, which are split", count));
   }
@@ -309,8 +314,11 @@ MeshArraysFile parse_stl(std::string_view bytes, const std::string& name) {
 }
 
 MeshFormat stl_format() {
-  return {
-      .ending = ".stl", .parse = parse_stl_bytes, .write = write_stl, .what_is_lost = lost_in_stl};
+  return {.ending = ".stl",
+          .parse = parse_stl_bytes,
+          .write = write_stl,
+          .is_single_precision = true,
+          .what_is_lost = lost_in_stl};
 }
 
 }  // namespace surfmesh

@@ -1,9 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/formats/write_mesh.hh"
 
+#include <algorithm>
+
 #include "surfmesh/formats/mesh_format.hh"
 
 namespace surfmesh {
+namespace {
+
+double rounding_of(const OpenMesh::Vec3d& point) {
+  OpenMesh::Vec3d rounded;
+  for (std::size_t k = 0; k < 3; ++k) rounded[k] = static_cast<float>(point[k]);
+  return (rounded - point).norm();
+}
+
+}  // namespace
+
+Rounding rounding_of(const PolyMesh& mesh, const std::filesystem::path& path) {
+  Rounding result;
+  if (!format_of(path).is_single_precision) return result;
+  for (const VertexHandle vh : mesh.vertices()) {
+    result.greatest_move = std::max(result.greatest_move, rounding_of(mesh.point(vh)));
+  }
+  for (const EdgeHandle eh : mesh.edges()) {
+    const HalfedgeHandle heh = mesh.halfedge_handle(eh, 0);
+    const OpenMesh::Vec3d& a = mesh.point(mesh.from_vertex_handle(heh));
+    const OpenMesh::Vec3d& b = mesh.point(mesh.to_vertex_handle(heh));
+    const double move = std::max(rounding_of(a), rounding_of(b));
+    if (move > result.share * (b - a).norm()) result.share = move / (b - a).norm();
+  }
+  return result;
+}
 
 std::vector<std::string> what_is_lost(const PolyMesh& mesh, const std::filesystem::path& path,
                                       const MeshNames& names) {

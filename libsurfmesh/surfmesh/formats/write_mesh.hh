@@ -44,4 +44,13 @@ void write_mesh(const PolyMesh& mesh, OutputFile& file, const MeshNames& names =
 std::vector<std::string> what_is_lost(const PolyMesh& mesh, const std::filesystem::path& path,
                                       const MeshNames& names = {});
 
+/// How far positions move when a mesh is written in a format of single precision.
+struct Rounding {
+  double greatest_move = 0;  ///< of a vertex, model units; 0 where the format keeps all digits
+  double share = 0;          ///< greatest share of its length by which an end of an edge moves
+};
+
+/// Throws   InvalidInput for an unknown ending
+Rounding rounding_of(const PolyMesh& mesh, const std::filesystem::path& path);
+
 }  // namespace surfmesh

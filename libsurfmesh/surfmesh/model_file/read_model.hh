@@ -13,6 +13,15 @@
 
 namespace surfmesh {
 
+/// Edges of a cage that a model file makes a crease: those of a chain of vertices, or those at the
+/// border of a group.
+struct CreaseInput {
+  std::vector<int> vertices = {};  ///< from 0, one after the other along edges
+  std::string group = {};
+  double sharpness = 10;
+  std::string origin = {};  ///< JSON pointer
+};
+
 /// A cage that a model file names.
 struct CageInput {
   std::string name;
@@ -21,6 +30,8 @@ struct CageInput {
   PatchKind patches = PatchKind::Auto;
   std::optional<Length> weld = {};  ///< 0 is off
   std::optional<bool> orient = {};
+  std::optional<double> crease_angle = {};  ///< degrees, 0 is off
+  std::vector<CreaseInput> creases = {};
   std::string origin;  ///< JSON pointer
 };
 

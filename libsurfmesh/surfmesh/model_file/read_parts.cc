@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <set>
 #include <string_view>
@@ -53,8 +55,43 @@ Length read_weld(const JsonNode& node) {
   return node.boolean() ? Length::share(ranges::kWeld.on) : Length();
 }
 
+/// An angle of creases in degrees, 0 or false for none.
+double read_angle(const JsonNode& node) {
+  if (node.json().is_boolean() && !node.boolean()) return 0;
+  const double angle = node.number();
+  if (!(angle >= 0 && angle <= 180)) node.fail("must be an angle from 0 to 180 degrees");
+  return angle;
+}
+
+int read_vertex(const JsonNode& node) {
+  const double number = node.number();
+  if (!(number >= 0 && number <= std::numeric_limits<int>::max() && number == std::floor(number))) {
+    node.fail("must be the number of a vertex, from 0");
+  }
+  return static_cast<int>(number);
+}
+
+CreaseInput read_crease(const JsonNode& node) {
+  node.expect_keys({"vertices", "group", "sharpness"});
+  if (node.has("vertices") == node.has("group")) node.fail("a crease needs vertices or a group");
+  CreaseInput crease;
+  if (const auto group = node.find("group")) crease.group = read_name(*group);
+  if (const auto vertices = node.find("vertices")) {
+    for (const JsonNode& vertex : vertices->elements())
+      crease.vertices.push_back(read_vertex(vertex));
+    if (crease.vertices.size() < 2) vertices->fail("a crease needs two vertices");
+  }
+  if (const auto sharpness = node.find("sharpness")) {
+    crease.sharpness = sharpness->number();
+    if (!(crease.sharpness >= 0)) sharpness->fail("must not be negative");
+  }
+  crease.origin = node.pointer();
+  return crease;
+}
+
 CageInput read_cage_input(const JsonNode& node, const std::filesystem::path& folder) {
-  node.expect_keys({"name", "file", "scheme", "patches", "weld", "orient"});
+  node.expect_keys(
+      {"name", "file", "scheme", "patches", "weld", "orient", "crease_angle", "creases"});
   CageInput cage;
   cage.name = read_name(node.at("name"));
   const std::string file = node.at("file").text();
@@ -64,6 +101,10 @@ CageInput read_cage_input(const JsonNode& node, const std::filesystem::path& fol
   if (const auto patches = node.find("patches")) cage.patches = read_patch_kind(*patches);
   if (const auto weld = node.find("weld")) cage.weld = read_weld(*weld);
   if (const auto orient = node.find("orient")) cage.orient = orient->boolean();
+  if (const auto angle = node.find("crease_angle")) cage.crease_angle = read_angle(*angle);
+  if (const auto creases = node.find("creases")) {
+    for (const JsonNode& crease : creases->elements()) cage.creases.push_back(read_crease(crease));
+  }
   cage.origin = node.pointer();
   return cage;
 }

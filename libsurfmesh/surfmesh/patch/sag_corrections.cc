@@ -15,9 +15,6 @@ namespace {
 
 constexpr int kMostRounds = 8;
 
-/// Faces that are measured between two questions whether the run is cancelled.
-constexpr std::size_t kFacesBetweenCancellation = 256;
-
 /// Beside half of the triangles of a patch, so many may be corrected.
 constexpr std::size_t kFreeFaces = 20;
 
@@ -87,7 +84,7 @@ class SagCorrector {
 
   void measure_new_faces() {
     while (sags_.size() < delaunay_.n_faces()) {
-      if (sags_.size() % kFacesBetweenCancellation == 0) context_.throw_if_cancelled();
+      if (sags_.size() % kSearchesBetweenCancellation == 0) context_.throw_if_cancelled();
       sags_.push_back(sag_now(FaceHandle(static_cast<int>(sags_.size()))));
     }
   }

@@ -30,9 +30,6 @@ constexpr double kPoorShape = 0.52;
 constexpr std::array<double, 4> kSearchSteps = {0.3, 0.15, 0.07, 0.03};
 constexpr double kLeastGain = 0.01;
 
-/// Nodes between two questions whether the run is cancelled.
-constexpr std::size_t kNodesBetweenCancellation = 64;
-
 /// Unit vectors around a circle.
 constexpr double kDiagonal = std::numbers::sqrt2 / 2;
 constexpr std::array<Uv, 8> kDirections = {{{1, 0},
@@ -68,7 +65,7 @@ class SmoothingWithinSag {
   template <class Visit>
   void for_each_node(Visit visit) {
     for (std::size_t v = first_inner_; v < delaunay_.n_vertices(); ++v) {
-      if (v % kNodesBetweenCancellation == 0) context_.throw_if_cancelled();
+      if (v % kSearchesBetweenCancellation == 0) context_.throw_if_cancelled();
       visit(VertexHandle(static_cast<int>(v)));
     }
   }
@@ -90,7 +87,7 @@ class SmoothingWithinSag {
 
   void swap_edges() {
     for (std::size_t e = 0; e < delaunay_.n_edges(); ++e) {
-      if (e % kNodesBetweenCancellation == 0) context_.throw_if_cancelled();
+      if (e % kSearchesBetweenCancellation == 0) context_.throw_if_cancelled();
       const EdgeHandle eh(static_cast<int>(e));
       if (!is_inner(patch_, eh) || !delaunay_.can_flip(eh) || !gains_by_swap(eh)) continue;
       const CornerTriangles swapped = diamond_of(patch_, eh).swapped();

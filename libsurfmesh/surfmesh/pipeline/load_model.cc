@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "surfmesh/cage/creases.hh"
 #include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/core/at_location.hh"
 #include "surfmesh/core/error.hh"
@@ -42,18 +43,25 @@ void at_file(const std::string& location, Body body) {
   }
 }
 
+/// The model of a cage that a file holds.
+Model model_of(const Cage& cage, const std::filesystem::path& path, const CageOptions& options) {
+  Model model;
+  at_file(path.string(), [&] { model = model_from_cage(cage, options); });
+  for (Notice& notice : model.notices) notice.text.insert(0, path.string() + ": ");
+  model.notices.insert(model.notices.begin(), cage.notices.begin(), cage.notices.end());
+  return model;
+}
+
 ModelInput load_cage(const std::filesystem::path& path, const CageOptions& cage_options,
                      const RunContext& context) {
   const Cage cage = read_cage(path);
   context.throw_if_cancelled();
   ModelInput input;
-  at_file(path.string(), [&] { input.model = model_from_cage(cage, cage_options); });
-  Notices& notices = input.model.notices;
-  for (Notice& notice : notices) notice.text.insert(0, path.string() + ": ");
-  notices.insert(notices.begin(), cage.notices.begin(), cage.notices.end());
+  input.model = model_of(cage, path, cage_options);
   input.options.patches = cage_options.patches;
   input.options.weld = cage_options.weld;
   input.options.orient = cage_options.orient;
+  input.options.crease_angle = cage_options.crease_angle;
   return input;
 }
 
@@ -113,6 +121,8 @@ CageOptions options_of(const CageInput& input, const CageOptions& given,
   if (!options.weld) options.weld = of_file.weld;
   if (!options.orient) options.orient = input.orient;
   if (!options.orient) options.orient = of_file.orient;
+  if (!options.crease_angle) options.crease_angle = input.crease_angle;
+  if (!options.crease_angle) options.crease_angle = of_file.crease_angle;
   return options;
 }
 
@@ -131,15 +141,30 @@ void check_without_cages(const ModelFile& file, const std::string& name, const C
   const std::map<std::string_view, const char*> options = {
       {ranges::kPatches.name, "faces or blocks as patches"},
       {ranges::kWeld.name, "vertices to weld"},
-      {ranges::kOrient.name, "faces to orient"}};
+      {ranges::kOrient.name, "faces to orient"},
+      {ranges::kCreaseAngle.name, "creases by angle"}};
   if (given.scheme != Scheme::Auto) fail(name, "a subdivision scheme");
   if (given.patches != PatchKind::Auto) fail(name, options.at(ranges::kPatches.name));
   if (given.weld && given.weld->value != 0) fail(name, options.at(ranges::kWeld.name));
   if (given.orient.value_or(false)) fail(name, options.at(ranges::kOrient.name));
+  if (given.crease_angle.value_or(0) > 0) fail(name, options.at(ranges::kCreaseAngle.name));
   for (const FileOption& entry : file.options) {
     const auto option = options.find(entry.name);
     if (option == options.end() || is_default(entry)) continue;
     fail(name + ": " + entry.origin, option->second);
+  }
+}
+
+/// Add the creases that a model file gives a cage.
+void add_creases(const CageInput& input, const std::string& name, Cage& cage) {
+  for (const CreaseInput& crease : input.creases) {
+    at_file(fmt::format("{}: {}", name, crease.origin), [&] {
+      if (crease.group.empty()) {
+        add_crease(crease.vertices, crease.sharpness, cage);
+      } else {
+        add_crease_around(crease.group, crease.sharpness, cage);
+      }
+    });
   }
 }
 
@@ -149,14 +174,18 @@ void append_cages(const ModelFile& file, const std::string& name, const CageOpti
   Model& model = result.model;
   for (const CageInput& input : file.cages) {
     const CageOptions options = options_of(input, given, result.options);
-    Model cage;
-    at_file(fmt::format("{}: {}/file", name, input.origin),
-            [&] { cage = load_cage(input.file, options, context).model; });
-    Group& whole = cage.groups.emplace_back();
+    const std::string location = fmt::format("{}: {}/file", name, input.origin);
+    Cage cage;
+    at_file(location, [&] { cage = read_cage(input.file); });
+    context.throw_if_cancelled();
+    add_creases(input, name, cage);
+    Model part;
+    at_file(location, [&] { part = model_of(cage, input.file, options); });
+    Group& whole = part.groups.emplace_back();
     whole.name = input.name;
-    for (std::size_t p = 0; p < cage.patches.size(); ++p)
+    for (std::size_t p = 0; p < part.patches.size(); ++p)
       whole.patches.push_back(static_cast<int>(p));
-    append(model, std::move(cage), input.name + ":");
+    append(model, std::move(part), input.name + ":");
   }
 }
 

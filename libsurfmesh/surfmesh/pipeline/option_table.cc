@@ -61,6 +61,10 @@ constexpr NumberAccess kOrient = {
     [](const Options& options) { return options.orient.value_or(false) ? 1.0 : 0.0; },
     [](Options& options, double value) { options.orient = value != 0; }};
 
+constexpr NumberAccess kCreaseAngle = {
+    &ranges::kCreaseAngle, [](const Options& options) { return options.crease_angle.value_or(0); },
+    [](Options& options, double value) { options.crease_angle = value; }};
+
 /// Not built yet: there is only off.
 constexpr NumberAccess kQuads = {&ranges::kQuads, [](const Options&) { return 0.0; },
                                  [](Options&, double) {}};
@@ -72,8 +76,11 @@ constexpr OptionGroup kMeshing = OptionGroup::Meshing;
 constexpr OptionGroup kCages = OptionGroup::Cages;
 
 constexpr auto kTable = std::to_array<Option>({
-    {kSizes, true, "", "size as a share of the radius of curvature; off by default with sag",
-     kCurvature},
+    {kSizes, true, "",
+     "size as a share of the radius of curvature; off by default with sag or size", kCurvature},
+    {kSizes, true, kLengthUnit, "one length everywhere, whatever the other sizes are",
+     length(
+         ranges::kSize, [](auto& o) -> auto& { return o.sizing.size; })},
     {kSizes, true, kLengthUnit, "greatest distance between mesh and surface",
      length(
          ranges::kSag, [](auto& o) -> auto& { return o.sizing.sag; })},
@@ -86,6 +93,9 @@ constexpr auto kTable = std::to_array<Option>({
     {kSizes, true, "", "greatest ratio of the two sizes from curvature",
      number(
          ranges::kStretch, [](auto& o) -> auto& { return o.sizing.stretch; })},
+    {kSizes, true, "", "the least size at a point in all directions",
+     number(
+         ranges::kIsotropic, [](auto& o) -> auto& { return o.sizing.isotropic; })},
     {kSizes, true, "", "growth of sizes: by at most its logarithm per unit of length",
      number(
          ranges::kGrade, [](auto& o) -> auto& { return o.sizing.grade; })},
@@ -152,6 +162,8 @@ constexpr auto kTable = std::to_array<Option>({
          ranges::kPatches, [](auto& o) -> auto& { return o.patches; })},
     {kCages, true, kLengthUnit, "distance within which vertices of a cage become one", kWeld},
     {kCages, true, "", "faces of a cage turned to agree with their neighbours", kOrient},
+    {kCages, true, "degrees", "creases of a cage where its faces meet at more than this angle",
+     kCreaseAngle},
     {kMeshing, false, "", "quads in place of triangles, not built yet", kQuads},
     {kMeshing, true, "threads",
      "threads; all is one for each core, and the mesh is always the same",

@@ -22,6 +22,7 @@ struct PipelineOptions {
       PatchKind::Auto;              ///< of cages, used when a model is loaded; not used in meshing
   std::optional<Length> weld = {};  ///< likewise; see CageOptions
   std::optional<bool> orient = {};  ///< likewise
+  std::optional<double> crease_angle = {};  ///< likewise, degrees
   int threads = 0;  ///< from 1 to 256; 0 is one per core. The mesh is always the same
   std::size_t max_elements = 50'000'000;  ///< more triangles end the run with an error. Above 0
 };

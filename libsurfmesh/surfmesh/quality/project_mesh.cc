@@ -17,10 +17,6 @@ using detail::point_of;
 /// Distances below this share of the diagonal are rounding.
 constexpr double kOnSurface = 1e-10;
 
-/// Corners or faces between two questions whether the run is cancelled: each may take some hundred
-/// evaluations.
-constexpr std::size_t kBetweenCancellation = 256;
-
 /// Rounds in which corners learn from neighbours. A region of a wrong sheet shrinks by a row of
 /// faces a round.
 constexpr int kMostRounds = 100;
@@ -62,7 +58,7 @@ class MeshProjection {
 
   void run(const RunContext& context) {
     for (const FaceHandle fh : mesh_.faces()) {
-      if (index(fh) % kBetweenCancellation == 0) context.throw_if_cancelled();
+      if (index(fh) % kSearchesBetweenCancellation == 0) context.throw_if_cancelled();
       project(fh);
     }
     learn_from_neighbours(context);
@@ -108,7 +104,7 @@ class MeshProjection {
       const std::size_t before = off.size();
       std::size_t asked = 0;
       std::erase_if(off, [&](HalfedgeHandle corner) {
-        if (asked++ % kBetweenCancellation == 0) context.throw_if_cancelled();
+        if (asked++ % kSearchesBetweenCancellation == 0) context.throw_if_cancelled();
         return search_from_neighbours(corner);
       });
       if (off.size() == before) return;

@@ -16,9 +16,6 @@
 namespace surfmesh {
 namespace {
 
-/// Faces between two questions whether the run is cancelled: some milliseconds.
-constexpr std::size_t kFacesBetweenCancellation = 64;
-
 /// Faces that are measured together, before others that are then known to be below them are left
 /// out. Not by the number of threads, for that must not change a result.
 constexpr std::size_t kFacesAtOnce = 256;
@@ -100,7 +97,7 @@ class SagMeter {
   void for_each_face(Visit visit) const {
     share_ranges(mesh_.n_faces(), [&](std::size_t first, std::size_t end) {
       for (std::size_t f = first; f < end; ++f) {
-        if (f % kFacesBetweenCancellation == 0) context_.throw_if_cancelled();
+        if (f % kSearchesBetweenCancellation == 0) context_.throw_if_cancelled();
         visit(FaceHandle(static_cast<int>(f)));
       }
     });
@@ -182,7 +179,7 @@ class SagMeter {
   void measure(const std::vector<std::size_t>& chosen) {
     share_ranges(chosen.size(), [&](std::size_t first, std::size_t end) {
       for (std::size_t i = first; i < end; ++i) {
-        if (i % kFacesBetweenCancellation == 0) context_.throw_if_cancelled();
+        if (i % kSearchesBetweenCancellation == 0) context_.throw_if_cancelled();
         measure(FaceHandle(static_cast<int>(chosen[i])));
       }
     });
@@ -299,7 +296,7 @@ std::vector<double> estimate_sag(const PolyMesh& mesh, const Model& model,
   std::vector<double> sags(mesh.n_faces(), 0);
   share_ranges(mesh.n_faces(), [&](std::size_t first, std::size_t end) {
     for (std::size_t f = first; f < end; ++f) {
-      if (f % kFacesBetweenCancellation == 0) context.throw_if_cancelled();
+      if (f % kSearchesBetweenCancellation == 0) context.throw_if_cancelled();
       const FaceHandle fh(static_cast<int>(f));
       const Surface& surface = model.surface(mesh.property(patch_of, fh));
       for (const detail::SurfaceTriangle& triangle : triangles_of(mesh, fh)) {

@@ -22,13 +22,9 @@ using detail::point_of;
 /// Corners farther from the surface than this share of the diagonal are no matter of rounding.
 constexpr double kOffSurface = 1e-6;
 
-/// Faces between two questions whether the run is cancelled: each may take some hundred
-/// evaluations.
-constexpr std::size_t kFacesBetweenCancellation = 256;
-
 /// Ask before a face.
 void ask_at(FaceHandle fh, const RunContext& context) {
-  if (index(fh) % kFacesBetweenCancellation == 0) context.throw_if_cancelled();
+  if (index(fh) % kSearchesBetweenCancellation == 0) context.throw_if_cancelled();
 }
 
 /// Cosine of the angle between the normals of face and surface from which a projected face counts

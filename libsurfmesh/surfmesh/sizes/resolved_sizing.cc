@@ -11,6 +11,10 @@ namespace surfmesh {
 namespace {
 
 SizeBounds resolve_bounds(const Sizing& sizing, double diagonal) {
+  if (sizing.size) {
+    const double size = sizing.size->in_units(diagonal);
+    return {size, size, diagonal};
+  }
   const SizeBounds bounds{sizing.hmin.in_units(diagonal), sizing.hmax.in_units(diagonal), diagonal};
   if (bounds.hmin <= bounds.hmax) return bounds;
   // Only the size of the model may tell.
@@ -23,6 +27,7 @@ SizeBounds resolve_bounds(const Sizing& sizing, double diagonal) {
 void check(const Sizing& sizing) {
   check_option(ranges::kCurvature, sizing.curvature_factor());
   check_option(ranges::kSag, sizing.sag);
+  check_option(ranges::kSize, sizing.size);
   check_option(ranges::kHmin, sizing.hmin);
   check_option(ranges::kHmax, sizing.hmax);
   check_option(ranges::kStretch, sizing.stretch);
@@ -35,15 +40,17 @@ void check(const Sizing& sizing) {
 
 ResolvedSizing resolve(const Sizing& sizing, double diagonal) {
   check(sizing);
+  const bool is_uniform = sizing.size.has_value();
   return {.bounds = resolve_bounds(sizing, diagonal),
-          .curvature = sizing.curvature_factor(),
+          .curvature = is_uniform ? 0 : sizing.curvature_factor(),
           .sag = sizing.sag ? sizing.sag->in_units(diagonal) : 0,
           .stretch = sizing.stretch,
           .grade = sizing.grade,
-          .contour_curvature = sizing.contour_curvature,
-          .proximity = sizing.proximity,
-          .features = sizing.features,
-          .curvature_from = sizing.curvature_from};
+          .contour_curvature = sizing.contour_curvature && !is_uniform,
+          .proximity = is_uniform ? 0 : sizing.proximity,
+          .features = sizing.features && !is_uniform,
+          .curvature_from = sizing.curvature_from,
+          .isotropic = sizing.isotropic};
 }
 
 }  // namespace surfmesh

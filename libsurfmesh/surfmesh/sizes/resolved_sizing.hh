@@ -20,6 +20,7 @@ struct ResolvedSizing {
   double proximity;  ///< elements wanted across a gap; 0 is off
   bool features;
   CurvatureFrom curvature_from;
+  bool isotropic = false;
 
   /// True if sizes follow from curvature at all.
   bool follows_curvature() const { return curvature > 0 || sag > 0; }

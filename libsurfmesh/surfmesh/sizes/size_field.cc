@@ -48,7 +48,8 @@ SizeField::SizeField(const Surface& surface, const ResolvedSizing& sizing,
       domain_(surface.domain()),
       bounds_(sizing.bounds),
       length_(sizing),
-      stretch_(sizing.stretch) {
+      stretch_(sizing.isotropic ? 1 : sizing.stretch),
+      is_isotropic_(sizing.isotropic) {
   add_all_sources(sources, sizing.grade, precision);
   if (length_.is_off()) return;
   add_discs();
@@ -305,6 +306,7 @@ SizeField::Sample SizeField::at(Uv uv) const {
   if (is_curved) add_curvature(uv, jet, sample);
   if (has_wishes_) add_sources(uv, jet, sample);
   add_rings(uv, sample);
+  if (is_isotropic_) sample.size = isotropic(size_range(sample.size).least);
   return sample;
 }
 

@@ -109,6 +109,7 @@ class SizeField {
   SizeBounds bounds_;
   CurvatureLength length_;
   double stretch_;
+  bool is_isotropic_;
   std::optional<SizeTensor> everywhere_;
   std::vector<Area> areas_;
   std::vector<FieldSource> fields_;

@@ -22,7 +22,7 @@ enum class CurvatureFrom {
 
 /// Which sizes follow from the shape, and the bounds of all sizes.
 struct Sizing {
-  /// Size = factor × radius of curvature; 0 is off. Unset: 0.25, or off if `sag` is given.
+  /// Size = factor × radius of curvature; 0 is off. Unset: 0.25, or off with `sag` or `size`.
   std::optional<double> curvature = {};
   Length hmin = Length::share(0.001);  ///< lower clamp of all sizes, above 0
   Length hmax = Length::share(0.2);    ///< upper clamp of all sizes, at least hmin
@@ -34,16 +34,21 @@ struct Sizing {
   double proximity = 1;  ///< elements wanted across a gap between two parts of a boundary; 0 is off
   bool features = true;  ///< short contours bound the sizes near them
   CurvatureFrom curvature_from = CurvatureFrom::Exact;
+  /// One length everywhere, above 0: it is both bounds, and nothing else has an effect. Unset is
+  /// off.
+  std::optional<Length> size = {};
+  bool isotropic = false;  ///< at each point the least size holds in all directions
   /// Greatest permitted distance between mesh and surface, above 0; unset is off.
   std::optional<Length> sag = {};
 
   /// The effective factor.
-  double curvature_factor() const { return curvature.value_or(sag ? 0 : 0.25); }
+  double curvature_factor() const { return curvature.value_or(sag || size ? 0 : 0.25); }
 };
 
 namespace ranges {
 
 inline constexpr LengthRange kSag = {"sag", true};
+inline constexpr LengthRange kSize = {"size", true};
 inline constexpr LengthRange kHmin = {"hmin"};
 inline constexpr LengthRange kHmax = {"hmax"};
 

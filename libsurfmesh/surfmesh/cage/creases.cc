@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/cage/creases.hh"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "surfmesh/cage/cage_sides.hh"
+#include "surfmesh/core/error.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Adds creases, and makes those sharper that are there.
+class CreaseList {
+ public:
+  explicit CreaseList(Cage& cage) : cage_(cage) {
+    for (std::size_t i = 0; i < cage.creases.size(); ++i) {
+      const auto [a, b] = cage.creases[i].edge;
+      number_of_.emplace(std::minmax(a, b), i);
+    }
+  }
+
+  void add(int a, int b, double sharpness) {
+    const auto [entry, is_new] = number_of_.emplace(std::minmax(a, b), cage_.creases.size());
+    if (is_new) {
+      cage_.creases.push_back({{a, b}, sharpness});
+    } else {
+      double& old = cage_.creases[entry->second].sharpness;
+      old = std::max(old, sharpness);
+    }
+  }
+
+ private:
+  Cage& cage_;
+  std::map<std::pair<int, int>, std::size_t> number_of_;
+};
+
+/// Twice the area of a face along its normal.
+Vec3 area_of(const Cage& cage, const std::vector<int>& face) {
+  const auto point = [&](std::size_t k) { return cage.points[static_cast<std::size_t>(face[k])]; };
+  Vec3 area = Vec3::Zero();
+  for (std::size_t k = 2; k < face.size(); ++k) {
+    area += (point(k - 1) - point(0)).cross(point(k) - point(0));
+  }
+  return area;
+}
+
+/// The angle between two faces at a common edge, radians.
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+}  // namespace
+
+void add_creases(double degrees, Cage& cage) {
+  const double least = degrees * std::numbers::pi / 180;
+  std::vector<Vec3> areas;
+  areas.reserve(cage.faces.size());
+  for (const std::vector<int>& face : cage.faces) areas.push_back(area_of(cage, face));
+  const std::vector<CageSide> sides = sorted_sides(cage.faces);
+  CreaseList creases(cage);
+  for_each_edge(sides, [&](std::span<const CageSide> edge) {
+    if (edge.size() != 2) return;
+    const Vec3& a = areas[static_cast<std::size_t>(edge[0].face)];
+    const Vec3& b = areas[static_cast<std::size_t>(edge[1].face)];
+    const double sign = edge[0].is_rising == edge[1].is_rising ? -1 : 1;
+    if (angle_between(a, sign * b) > least) creases.add(edge[0].low, edge[0].high, kSharp);
+  });
+}
+
+void add_crease(const std::vector<int>& vertices, double sharpness, Cage& cage) {
+  const std::vector<CageSide> sides = sorted_sides(cage.faces);
+  CreaseList creases(cage);
+  for (std::size_t i = 1; i < vertices.size(); ++i) {
+    const auto [low, high] = std::minmax(vertices[i - 1], vertices[i]);
+    const auto at = std::lower_bound(sides.begin(), sides.end(), std::pair(low, high),
+                                     [](const CageSide& side, const std::pair<int, int>& wanted) {
+                                       return std::pair(side.low, side.high) < wanted;
+                                     });
+    if (at == sides.end() || at->low != low || at->high != high) {
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("vertices {} and {} are not the ends of an edge", vertices[i - 1],
+                              vertices[i]));
+    }
+    creases.add(low, high, sharpness);
+  }
+}
+
+void add_crease_around(const std::string& group, double sharpness, Cage& cage) {
+  const auto found = std::find_if(cage.groups.begin(), cage.groups.end(),
+                                  [&](const Cage::FaceGroup& g) { return g.name == group; });
+  if (found == cage.groups.end()) {
+    throw Error(ErrorCode::InvalidInput, fmt::format("there is no group {}", group));
+  }
+  std::vector<char> is_inside(cage.faces.size(), 0);
+  for (const int face : found->faces) is_inside[static_cast<std::size_t>(face)] = 1;
+  CreaseList creases(cage);
+  const std::vector<CageSide> sides = sorted_sides(cage.faces);
+  for_each_edge(sides, [&](std::span<const CageSide> edge) {
+    const auto is_in = [&](const CageSide& side) {
+      return is_inside[static_cast<std::size_t>(side.face)] != 0;
+    };
+    const auto count = std::count_if(edge.begin(), edge.end(), is_in);
+    if (count == 0 || count == static_cast<std::ptrdiff_t>(edge.size())) return;
+    creases.add(edge[0].low, edge[0].high, sharpness);
+  });
+}
+
+}  // namespace surfmesh
