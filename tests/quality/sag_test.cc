@@ -89,7 +89,17 @@ TEST(PlaneSag, SeesABendBetweenTheSamples) {
                                             {Uv{0, 0}, Uv{1, 0}, Uv{0, 1}}};
   EXPECT_NEAR(detail::plane_sag(*surface, triangle), greatest, 5e-4);
   // By the samples alone it is 6 % less.
-  EXPECT_LT(detail::plane_sag(*surface, triangle, 1), 0.95 * greatest);
+  EXPECT_LT(detail::plane_sag(*surface, triangle, {.searched_from = 1}), 0.95 * greatest);
+}
+
+/// A bowl that counts its evaluations. Along v its parameters are uneven by a power.
+std::shared_ptr<const Surface> counting_bowl(int& count, int power) {
+  return make_callable_surface({0, 1, 0, 1}, [&count, power](auto u, auto v) {
+    ++count;
+    auto y = v;
+    for (int i = 1; i < power; ++i) y = y * v;
+    return std::array{u, y, u * u + 2 * y * y};
+  });
 }
 
 /// A triangle of a surface by its parameters.
@@ -99,6 +109,25 @@ detail::SurfaceTriangle triangle_on(const Surface& surface, const std::array<Uv,
     triangle.points[k] = surface.evaluate(uvs[k], Order::Position).point;
   }
   return triangle;
+}
+
+TEST(PlaneSag, EvaluatesNoSampleTwice) {
+  int count = 0;
+  const auto bowl = counting_bowl(count, 4);
+  const auto triangle = triangle_on(*bowl, {Uv{0, 0}, Uv{0.3, 0}, Uv{0, 0.3}});
+  count = 0;
+  // Parameters are too uneven for an estimate, and nothing is searched below this.
+  detail::plane_sag(*bowl, triangle, {.searched_from = 1});
+  EXPECT_EQ(count, 25);
+}
+
+TEST(PlaneSag, EndsAboveABound) {
+  int count = 0;
+  const auto bowl = counting_bowl(count, 1);
+  const auto triangle = triangle_on(*bowl, {Uv{0, 0}, Uv{0.3, 0}, Uv{0, 0.3}});
+  count = 0;
+  EXPECT_GT(detail::plane_sag(*bowl, triangle, {.ends_above = 0.01}), 0.01);
+  EXPECT_EQ(count, 1);
 }
 
 TEST(EstimatePlaneSag, IsExactOverAParaboloid) {

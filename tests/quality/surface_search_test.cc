@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "support/models.hh"
+#include "surfmesh/geometry/callable_surface.hh"
 
 namespace surfmesh {
 namespace {
@@ -26,9 +29,23 @@ TEST(FindNearPoint, FindsTheFootOnASphere) {
 }
 
 TEST(FindNearPoint, EndsWhereItIsNearEnough) {
-  const NearPoint near = find_near_point(*testing::sphere(), {2, 0, 0}, {0.5, 0.3}, 1.05);
+  const NearPoint near = find_near_point(*testing::sphere(), {2, 0, 0}, {0.5, 0.3}, {1.05, 0});
   EXPECT_LE(near.distance, 1.05);
   EXPECT_GT(near.distance, 1 + 1e-6);
+}
+
+TEST(FindNearPoint, EndsWhereItIsAccurateEnough) {
+  int count = 0;
+  const auto bowl = make_callable_surface({-1, 1, -1, 1}, [&count](auto u, auto v) {
+    ++count;
+    return std::array{u, v, u * u + 2 * v * v};
+  });
+  const Vec3 point(0.3, 0.2, 0.4);
+  const double exact = find_near_point(*bowl, point, {0.3, 0.2}).distance;
+  const int exact_count = std::exchange(count, 0);
+  const double distance = find_near_point(*bowl, point, {0.3, 0.2}, {.accuracy = 1e-4}).distance;
+  EXPECT_NEAR(distance, exact, 2e-4 * exact);
+  EXPECT_LE(2 * count, exact_count);
 }
 
 TEST(FindNearPoint, GoesIntoPoles) {

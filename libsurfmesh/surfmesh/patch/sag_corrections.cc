@@ -164,9 +164,7 @@ class SagCorrector {
     if (!is_inner(patch_, eh) || !delaunay_.can_flip(eh)) return;
     const Diamond diamond = diamond_of(patch_, eh);
     if (shape_of(diamond.swapped()) < shape_of(diamond.triangles()) + kLeastGain) return;
-    if (meter_.sag_of(diamond.swapped()) > std::max(aim_, meter_.sag_of(diamond.triangles())))
-      return;
-    flip(eh);
+    if (is_nearer(diamond.swapped(), diamond.triangles())) flip(eh);
   }
 
   /// Give a node to the middle of the longest edge where that helps; without one the sizes are to
@@ -189,8 +187,13 @@ class SagCorrector {
     const auto after =
         diamond.split_at(corner_at(patch_, lerp(diamond.origin.uv, diamond.tip.uv, 0.5)));
     return shape_of(after) >= kLeastSplitShape &&
-           meter_.sag_of(after) <=
-               std::max(aim_, kLeastReduction * meter_.sag_of(diamond.triangles()));
+           is_nearer(after, diamond.triangles(), kLeastReduction);
+  }
+
+  /// True if triangles are near enough, or no farther than a share of what others are.
+  bool is_nearer(const CornerTriangles& after, const CornerTriangles& before,
+                 double share = 1) const {
+    return meter_.holds(after) || meter_.sag_of(after) <= share * meter_.sag_of(before);
   }
 
   /// Measure the triangles of the last node, and make them better.
@@ -234,7 +237,7 @@ class SagCorrector {
       const PatchCorner then = corner_at(patch_, lerp(now.uv, middle, share));
       const CornerTriangles moved = star_of(patch_, vh, then);
       if (!are_upright(moved) || shape_of(moved) < shape + kLeastGain) continue;
-      if (meter_.sag_of(moved) > std::max(aim_, meter_.sag_of(star_of(patch_, vh, now)))) continue;
+      if (!is_nearer(moved, star_of(patch_, vh, now))) continue;
       move(vh, then);
       return;
     }

@@ -35,11 +35,14 @@ double distance(const Vec3& point, const CornerTriangle& t) {
   return triangle_distance(point, {t[0].point, t[1].point, t[2].point}).distance;
 }
 
+SurfaceTriangle surface_triangle(const CornerTriangle& t) {
+  return {{t[0].point, t[1].point, t[2].point}, {t[0].uv, t[1].uv, t[2].uv}};
+}
+
 }  // namespace
 
 double SagMeter::sag_of(const CornerTriangle& t) const {
-  return plane_sag(surface_, {{t[0].point, t[1].point, t[2].point}, {t[0].uv, t[1].uv, t[2].uv}},
-                   kSampledShare * aim_);
+  return plane_sag(surface_, surface_triangle(t), {.searched_from = kSampledShare * aim_});
 }
 
 double SagMeter::sag_of(const CornerTriangles& triangles) const {
@@ -48,9 +51,14 @@ double SagMeter::sag_of(const CornerTriangles& triangles) const {
   return sag;
 }
 
+bool SagMeter::holds(const CornerTriangle& t) const {
+  return plane_sag(surface_, surface_triangle(t),
+                   {.searched_from = kSampledShare * aim_, .ends_above = aim_}) <= aim_;
+}
+
 bool SagMeter::holds(const CornerTriangles& triangles) const {
   return std::all_of(triangles.begin(), triangles.end(),
-                     [this](const CornerTriangle& t) { return sag_of(t) <= aim_; }) &&
+                     [this](const CornerTriangle& t) { return holds(t); }) &&
          ridge_sag(triangles, kSharpCosine) <= aim_;
 }
 
@@ -77,7 +85,8 @@ double SagMeter::ridge_sag(const PatchCorner& a, const PatchCorner& b, const Cor
   const Vec3 on_edge = 0.5 * (a.point + b.point);
   const double from_mesh = std::min(distance(on_surface, left), distance(on_surface, right));
   if ((on_surface - on_edge).norm() <= aim_) return from_mesh;
-  return std::max(from_mesh, find_near_point(surface_, on_edge, middle).distance);
+  return std::max(from_mesh,
+                  find_near_point(surface_, on_edge, middle, {0, kSagAccuracy}).distance);
 }
 
 }  // namespace surfmesh::detail

@@ -267,7 +267,7 @@ class SagMeter {
 
   /// The distance of a point of the triangle from the surface.
   double from_surface(const Triangle& t, const Vec3& point, Uv uv, double known) const {
-    const NearPoint near = find_near_point(t.surface, point, uv, known);
+    const NearPoint near = find_near_point(t.surface, point, uv, {known, detail::kSagAccuracy});
     if (!near.is_on_border || near.distance <= known) return near.distance;
     return std::min(near.distance, search_.nearest(point).distance);
   }

@@ -49,13 +49,15 @@ class Descent {
     }
   }
 
-  NearPoint run(Uv guess, double enough) {
+  NearPoint run(Uv guess, const SearchEnd& end) {
     start(guess);
     double share = 1;
-    for (int i = 0; i < kMostSteps && distance_ > enough; ++i) {
-      const Uv step = share * allowed_step();
-      if (std::abs(step.u) + std::abs(step.v) < kSmallestStep) break;
-      share = try_step(step) ? std::min(1.0, 4 * share) : 0.25 * share;
+    for (int i = 0; i < kMostSteps && distance_ > end.enough; ++i) {
+      const Step step = allowed_step();
+      if (step.gain <= 2 * end.accuracy * distance_ * distance_) break;
+      const Uv way = share * step.way;
+      if (std::abs(way.u) + std::abs(way.v) < kSmallestStep) break;
+      share = try_step(way) ? std::min(1.0, 4 * share) : 0.25 * share;
     }
     NearPoint result{-1, domain_.at(at_.u, at_.v), distance_, false};
     for (const Border& border : borders_) result.is_on_border |= is_on(border);
@@ -76,27 +78,34 @@ class Descent {
     distance_ = (point_ - jet_.point).norm();
   }
 
+  /// A step, and what it takes off the square of the distance from the tangent plane.
+  struct Step {
+    Uv way{0, 0};
+    double gain = 0;
+  };
+
   /// The step to the minimum of the distance from the tangent plane, along the border if the
   /// border is in the way; 0 in a corner.
-  Uv allowed_step() const {
+  Step allowed_step() const {
     const Vec3 ds = (domain_.u1 - domain_.u0) * jet_.du, dt = (domain_.v1 - domain_.v0) * jet_.dv;
     const Vec3 way = point_ - jet_.point;
     const double gs = ds.dot(way), gt = dt.dot(way);
     const double damping = kDamping * (ds.squaredNorm() + dt.squaredNorm());
     const double a = ds.squaredNorm() + damping, b = ds.dot(dt), c = dt.squaredNorm() + damping;
     const double determinant = a * c - b * b;
-    if (!(determinant > 0)) return {0, 0};
+    if (!(determinant > 0)) return {};
     Uv step{(c * gs - b * gt) / determinant, (a * gt - b * gs) / determinant};
     bool is_along = false;
     for (const Border& border : borders_) {
       if (!is_on(border) || border.s * step.u + border.t * step.v <= 0) continue;
-      if (is_along) return {0, 0};
+      if (is_along) return {};
       const double p = -border.t, q = border.s;  // along the border
       const double length = (p * gs + q * gt) / (p * p * a + 2 * p * q * b + q * q * c);
       step = {length * p, length * q};
       is_along = true;
     }
-    return is_along && leaves(step) ? Uv{0, 0} : step;
+    if (is_along && leaves(step)) return {};
+    return {step, gs * step.u + gt * step.v};
   }
 
   bool leaves(Uv step) const {
@@ -135,8 +144,9 @@ class Descent {
 
 }  // namespace
 
-NearPoint find_near_point(const Surface& surface, const Vec3& point, Uv guess, double enough) {
-  return Descent(surface, point).run(guess, enough);
+NearPoint find_near_point(const Surface& surface, const Vec3& point, Uv guess,
+                          const SearchEnd& end) {
+  return Descent(surface, point).run(guess, end);
 }
 
 /// The samples that are nearest to a point, in order.

@@ -18,15 +18,21 @@ struct NearPoint {
   bool is_on_border = false;  ///< of the domain: beyond it there might be nearer points
 };
 
+/// Where a search may end before it is at the nearest point.
+struct SearchEnd {
+  double enough = 0;    ///< at a point that is no farther than this
+  double accuracy = 0;  ///< where the distance is too great by about this share of it
+};
+
 /// Search downhill from a guess for the point of a surface that is nearest to a point in space.
 ///
 /// The distance decreases with every step. The search stays in the domain, follows its border where
 /// that is in the way, and ends at a local minimum.
 /// Error    at distance d of a surface of curvature k each step leaves d k of the way to the
 ///          minimum, until it is below 1e-12 of the domain; 40 steps at most
-/// The search also ends at a point that is no farther than `enough`.
 /// Cost     2 to 5 evaluations of first order for a guess nearby
-NearPoint find_near_point(const Surface& surface, const Vec3& point, Uv guess, double enough = 0);
+NearPoint find_near_point(const Surface& surface, const Vec3& point, Uv guess,
+                          const SearchEnd& end = {});
 
 /// Finds the nearest points on all patches of a model; samples of the patches provide the guess.
 class SurfaceSearch {

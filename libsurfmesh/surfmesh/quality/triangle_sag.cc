@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "surfmesh/quality/triangle_distance.hh"
 
@@ -27,12 +28,28 @@ std::vector<Weights> make_samples() {
   return samples;
 }
 
-/// The middles of the sides, and points inside at which the fit to them is tested.
+/// The middles of the sides, and points inside at which the fit to them is tested; all are samples.
 constexpr std::array<Weights, 3> kMiddles = {{{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}}};
 constexpr std::array<Weights, 4> kTests = {{{1.0 / 3, 1.0 / 3, 1.0 / 3},
                                             {2.0 / 3, 1.0 / 6, 1.0 / 6},
                                             {1.0 / 6, 2.0 / 3, 1.0 / 6},
                                             {1.0 / 6, 1.0 / 6, 2.0 / 3}}};
+
+std::vector<Weights> make_further_samples() {
+  std::vector<Weights> samples = sag_samples();
+  const auto is_estimated = [](const Weights& w) {
+    return std::find(kMiddles.begin(), kMiddles.end(), w) != kMiddles.end() ||
+           std::find(kTests.begin(), kTests.end(), w) != kTests.end();
+  };
+  samples.erase(std::remove_if(samples.begin(), samples.end(), is_estimated), samples.end());
+  return samples;
+}
+
+/// The samples that an estimate does not take.
+const std::vector<Weights>& further_samples() {
+  static const std::vector<Weights> samples = make_further_samples();
+  return samples;
+}
 
 /// Misses elsewhere are up to so many times those at the tests.
 constexpr double kErrorPerMiss = 2;
@@ -101,39 +118,56 @@ const std::vector<Weights>& sag_samples() {
   return samples;
 }
 
-double plane_sag(const Surface& surface, const SurfaceTriangle& triangle, double searched_from) {
-  if (searched_from > 0) {
-    const SagEstimate estimate = estimate_plane_sag(surface, triangle);
-    if (estimate.sag + estimate.error < searched_from) return estimate.sag;
-  }
+double plane_sag(const Surface& surface, const SurfaceTriangle& triangle,
+                 const PlaneSagBounds& bounds) {
+  const SagEstimate estimate = estimate_plane_sag(surface, triangle, bounds.ends_above);
+  SagSample greatest = estimate.greatest;
+  if (greatest.distance > bounds.ends_above) return greatest.distance;
+  if (estimate.sag + estimate.error < bounds.searched_from) return estimate.sag;
   const PlaneDistance distance(surface, triangle);
-  SagSample greatest;
-  for (const Weights& w : sag_samples()) {
+  for (const Weights& w : further_samples()) {
     const double there = distance(w);
     if (there > greatest.distance) greatest = {w, there};
+    if (there > bounds.ends_above) return there;
   }
-  if (greatest.distance > kSearchedShare * searched_from) greatest = search_sag(greatest, distance);
+  if (greatest.distance > kSearchedShare * bounds.searched_from) {
+    greatest = search_sag(greatest, distance);
+  }
   return greatest.distance;
 }
 
-SagEstimate estimate_plane_sag(const Surface& surface, const SurfaceTriangle& triangle) {
+SagEstimate estimate_plane_sag(const Surface& surface, const SurfaceTriangle& triangle,
+                               double ends_above) {
   const PlaneDistance distance(surface, triangle);
-  std::array<double, 3> middles;
+  SagEstimate estimate;
+  estimate.error = std::numeric_limits<double>::infinity();
   double aside = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 offset = distance.offset(kMiddles[k]);
-    middles[k] = distance.along_normal(offset);
-    aside = std::max(aside, offset.squaredNorm() - middles[k] * middles[k]);
+  const auto sample = [&](const Weights& w) {
+    const Vec3 offset = distance.offset(w);
+    const double there = distance.along_normal(offset);
+    if (std::abs(there) > estimate.greatest.distance) estimate.greatest = {w, std::abs(there)};
+    return std::pair(there, offset.squaredNorm() - there * there);
+  };
+  std::array<double, 4> tests;
+  for (std::size_t k = 0; k < tests.size(); ++k) {
+    tests[k] = sample(kTests[k]).first;
+    if (estimate.greatest.distance > ends_above) return estimate;
+  }
+  std::array<double, 3> middles;
+  for (std::size_t k = 0; k < middles.size(); ++k) {
+    const auto [there, squared_aside] = sample(kMiddles[k]);
+    middles[k] = there;
+    aside = std::max(aside, squared_aside);
+    if (estimate.greatest.distance > ends_above) return estimate;
   }
   const Bulge bulge{middles[0], middles[1], middles[2]};
-  SagEstimate estimate{bulge.greatest()};
-  for (const Weights& w : kTests) {
-    const double miss = std::abs(distance.along_normal(distance.offset(w)) - bulge.at(w));
-    estimate.error = std::max(estimate.error, kErrorPerMiss * miss);
-  }
+  estimate.sag = bulge.greatest();
   estimate.aside = std::sqrt(std::max(0.0, aside));
-  if (!(estimate.aside < kMostAside * least_height(triangle))) {
-    estimate.error = std::numeric_limits<double>::infinity();
+  if (!(estimate.aside < kMostAside * least_height(triangle))) return estimate;
+  estimate.error = 0;
+  for (std::size_t k = 0; k < tests.size(); ++k) {
+    const double miss = std::abs(tests[k] - bulge.at(kTests[k]));
+    estimate.error = std::max(estimate.error, kErrorPerMiss * miss);
   }
   return estimate;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "surfmesh/geometry/surface.hh"
@@ -20,6 +21,9 @@ using Weights = std::array<double, 3>;
 /// Cosine of the angle between two triangles up to which the bend between them is sharp: beyond it
 /// their planes tell how far their edge is from the surface, to within 4 %.
 inline constexpr double kSharpCosine = 0.87;
+
+/// Share of a distance from the surface by which it may be too great: far less than samples miss.
+inline constexpr double kSagAccuracy = 1e-5;
 
 /// The 25 points at which a triangle is compared with its surface, those nearest to the middle
 /// first, where the distance is greatest.
@@ -48,13 +52,21 @@ struct SagSample {
 template <class Distance>
 SagSample search_sag(SagSample sample, Distance distance);
 
+/// Where a search for the greatest distance may be spared.
+struct PlaneSagBounds {
+  /// Below this an estimate is enough.
+  double searched_from = 0;
+  /// Above this any distance is enough.
+  double ends_above = std::numeric_limits<double>::infinity();
+};
+
 /// The greatest distance of the surface from the plane of the triangle, over the samples, and
 /// around the greatest one if that is above half of `searched_from`.
 ///
 /// Unlike the distance from the triangle it does not grow where parameters run unevenly and a
-/// sample lies beyond a side, over the next triangle. Samples are spared where the estimate tells
-/// that they are below `searched_from`.
-double plane_sag(const Surface& surface, const SurfaceTriangle& triangle, double searched_from = 0);
+/// sample lies beyond a side, over the next triangle.
+double plane_sag(const Surface& surface, const SurfaceTriangle& triangle,
+                 const PlaneSagBounds& bounds = {});
 
 /// About the greatest distance of the surface from the plane of the triangle, and how far off it
 /// may be.
@@ -63,14 +75,17 @@ struct SagEstimate {
   double error = 0;  ///< infinite where nothing is known
   /// How far along the plane the surface is from the middle of a side at the same parameters.
   double aside = 0;
+  SagSample greatest;  ///< of those that the estimate took
 };
 
 /// Fit a quadratic polynomial, which a surface of even curvature follows, to the distances at the
 /// middles of the sides. Its greatest value is the estimate; what it misses inside gives the error.
-/// Nothing is known where the parameters are so uneven that the middle of a side lies far aside.
+/// Nothing is known where the parameters are so uneven that the middle of a side lies far aside, or
+/// where the estimate ended at a distance above `ends_above`.
 ///
-/// Cost     seven surface evaluations
-SagEstimate estimate_plane_sag(const Surface& surface, const SurfaceTriangle& triangle);
+/// Cost     at most seven surface evaluations
+SagEstimate estimate_plane_sag(const Surface& surface, const SurfaceTriangle& triangle,
+                               double ends_above = std::numeric_limits<double>::infinity());
 
 template <class Distance>
 SagSample search_sag(SagSample sample, Distance distance) {
