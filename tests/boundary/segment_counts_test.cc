@@ -71,8 +71,16 @@ TEST(SegmentsForSag, AreNotFewerThanLengthOrLeastAskFor) {
 
 TEST(SegmentsForSag, AreMoreByAFactor) {
   const Rim rim;
-  EXPECT_EQ(rim.count(pi / 10, {1, 1, 1, 1.5}), 11);
-  EXPECT_NEAR(rim.count(pi / 3, {1, 1, 1e-6, 2}), 24, 1);
+  EXPECT_EQ(rim.count(pi / 10, {1, 1, 1, 1.5}), 12);
+  // The sag takes 6, where the length asks for 3: the factor counts from there.
+  EXPECT_EQ(rim.count(pi / 3, {1, 1, 0.036, 1.5}), 9);
+  EXPECT_EQ(rim.count(pi / 10, {1, 4, 1, 1.2}), 12);
+}
+
+TEST(SegmentsForSag, AreNotFlatByAFactor) {
+  const Rim rim;
+  EXPECT_EQ(rim.count(pi / 3, {1, 1, 0.036, 3}), 9);
+  EXPECT_NEAR(rim.count(pi / 3, {1, 1, 1e-6, 3}), 12, 1);
 }
 
 TEST(SegmentsForSag, AreAtMostFourTimesTheLength) {

@@ -153,7 +153,7 @@ TEST(ReachSag, LeavesTrianglesOfGoodShape) {
   EXPECT_LE(*result.report.sag.reached, *result.report.sag.asked);
 }
 
-TEST(ReachSag, LeavesHardlyAFlatTriangleWhereItIsNotReached) {
+TEST(ReachSag, HoldsBesideExtraordinaryVerticesWithHardlyAFlatTriangle) {
   const std::filesystem::path car =
       std::filesystem::path(SURFMESH_SHARED_DIR) / "models" / "opensubdiv" / "catmark_car.obj";
   if (!std::filesystem::exists(car)) GTEST_SKIP() << car;
@@ -161,8 +161,8 @@ TEST(ReachSag, LeavesHardlyAFlatTriangleWhereItIsNotReached) {
   input.options.sizing.sag = Length::share(0.0002);
   const Report report = mesh_model(input.model, input.sources, input.options).report;
   EXPECT_LT(report.quality.below_0_3, 5e-4);
-  EXPECT_EQ(*report.sag.reached > *report.sag.asked,
-            !texts_of(report.notices, Severity::Shortfall).empty());
+  EXPECT_LE(*report.sag.reached, *report.sag.asked);
+  EXPECT_TRUE(texts_of(report.notices, Severity::Shortfall).empty());
 }
 
 TEST(ReachSag, CountsItsEvaluations) {

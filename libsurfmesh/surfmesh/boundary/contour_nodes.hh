@@ -24,8 +24,8 @@ struct ContourDemands {
   int multiple = 1;
   /// Greatest distance between a segment and its contour, model units; unset is off. Above 0.
   std::optional<double> sag = {};
-  /// With a sag, factors of the least number of segments, by contour: surfaces beside it may need
-  /// more than the contour does. Empty for 1 everywhere.
+  /// With a sag, factors of the number of segments, by contour: surfaces beside it may need more
+  /// than the contour does. Empty for 1 everywhere.
   std::vector<double> more_segments = {};
 };
 
@@ -49,7 +49,8 @@ struct BoundaryNodes {
 /// segments of loops cross although their curves do not, they get further nodes there.
 ///
 /// With a sag, the number of segments is the least with which all segments keep the sag, between √½
-/// of the length and four times the length, both times the factor of the contour.
+/// of the length and four times the length. The factor of the contour makes it greater, up to three
+/// times the length.
 ///
 /// Contours get more nodes where the result would not be a proper mesh otherwise: at least three
 /// segments if closed, two if another contour joins the same vertices, and one more next to each

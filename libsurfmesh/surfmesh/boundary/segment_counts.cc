@@ -13,6 +13,10 @@ namespace {
 /// Numbers of segments that are tried for the sag, as shares of the metric length.
 constexpr double kFewest = 0.71, kMost = 4;
 
+/// Segments for each unit of metric length up to which a factor makes more of them: beside more,
+/// the triangles would be flat.
+constexpr double kMostByFactor = 3;
+
 /// The share of the sag that the samples of a segment may have: the greatest lies between them.
 constexpr double kSagShare = 0.95;
 
@@ -53,10 +57,11 @@ int rounded_up(int count, int multiple) { return (count + multiple - 1) / multip
 int segments_for_sag(const Model& model, const ContourUse& use, const MetricArc& arc,
                      const SegmentBounds& bounds) {
   const int step = bounds.multiple;
-  const double length = bounds.factor * arc.length();
+  const double length = arc.length();
   int count = std::max(bounds.least, step * static_cast<int>(std::ceil(kFewest * length / step)));
   while (count < kMost * length && !holds(model, use, arc, count, bounds.sag)) count += step;
-  return count;
+  const double more = std::min(bounds.factor * count, kMostByFactor * length);
+  return std::max(count, rounded_up(static_cast<int>(std::lround(more)), step));
 }
 
 }  // namespace surfmesh

@@ -33,11 +33,12 @@ struct SegmentBounds {
   int least = 1;  ///< number of them
   int multiple = 1;
   double sag = 0;     ///< greatest distance from the contour, model units
-  double factor = 1;  ///< of the numbers that are tried
+  double factor = 1;  ///< of the number that holds the sag
 };
 
 /// The least number of segments of equal metric arc, a multiple, that hold the sag: from √½ of the
-/// length up, and at most four times the length, both times a factor.
+/// length up, and at most four times the length. The factor makes it greater, up to three times the
+/// length.
 ///
 /// `arc` is that of the use.
 /// Cost     five evaluations a segment and number
