@@ -20,6 +20,28 @@ TEST(ShapeOf, IsNegativeWhereATriangleIsTurned) {
   EXPECT_NEAR(shape_of(CornerTriangle{b, a, c}), -1, 1e-15);
 }
 
+/// A corner with a metric that asks for sizes ten times as long along y.
+PatchCorner stretched_at(double x, double y) {
+  PatchCorner corner = at(x, y);
+  corner.metric = {1, 0, 0.01};
+  return corner;
+}
+
+TEST(ShapeOf, IsOneForATriangleThatIsStretchedAsItsMetricIs) {
+  const PatchCorner a = stretched_at(0, 0), b = stretched_at(1, 0);
+  const double height = 10 * std::sqrt(0.75);
+  EXPECT_NEAR(shape_of(CornerTriangle{a, b, stretched_at(0.5, height)}), 1, 1e-15);
+  EXPECT_NEAR(shape_of(CornerTriangle{a, b, at(0.5, height)}), 1, 1e-15);  // no vertex yet
+  EXPECT_LT(shape_of(CornerTriangle{at(0, 0), at(1, 0), at(0.5, height)}), 0.2);
+}
+
+TEST(ShapeOf, IsThatInSpaceWhereThatIsBetter) {
+  const CornerTriangle equilateral = {stretched_at(0, 0), stretched_at(1, 0),
+                                      stretched_at(0.5, std::sqrt(0.75))};
+  EXPECT_NEAR(shape_of(equilateral), 1, 1e-15);
+  EXPECT_NEAR(shape_of(CornerTriangle{equilateral[1], equilateral[0], equilateral[2]}), -1, 1e-15);
+}
+
 TEST(ShapeOf, IsNothingForATriangleWithoutArea) {
   EXPECT_EQ(shape_of(CornerTriangle{at(0, 0), at(1, 0), at(2, 0)}), 0);
   EXPECT_EQ(shape_of(CornerTriangle{at(1, 1), at(1, 1), at(1, 1)}), 0);

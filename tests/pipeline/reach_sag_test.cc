@@ -140,6 +140,33 @@ TEST(ReachSag, HoldsBesideRoundedCreases) {
   }
 }
 
+/// Shapes in space are poor where the sizes are stretched: they must not keep triangles from being
+/// corrected, nor be bettered at the cost of the stretch.
+TEST(ReachSag, LeavesTrianglesOfGoodShapeWhereTheyAreStretched) {
+  PipelineOptions options = with_sag(0.005);
+  options.sizing.stretch = 10;
+  const Report report = mesh_model(testing::torus_of(3), {}, options).report;
+  EXPECT_LE(*report.sag.reached, 0.005);
+  EXPECT_GT(report.quality.min, 0.5);
+  EXPECT_GT(report.quality.mean, 0.96);
+  EXPECT_LT(*report.sag.evaluations, 150 * report.mesh.triangles);
+}
+
+TEST(ReachSag, HoldsOverANarrowCreaseAtAnyStretch) {
+  const Model model = testing::model_of({make_callable_surface({0, 1, 0, 1}, [](auto u, auto v) {
+    const auto aside = u - 0.3;
+    return std::array{u, v, 0.02 * sqrt(aside * aside + 1e-8) + 0.1 * sin(3.0 * v)};
+  })});
+  for (const double stretch : {2.0, 5.0, 10.0}) {
+    PipelineOptions options = with_sag(5e-5 * model.diagonal);
+    options.sizing.hmin = Length::share(1e-5);
+    options.sizing.stretch = stretch;
+    const Report report = mesh_model(model, {}, options).report;
+    EXPECT_LE(*report.sag.reached, *report.sag.asked) << stretch;
+    EXPECT_GT(report.quality.mean, 0.93) << stretch;
+  }
+}
+
 TEST(ReachSag, LeavesTrianglesOfGoodShape) {
   const std::filesystem::path spot =
       std::filesystem::path(SURFMESH_SHARED_DIR) / "models" / "spot_control_mesh.obj";

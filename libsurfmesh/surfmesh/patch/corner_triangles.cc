@@ -5,7 +5,24 @@
 #include <algorithm>
 #include <numbers>
 
+#include "surfmesh/metric/triangle.hh"
+
 namespace surfmesh::detail {
+
+namespace {
+
+/// The sum of the metrics, as good as their mean for a quality.
+Metric sum_of_metrics(const CornerTriangle& t) {
+  Metric sum{0, 0, 0};
+  for (const PatchCorner& corner : t) {
+    sum.m11 += corner.metric.m11;
+    sum.m12 += corner.metric.m12;
+    sum.m22 += corner.metric.m22;
+  }
+  return sum;
+}
+
+}  // namespace
 
 double shape_of(const CornerTriangle& t) {
   const auto& [a, b, c] = t;
@@ -13,7 +30,8 @@ double shape_of(const CornerTriangle& t) {
   const double squares = (b.point - a.point).squaredNorm() + (c.point - b.point).squaredNorm() +
                          (a.point - c.point).squaredNorm();
   const double shape = squares > 0 ? 2 * std::numbers::sqrt3 * normal.norm() / squares : 0;
-  return normal.dot(a.normal + b.normal + c.normal) > 0 ? shape : -shape;
+  if (!(normal.dot(a.normal + b.normal + c.normal) > 0)) return -shape;
+  return std::max(shape, triangle_quality(a.uv, b.uv, c.uv, sum_of_metrics(t)));
 }
 
 double shape_of(const CornerTriangles& triangles) {
@@ -24,7 +42,9 @@ double shape_of(const CornerTriangles& triangles) {
 
 PatchCorner corner_of(const TriangulatedPatch& patch, VertexHandle vh) {
   const std::size_t v = index(vh);
-  return {patch.delaunay->uv(vh), patch.points[v], patch.normals[v]};
+  PatchCorner corner{patch.delaunay->uv(vh), patch.points[v], patch.normals[v]};
+  if (patch.has_shapes_of_metric) corner.metric = patch.delaunay->metric(vh);
+  return corner;
 }
 
 PatchCorner corner_at(const TriangulatedPatch& patch, Uv uv) {

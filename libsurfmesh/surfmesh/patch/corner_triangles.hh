@@ -14,14 +14,17 @@ namespace surfmesh::detail {
 struct PatchCorner {
   Uv uv;
   Vec3 point;
-  Vec3 normal;  ///< of any length
+  Vec3 normal;                ///< of any length
+  Metric metric = {0, 0, 0};  ///< of a vertex, where shapes count in it; else 0
 };
 
 using CornerTriangle = std::array<PatchCorner, 3>;
 using CornerTriangles = std::vector<CornerTriangle>;
 
-/// 2√3 · double area / Σ squared sides: 1 for an equilateral triangle; negative for one that is
-/// turned against the normals of the surface.
+/// 2√3 · double area / Σ squared sides, in space or in the metric, whichever is better: 1 for an
+/// equilateral triangle, and for one that is stretched as was asked for; negative for one that is
+/// turned against the normals of the surface. Corners that are no vertices take the metric of the
+/// others.
 double shape_of(const CornerTriangle& triangle);
 
 /// The worst of them.

@@ -26,6 +26,10 @@ std::vector<std::vector<Uv>> points_of(const PatchBoundary& boundary) {
   return loops;
 }
 
+/// The stretch up to which the shapes of corrected triangles count in space: one that is
+/// equilateral in the metric is of shape 0.8 there.
+constexpr double kMostStretchInSpace = 2;
+
 /// One patch on its way through the stages.
 class PatchRun {
  public:
@@ -45,6 +49,7 @@ class PatchRun {
     const StageClock clock(result_.seconds[Stage::Triangulate]);
     patch_.surface = &task_.surface;
     patch_.field = &task_.field;
+    patch_.has_shapes_of_metric = task_.stretch > kMostStretchInSpace;
     patch_.boundary = std::move(task_.boundary);
     BoundaryTriangulation made = triangulate_boundary(points_of(patch_.boundary), task_.field);
     patch_.delaunay = std::move(made.delaunay);

@@ -20,6 +20,9 @@ struct PatchTask {
   ImproveOptions improve = {};
   /// Triangles farther than this from the surface are corrected one by one, model units; 0 is off.
   double corrected_sag = 0;
+  /// Greatest ratio of the two sizes that was asked for. Beyond twice, corrections take triangles
+  /// that are stretched as the metric is.
+  double stretch = 1;
 };
 
 /// The mesh of one patch, and the time and queries it took.

@@ -21,6 +21,8 @@ struct TriangulatedPatch {
   /// evaluate_vertices.
   std::vector<Vec3> points;
   std::vector<Vec3> normals;
+  /// True if triangles may be as stretched as the metric is; else their shapes count in space.
+  bool has_shapes_of_metric = false;
 };
 
 /// Evaluate the surface at the vertices that have no position yet. A vertex that is moved later has

@@ -165,7 +165,8 @@ class Run {
                    .boundary = boundary(),
                    .refine = options_.refine,
                    .improve = options_.improve,
-                   .corrected_sag = corrected_sag_};
+                   .corrected_sag = corrected_sag_,
+                   .stretch = sizing_.stretch};
     PatchResult result =
         // A mesh that is not corrected is never asked for again.
         cache_ && corrected_sag_ > 0 ? mesh_unless_kept(p, std::move(task))
