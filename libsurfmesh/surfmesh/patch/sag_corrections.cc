@@ -33,6 +33,10 @@ constexpr double kLeastMovedShape = 0.5;
 /// Ratio of the sags after and before from which a node is worth it.
 constexpr double kLeastReduction = 0.99;
 
+/// Shares of an edge between which a bend is sought, and the first and last steps of the search.
+constexpr double kFirstBend = 0.05, kLastBend = 0.95;
+constexpr double kFirstBendStep = 0.125, kLastBendStep = 0.002;
+
 /// Least gain of shape for which an edge is swapped or a node moved.
 constexpr double kLeastGain = 0.01;
 
@@ -167,25 +171,56 @@ class SagCorrector {
     if (is_nearer(diamond.swapped(), diamond.triangles())) flip(eh);
   }
 
-  /// Give a node to the middle of the longest edge where that helps; without one the sizes are to
-  /// blame.
+  /// Give a node to the middle of the longest edge where that helps, else to the ridge of a bend
+  /// across one; without a node the sizes are to blame.
   void split_longest(std::vector<EdgeHandle> edges) {
     std::sort(edges.begin(), edges.end(), [this](EdgeHandle a, EdgeHandle b) {
       return squared_length(patch_, a) > squared_length(patch_, b);
     });
     for (const EdgeHandle eh : edges) {
-      if (!helps_to_split(eh) || !split_chord(patch_, eh)) continue;
-      tidy_new_node();
-      return;
+      if (split_if_that_helps(eh, 0.5)) return;
+    }
+    for (const EdgeHandle eh : edges) {
+      if (split_if_that_helps(eh, bend_of(eh))) return;
     }
   }
 
-  /// True if a node in the middle brings the triangles nearer to the surface and leaves no slivers:
-  /// these are never near, for their planes stand across the surface.
-  bool helps_to_split(EdgeHandle eh) const {
+  bool split_if_that_helps(EdgeHandle eh, double share) {
+    if (!helps_to_split(eh, share) || !split_chord(patch_, eh, share)) return false;
+    tidy_new_node();
+    return true;
+  }
+
+  /// The share of an edge at which the surface is farthest from it: the ridge of a narrow bend.
+  double bend_of(EdgeHandle eh) const {
+    const Diamond diamond = diamond_of(patch_, eh);
+    const Vec3 direction = (diamond.tip.point - diamond.origin.point).stableNormalized();
+    const auto distance = [&](double share) {
+      const Uv uv = lerp(diamond.origin.uv, diamond.tip.uv, share);
+      const Vec3 point = patch_.surface->evaluate(uv, Order::Position).point;
+      return direction.cross(point - diamond.origin.point).norm();
+    };
+    double bend = 0.5, greatest = distance(bend);
+    for (double step = kFirstBendStep; step >= kLastBendStep;) {
+      const double before = bend;
+      for (const double share : {before - step, before + step}) {
+        if (share < kFirstBend || share > kLastBend) continue;
+        const double there = distance(share);
+        if (there <= greatest) continue;
+        greatest = there;
+        bend = share;
+      }
+      if (bend == before) step /= 2;
+    }
+    return bend;
+  }
+
+  /// True if a node at a share of an edge brings the triangles nearer to the surface and leaves no
+  /// slivers: these are never near, for their planes stand across the surface.
+  bool helps_to_split(EdgeHandle eh, double share) const {
     const Diamond diamond = diamond_of(patch_, eh);
     const auto after =
-        diamond.split_at(corner_at(patch_, lerp(diamond.origin.uv, diamond.tip.uv, 0.5)));
+        diamond.split_at(corner_at(patch_, lerp(diamond.origin.uv, diamond.tip.uv, share)));
     return shape_of(after) >= kLeastSplitShape &&
            is_nearer(after, diamond.triangles(), kLeastReduction);
   }

@@ -17,7 +17,8 @@ struct SagCorrections {
 /// Correct the triangles that are farther from the surface than `aim`.
 ///
 /// Each such triangle gets the swap of an edge or the move of a node that is enough, else a node in
-/// the middle of its longest inner edge, with swaps around for quality. Everything else stays as it
+/// the middle of its longest inner edge, or on the ridge of a bend across an edge where no middle
+/// helps, with swaps around for quality. Everything else stays as it
 /// is: where sizes are made smaller instead, all triangles around are others, and some of these too
 /// far again.
 ///

@@ -16,21 +16,21 @@ void evaluate_vertices(TriangulatedPatch& patch) {
   }
 }
 
-bool split_chord(TriangulatedPatch& patch, EdgeHandle eh) {
+bool split_chord(TriangulatedPatch& patch, EdgeHandle eh, double share) {
   DelaunayMesh& delaunay = *patch.delaunay;
   const PolyMesh& mesh = delaunay.mesh();
   const HalfedgeHandle heh = mesh.halfedge_handle(eh, 0);
-  const Uv middle =
-      lerp(delaunay.uv(mesh.from_vertex_handle(heh)), delaunay.uv(mesh.to_vertex_handle(heh)), 0.5);
+  const Uv place = lerp(delaunay.uv(mesh.from_vertex_handle(heh)),
+                        delaunay.uv(mesh.to_vertex_handle(heh)), share);
   for (const HalfedgeHandle side : {heh, mesh.opposite_halfedge_handle(heh)}) {
     const Uv origin = delaunay.uv(mesh.from_vertex_handle(side));
     const Uv tip = delaunay.uv(mesh.to_vertex_handle(side));
     const Uv apex = delaunay.uv(mesh.to_vertex_handle(mesh.next_halfedge_handle(side)));
-    if (orient2d(middle, tip, apex) <= 0 || orient2d(middle, apex, origin) <= 0) return false;
+    if (orient2d(place, tip, apex) <= 0 || orient2d(place, apex, origin) <= 0) return false;
   }
   QueryHint hint;
-  const VertexHandle vh = delaunay.split_edge(eh, middle);
-  delaunay.metric(vh) = patch.field->at(middle, hint);
+  const VertexHandle vh = delaunay.split_edge(eh, place);
+  delaunay.metric(vh) = patch.field->at(place, hint);
   return true;
 }
 

@@ -29,10 +29,11 @@ struct TriangulatedPatch {
 /// to get both anew.
 void evaluate_vertices(TriangulatedPatch& patch);
 
-/// Split an inner edge at its middle in (u,v). The new node gets its metric.
+/// Split an inner edge at a share of it in (u,v), from the origin of its first halfedge. The new
+/// node gets its metric.
 ///
-/// Returns  false, and does nothing, if the middle as rounded does not lie strictly inside the two
+/// Returns  false, and does nothing, if the place as rounded does not lie strictly inside the two
 ///          triangles
-bool split_chord(TriangulatedPatch& patch, EdgeHandle eh);
+bool split_chord(TriangulatedPatch& patch, EdgeHandle eh, double share = 0.5);
 
 }  // namespace surfmesh
