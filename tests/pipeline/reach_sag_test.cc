@@ -126,6 +126,31 @@ TEST(ReachSag, MeshesOnceWhereHminIsInTheWayEverywhere) {
   }
 }
 
+/// Meshes a model with a sag and a least size, and counts the meshes that were made for it.
+struct CountedRun {
+  CountedRun(const Model& model, double sag, double hmin) {
+    PipelineOptions options = with_sag(sag);
+    options.sizing.hmin = Length::units(hmin);
+    MeshCounter counter;
+    report = mesh_model(model, {}, options, &counter).report;
+    count = counter.count;
+  }
+  Report report;
+  int count = 0;
+};
+
+TEST(ReachSag, EndsWhereHminKeepsAllTrianglesTooLarge) {
+  const CountedRun run(testing::torus_of(3), 0.001, 0.08);
+  EXPECT_LE(run.count, 4);
+  EXPECT_NE(run.report.notices.back().text.find("hmin = 0.08 is in the way"), std::string::npos);
+}
+
+TEST(ReachSag, EndsWhereMeshesBecomeNoBetterForHmin) {
+  const CountedRun run(corrugated(), 0.005, 0.3);
+  EXPECT_LE(run.count, 7);
+  EXPECT_NE(run.report.notices.back().text.find("is in the way"), std::string::npos);
+}
+
 TEST(ReachSag, HoldsBesideRoundedCreases) {
   const std::filesystem::path mug =
       std::filesystem::path(SURFMESH_SHARED_DIR) / "cases" / "trial" / "mug.obj";
@@ -143,28 +168,44 @@ TEST(ReachSag, HoldsBesideRoundedCreases) {
 /// Shapes in space are poor where the sizes are stretched: they must not keep triangles from being
 /// corrected, nor be bettered at the cost of the stretch.
 TEST(ReachSag, LeavesTrianglesOfGoodShapeWhereTheyAreStretched) {
-  PipelineOptions options = with_sag(0.005);
+  PipelineOptions options = with_sag(0.002);
   options.sizing.stretch = 10;
   const Report report = mesh_model(testing::torus_of(3), {}, options).report;
-  EXPECT_LE(*report.sag.reached, 0.005);
-  EXPECT_GT(report.quality.min, 0.5);
-  EXPECT_GT(report.quality.mean, 0.96);
-  EXPECT_LT(*report.sag.evaluations, 150 * report.mesh.triangles);
+  EXPECT_LE(*report.sag.reached, 0.002);
+  EXPECT_GT(report.quality.min, 0.6);
+  EXPECT_GT(report.quality.mean, 0.975);
+  EXPECT_LT(*report.sag.evaluations, 60 * report.mesh.triangles);
 }
 
-TEST(ReachSag, HoldsOverANarrowCreaseAtAnyStretch) {
-  const Model model = testing::model_of({make_callable_surface({0, 1, 0, 1}, [](auto u, auto v) {
+/// A crease of some slope, rounded over some width, across a bend.
+MeshResult mesh_of_crease(double slope, double width, double stretch) {
+  const Model model = testing::model_of({make_callable_surface({0, 1, 0, 1}, [=](auto u, auto v) {
     const auto aside = u - 0.3;
-    return std::array{u, v, 0.02 * sqrt(aside * aside + 1e-8) + 0.1 * sin(3.0 * v)};
+    return std::array{u, v, slope * sqrt(aside * aside + width * width) + 0.1 * sin(3.0 * v)};
   })});
+  PipelineOptions options = with_sag(5e-5 * model.diagonal);
+  options.sizing.hmin = Length::share(1e-5);
+  options.sizing.stretch = stretch;
+  return mesh_model(model, {}, options);
+}
+
+/// Were stretched triangles not corrected, sizes would shrink to ten times as many triangles.
+TEST(ReachSag, HoldsOverANarrowCreaseAtAnyStretch) {
   for (const double stretch : {2.0, 5.0, 10.0}) {
-    PipelineOptions options = with_sag(5e-5 * model.diagonal);
-    options.sizing.hmin = Length::share(1e-5);
-    options.sizing.stretch = stretch;
-    const Report report = mesh_model(model, {}, options).report;
+    const Report report = mesh_of_crease(0.02, 1e-3, stretch).report;
     EXPECT_LE(*report.sag.reached, *report.sag.asked) << stretch;
-    EXPECT_GT(report.quality.mean, 0.93) << stretch;
+    EXPECT_LT(report.mesh.triangles, 5000u) << stretch;
+    EXPECT_GT(report.quality.mean, 0.88) << stretch;
   }
+}
+
+TEST(ReachSag, AdvisesAStretchThatHelps) {
+  const Report report = mesh_of_crease(0.02, 3e-4, 10).report;
+  const bool is_missed = *report.sag.reached > *report.sag.asked;
+  EXPECT_EQ(is_missed, !report.notices.empty() && report.notices.back().text.find(
+                                                      "stretch = 2 helps") != std::string::npos);
+  const Report advised = mesh_of_crease(0.02, 3e-4, 2).report;
+  EXPECT_LE(*advised.sag.reached, *advised.sag.asked);
 }
 
 TEST(ReachSag, LeavesTrianglesOfGoodShape) {

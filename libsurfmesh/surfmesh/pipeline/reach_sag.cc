@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <set>
 #include <string>
@@ -43,6 +44,19 @@ constexpr double kFarBeyond = 4;
 
 /// Sizes up to so many times hmin are held up by it.
 constexpr double kAtLeastSize = 1.1;
+
+/// A mesh is better than those before if its greatest sag is below this share of theirs, or if so
+/// few triangles are too far. The latter does not count where hmin is in the way of the worst one.
+constexpr double kNearer = 0.99;
+constexpr double kFewer = 0.9;
+
+/// So many meshes in a row that are no better end the run: the greatest sags scatter.
+constexpr int kMostFailures = 5;
+constexpr int kMostFailuresAtHmin = 2;
+
+/// Stretch up to which triangles follow creases that are much narrower than they are: stretched
+/// ones reach across them.
+constexpr double kMostFollowedStretch = 2;
 
 /// Segments of a contour beside such a triangle become so many times as many. With 1.4, car at
 /// 0.02 % has more triangles of poorer shape.
@@ -101,11 +115,65 @@ class SagLoop {
 
   /// Mesh until the sag is reached or nothing more can be done.
   void correct() {
+    Progress progress;
     for (int i = 1;; ++i) {
+      const std::vector<double> before = std::move(sag_.of_faces);
       mesh(kCorrectedShare * asked());
       measure();
-      if (i == kMostCorrectedMeshes || !shrink_locally()) return;
+      if (sag_.max <= asked() || i == kMostCorrectedMeshes || sag_.of_faces == before) return;
+      if (is_held_everywhere() || !goes_on(progress)) return;
+      shrink_locally();
     }
+  }
+
+  /// The best of the meshes that were corrected, and how many in a row have been no better.
+  struct Progress {
+    double nearest = std::numeric_limits<double>::infinity();
+    double fewest = std::numeric_limits<double>::infinity();  ///< triangles that are too far
+    int failures = 0;
+  };
+
+  /// True if meshes become better, or may do so again.
+  bool goes_on(Progress& progress) const {
+    const bool is_held_now = is_held(now_.mesh, worst_face());
+    const auto far = static_cast<double>(far_faces().size());
+    const bool is_better =
+        sag_.max < kNearer * progress.nearest || (!is_held_now && far < kFewer * progress.fewest);
+    progress.failures = is_better ? 0 : progress.failures + 1;
+    progress.nearest = std::min(progress.nearest, sag_.max);
+    progress.fewest = std::min(progress.fewest, far);
+    return progress.failures < (is_held_now ? kMostFailuresAtHmin : kMostFailures);
+  }
+
+  /// The faces of the mesh now that are too far.
+  std::vector<FaceHandle> far_faces() const {
+    std::vector<FaceHandle> faces;
+    for (const FaceHandle fh : now_.mesh.faces()) {
+      if (sag_.of_faces[index(fh)] > asked()) faces.push_back(fh);
+    }
+    return faces;
+  }
+
+  /// True if most triangles are too far and cannot become smaller, in no direction.
+  bool is_held_everywhere() const {
+    const std::vector<FaceHandle> far = far_faces();
+    const auto held = std::count_if(far.begin(), far.end(), [this](FaceHandle fh) {
+      return sizes_at(now_.mesh, fh).greatest <= held_size();
+    });
+    return 2 * static_cast<std::size_t>(held) > now_.mesh.n_faces();
+  }
+
+  /// True if hmin keeps the sizes at a face from becoming smaller.
+  bool is_held(const PolyMesh& mesh, FaceHandle fh) const {
+    return sizes_at(mesh, fh).least <= held_size();
+  }
+
+  double held_size() const { return kAtLeastSize * task_.sizing.bounds.hmin; }
+
+  /// The face of the mesh now that is farthest from the surface.
+  FaceHandle worst_face() const {
+    const auto worst = std::max_element(sag_.of_faces.begin(), sag_.of_faces.end());
+    return FaceHandle(static_cast<int>(worst - sag_.of_faces.begin()));
   }
 
   /// Measure the mesh, and keep it if it is the best.
@@ -116,8 +184,7 @@ class SagLoop {
     now_.report.sag.reached = sag_.max;
     if (!is_better()) return;
     best_ = now_;
-    const auto worst = std::max_element(sag_.of_faces.begin(), sag_.of_faces.end());
-    worst_face_ = FaceHandle(static_cast<int>(worst - sag_.of_faces.begin()));
+    worst_face_ = worst_face();
   }
 
   void tell_if_not_reached() {
@@ -137,33 +204,38 @@ class SagLoop {
 
   /// Why the worst face of the best mesh is too far, and what helps.
   std::string cause() const {
-    const double hmin = task_.sizing.bounds.hmin;
-    if (least_size(worst_face_) <= kAtLeastSize * hmin) {
-      return fmt::format("hmin = {:.6g} is in the way, a smaller one helps", hmin);
+    if (is_held(best_.mesh, worst_face_)) {
+      return fmt::format("hmin = {:.6g} is in the way, a smaller one helps",
+                         task_.sizing.bounds.hmin);
     }
     if (!spaces_->can_scale()) {
       return "control = mesh does not scale sizes; control = cells does, without the options that "
              "belong to control = mesh";
     }
+    if (task_.sizing.stretch > kMostFollowedStretch) {
+      return fmt::format(
+          "the surface bends there within less than triangles of stretch = {:.6g} can follow; "
+          "stretch = {:.6g} helps",
+          task_.sizing.stretch, kMostFollowedStretch);
+    }
     return "the surface bends there within less than triangles can follow without being flat";
   }
 
-  /// The smaller size that was asked for at a face of the best mesh.
-  double least_size(FaceHandle fh) const {
-    const PolyMesh& mesh = best_.mesh;
+  /// The least and the greatest size that was asked for at the corners of a face.
+  SizeRange sizes_at(const PolyMesh& mesh, FaceHandle fh) const {
     const auto uv_of = require(mesh, keys::corner_uv);
     const auto metric_of = require(mesh, keys::corner_metric);
     const Surface& surface =
         task_.model.surface(mesh.property(require(mesh, keys::face_patch), fh));
-    double least = task_.sizing.bounds.hmax;
+    SizeRange sizes{task_.sizing.bounds.hmax, 0};
     for (const HalfedgeHandle corner : mesh.fh_range(fh)) {
       const Jet jet = surface.evaluate(mesh.property(uv_of, corner), Order::First);
       const FirstFormFactor form = first_form_factor(jet.du, jet.dv);
       if (!is_regular(form)) continue;
-      const Metric& metric = mesh.property(metric_of, corner);
-      least = std::min(least, size_range(size_from_metric(form, metric)).least);
+      const SizeRange there = size_range(size_from_metric(form, mesh.property(metric_of, corner)));
+      sizes = {std::min(sizes.least, there.least), std::max(sizes.greatest, there.greatest)};
     }
-    return least;
+    return sizes;
   }
 
   bool is_better() const {
@@ -194,29 +266,25 @@ class SagLoop {
   }
 
   /// Make sizes smaller around the faces that are too far, and segments beside them shorter: a
-  /// contour has as few as it needs itself, and takes no notice of smaller sizes. Returns false if
-  /// no face is too far.
-  bool shrink_locally() {
-    if (sag_.max <= asked()) return false;
+  /// contour has as few as it needs itself, and takes no notice of smaller sizes.
+  void shrink_locally() {
     const auto contour_of = require(now_.mesh, keys::edge_contour);
     std::set<int> contours;
     WantedByPatch wanted(task_.model.patches.size());
-    for (const FaceHandle fh : now_.mesh.faces()) {
-      const double sag = sag_.of_faces[index(fh)];
-      if (sag <= asked()) continue;
+    for (const FaceHandle fh : far_faces()) {
       for (const EdgeHandle eh : now_.mesh.fe_range(fh)) {
         const int contour = now_.mesh.property(contour_of, eh);
         if (contour >= 0) contours.insert(contour);
       }
       wanted[patch_of(fh)].push_back(
-          {middle_of(fh), std::min(std::log(kLeastShrinking), log_scale(sag))});
+          {middle_of(fh),
+           std::min(std::log(kLeastShrinking), log_scale(sag_.of_faces[index(fh)]))});
     }
     for (const int c : contours) {
       double& times = more_segments_[static_cast<std::size_t>(c)];
       times = std::min(kMostSegments, kMoreSegments * times);
     }
     for (std::size_t p = 0; p < wanted.size(); ++p) spaces_->factors(p).lower(wanted[p]);
-    return true;
   }
 
   std::size_t patch_of(FaceHandle fh) const {

@@ -28,9 +28,9 @@ using MeshWith = std::function<MeshResult(ControlSpaces, double corrected_sag,
 /// the nodes of its control spaces are multiplied by what the sag around them allows, larger or
 /// smaller, and smoothed. In the next mesh triangles that are still too far are corrected one by
 /// one; where that is not enough, sizes are made smaller around them alone, contours beside them
-/// get more segments, and the model is meshed again, up to nine times. It is meshed once where hmin
-/// is in the way of most triangles. Of those that reach the sag the mesh with the fewest triangles
-/// is taken, else the nearest.
+/// get more segments, and the model is meshed again, up to nine times, as long as that brings the
+/// surface nearer. It is meshed once where hmin is in the way of most triangles. Of those that
+/// reach the sag the mesh with the fewest triangles is taken, else the nearest.
 ///
 /// Returns  the mesh; its report has the times of all meshes and the sag, with a shortfall if that
 ///          is not reached
