@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "support/errors.hh"
 #include "support/models.hh"
+#include "surfmesh/boundary/contour_memory.hh"
 #include "surfmesh/boundary/crossing_segments.hh"
 #include "surfmesh/boundary/metric_arc.hh"
 
@@ -300,6 +303,51 @@ TEST(ContourNodes, AreAsManyAsTheSagTakes) {
     EXPECT_LE(greatest, sag);
     EXPECT_GE(hole.segment_count(), 11) << "at √½ of the metric length";
   }
+}
+
+/// Two squares side by side, whose contours are divided again and again with the same memory.
+class ContourMemoryTest : public ::testing::Test {
+ protected:
+  BoundaryNodes place(double size, std::vector<double> more_segments = {}) {
+    return place_contour_nodes(model_, UniformSizes(model_, size),
+                               {.sag = 0.1, .more_segments = std::move(more_segments)}, context_,
+                               &memory_);
+  }
+
+  static std::size_t queries(const BoundaryNodes& nodes) { return nodes.report.queries.total(); }
+
+  Model model_ = model_of({testing::rectangle(0, 0, 1, 1), testing::rectangle(1, 0, 2, 1)});
+  RunContext context_;
+  ContourMemory memory_;
+};
+
+TEST_F(ContourMemoryTest, SparesContoursThatAreAsTheyWere) {
+  const BoundaryNodes first = place(0.1);
+  ASSERT_GT(queries(first), 0u);
+  const BoundaryNodes again = place(0.1);
+  EXPECT_EQ(queries(again), 0u);
+  for (std::size_t c = 0; c < model_.contours.size(); ++c) {
+    EXPECT_EQ(again.contours[c].uv, first.contours[c].uv);
+  }
+}
+
+TEST_F(ContourMemoryTest, ForgetsContoursBesidePatchesThatHaveChanged) {
+  const BoundaryNodes first = place(0.1);
+  memory_.forget_changed(model_, {0, 1});
+  const BoundaryNodes second = place(0.05);
+  EXPECT_EQ(count(model_, second, "p0:u0"), count(model_, first, "p0:u0"));
+  EXPECT_GT(count(model_, second, "p1:u1"), count(model_, first, "p1:u1"));
+  EXPECT_GT(count(model_, second, "p0:u1"), count(model_, first, "p0:u1"));  // between both
+}
+
+TEST_F(ContourMemoryTest, DividesContoursOfAnotherFactorAnew) {
+  const BoundaryNodes first = place(0.1);
+  std::vector<double> more(model_.contours.size(), 1);
+  more[static_cast<std::size_t>(contour_index(model_, "p0:u0"))] = 2;
+  const BoundaryNodes second = place(0.1, more);
+  EXPECT_GT(count(model_, second, "p0:u0"), count(model_, first, "p0:u0"));
+  EXPECT_EQ(count(model_, second, "p1:u1"), count(model_, first, "p1:u1"));
+  EXPECT_LT(queries(second), queries(first));
 }
 
 TEST(ContourNodes, RefuseASagThatIsNone) {

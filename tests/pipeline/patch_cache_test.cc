@@ -49,6 +49,12 @@ TEST_F(Cache, GivesTheMeshOfTheSameTask) {
   EXPECT_EQ(kept->mesh.boundary.loops[0][0].vertex, same.boundary.loops[0][0].vertex);
 }
 
+TEST_F(Cache, KnowsTheSizesItKept) {
+  EXPECT_TRUE(cache_.has_sizes(0, cells(0.1)->mesh()));
+  EXPECT_FALSE(cache_.has_sizes(0, cells(0.2)->mesh()));
+  EXPECT_FALSE(PatchCache(1).has_sizes(0, cells(0.1)->mesh()));
+}
+
 TEST_F(Cache, GivesNothingForOthers) {
   EXPECT_FALSE(cache_.find(0, cells(0.2)->mesh(), task(0.01)).has_value());
   EXPECT_FALSE(cache_.find(0, cells(0.1)->mesh(), task(0.02)).has_value());

@@ -29,6 +29,9 @@ struct ContourDemands {
   std::vector<double> more_segments = {};
 };
 
+/// See boundary/contour_memory.hh.
+class ContourMemory;
+
 struct BoundaryReport {
   QueryCounts queries;  ///< of the metric fields
 };
@@ -57,13 +60,15 @@ struct BoundaryNodes {
 /// pole. A degenerate contour has one segment of length zero. If another part of a loop comes near
 /// it, the segments next to it are halved until the ring around the pole has room.
 ///
-/// `fields` holds the metric of each patch.
+/// `fields` holds the metric of each patch. Contours that `memory` knows are divided as they were;
+/// all are kept there.
 /// Cost     four to eight metric queries per segment and use
 /// Throws   Cancelled; InvalidInput for demands that are out of range; Limit for more than a
 ///          million segments of one contour
 /// Source   paper, section 2.1, item 1
 BoundaryNodes place_contour_nodes(const Model& model, const std::vector<const MetricField*>& fields,
                                   const ContourDemands& demands = {},
-                                  const RunContext& context = RunContext());
+                                  const RunContext& context = RunContext(),
+                                  ContourMemory* memory = nullptr);
 
 }  // namespace surfmesh

@@ -129,12 +129,27 @@ class Run {
   void place_nodes() {
     const StageClock clock(report_.seconds[Stage::Boundary]);
     context_.tell("boundary", 0, model_.contours.size());
-    BoundaryNodes boundary = place_contour_nodes(model_, fields_, demands_, context_);
+    BoundaryNodes boundary =
+        place_contour_nodes(model_, fields_, demands_, context_, known_contours());
     nodes_ = std::move(boundary.contours);
     report_.control.queries[Stage::Boundary] = boundary.report.queries;
     numbers_ = std::make_unique<NodeNumbers>(model_, nodes_);
     context_.tell("boundary", model_.contours.size(), model_.contours.size());
   }
+
+  /// The contours between patches whose sizes are as they were; null if none are kept.
+  ContourMemory* known_contours() {
+    if (!is_cached()) return nullptr;
+    std::vector<char> is_changed(spaces_.size(), 0);
+    share_indices(spaces_.size(), [&](std::size_t p) {
+      is_changed[p] = cache_->has_sizes(p, spaces_[p]->mesh()) ? 0 : 1;
+    });
+    cache_->contours().forget_changed(model_, is_changed);
+    return &cache_->contours();
+  }
+
+  /// A mesh that is not corrected is never asked for again.
+  bool is_cached() const { return cache_ && corrected_sag_ > 0; }
 
   void mesh_patches() {
     std::vector<PatchResult> results(model_.patches.size());
@@ -168,9 +183,7 @@ class Run {
                    .corrected_sag = corrected_sag_,
                    .stretch = sizing_.stretch};
     PatchResult result =
-        // A mesh that is not corrected is never asked for again.
-        cache_ && corrected_sag_ > 0 ? mesh_unless_kept(p, std::move(task))
-                                     : mesh_patch(std::move(task), context_);
+        is_cached() ? mesh_unless_kept(p, std::move(task)) : mesh_patch(std::move(task), context_);
     result.seconds[Stage::Triangulate] += seconds;
     return result;
   }
