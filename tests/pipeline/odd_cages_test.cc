@@ -180,6 +180,28 @@ TEST(PyramidOfManySides, HasNoTurnedElements) {
   }
 }
 
+/// Two pyramids on the same base.
+Cage bipyramid(int n) {
+  Cage cage = open_pyramid(n);
+  const int tip = static_cast<int>(cage.points.size());
+  cage.points.emplace_back(0, 0, -1);
+  for (int i = 0; i < n; ++i) cage.faces.push_back({tip, 1 + (i + 1) % n, 1 + i});
+  return cage;
+}
+
+TEST(VertexOfManyFaces, TakesTrianglesInProportionToItsFaces) {
+  // Elements as small as ripples between the faces would be 100 to 2,000 for each of these faces.
+  for (const int n : {32, 128}) {
+    const Cage cage = bipyramid(n);
+    for (const Scheme scheme : {Scheme::CatmullClark, Scheme::Loop}) {
+      const MeshResult result = mesh_model(model_from_cage(cage, {.scheme = scheme}));
+      testing::expect_valid(result.mesh);
+      EXPECT_EQ(texts_of(result.report.notices, Severity::Shortfall), std::vector<std::string>{});
+      EXPECT_LT(result.mesh.n_faces(), 50 * cage.faces.size()) << n;
+    }
+  }
+}
+
 TEST(PrismOfManySides, HasNoSliversBesideItsCentres) {
   // The parts of its ends are narrow quads around a vertex.
   PipelineOptions options;

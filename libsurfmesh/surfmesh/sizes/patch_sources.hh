@@ -11,6 +11,7 @@
 #include "surfmesh/sizes/size_bounds.hh"
 #include "surfmesh/sizes/sizing.hh"
 #include "surfmesh/sizes/source_tree.hh"
+#include "surfmesh/sizes/wide_fans.hh"
 
 namespace surfmesh {
 
@@ -24,7 +25,8 @@ struct PatchSources {
   std::vector<TableSource> tables = {};
   /// Sizes around points and lines in space, possibly shared with other patches: `near`, contours.
   std::vector<std::shared_ptr<const SourceTree>> trees = {};
-  std::vector<Ring> rings = {};  ///< short ones, around which hmin does not apply
+  std::vector<WideFan> fans = {};  ///< wide ones, around which ripples do not count
+  std::vector<Ring> rings = {};    ///< short ones, around which hmin does not apply
 
   /// The least precision that a source gives of its own.
   std::optional<double> precision() const;

@@ -87,13 +87,14 @@ Uv SizeField::in_cells(Uv uv) const {
           (uv.v - domain_.v0) / (domain_.v1 - domain_.v0) * cells.v};
 }
 
-const std::vector<SizeField::Disc>& SizeField::discs_at(Uv uv) const {
+/// The index of the cell of a point, rows along u.
+std::size_t SizeField::cell_at(Uv uv) const {
   const CellCount cells = surface_.cells();
   const Uv at = in_cells(uv);
   const int column = std::clamp(static_cast<int>(at.u), 0, cells.u - 1);
   const int row = std::clamp(static_cast<int>(at.v), 0, cells.v - 1);
-  return discs_[static_cast<std::size_t>(row) * static_cast<std::size_t>(cells.u) +
-                static_cast<std::size_t>(column)];
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(cells.u) +
+         static_cast<std::size_t>(column);
 }
 
 void SizeField::add_all_sources(const PatchSources& sources, double grade, double precision) {
@@ -102,6 +103,7 @@ void SizeField::add_all_sources(const PatchSources& sources, double grade, doubl
     everywhere_ = everywhere_ ? bounds_.clamp(minimum(*everywhere_, size)) : size;
   }
   fields_ = sources.fields;
+  fans_ = sources.fans;
   rings_ = sources.rings;
   for (const TableSource& source : sources.tables) {
     tables_.push_back(std::make_shared<NodeInterpolation>(
@@ -173,8 +175,19 @@ bool SizeField::has_area_source() const {
 
 bool SizeField::has_source() const { return has_area_source() || !trees_.empty(); }
 
-SizeTensor SizeField::size_from_curvature(const Jet& jet) const {
-  const PrincipalCurvatures k = principal_curvatures(jet);
+/// The principal curvatures that count for sizes. The jet is that of the point.
+PrincipalCurvatures SizeField::curvatures(Uv uv, const Jet& jet) const {
+  PrincipalCurvatures k = principal_curvatures(jet);
+  if (fans_.empty()) return k;
+  const std::size_t cell = cell_at(uv);
+  for (const WideFan& fan : fans_) {
+    if (fan.turns[cell] < INFINITY) k = without_ripples(k, jet, fan.centre, fan.turns[cell]);
+  }
+  return k;
+}
+
+SizeTensor SizeField::size_from_curvature(Uv uv, const Jet& jet) const {
+  const PrincipalCurvatures k = curvatures(uv, jet);
   double h1 = bounds_.clamp(length_.of_surface(k.k1));
   double h2 = bounds_.clamp(length_.of_surface(k.k2));
   h1 = std::min(h1, stretch_ * h2);
@@ -189,10 +202,11 @@ SizeField::Disc SizeField::quarter_ring(const Disc& so_far, Uv at, Uv towards,
   Disc ring = so_far;
   for (int i = 0; i < kRingSamples; ++i) {
     const double angle = 0.5 * std::numbers::pi * i / (kRingSamples - 1);
-    const Uv uv{at.u + towards.u * distance * std::cos(angle),
-                at.v + towards.v * distance * std::sin(angle)};
-    const Jet jet = second_order(surface_.beside_roundings(domain_.fold(uv)));
-    const PrincipalCurvatures k = principal_curvatures(jet);
+    const Uv on_ring{at.u + towards.u * distance * std::cos(angle),
+                     at.v + towards.v * distance * std::sin(angle)};
+    const Uv regular = surface_.beside_roundings(domain_.fold(on_ring));
+    const Jet jet = second_order(regular);
+    const PrincipalCurvatures k = curvatures(regular, jet);
     const double greatest = std::max(std::abs(k.k1), std::abs(k.k2));
     ring.size = std::min(ring.size, std::max(bounds_.hmin, length_.around_vertex(greatest)));
     ring.radius = std::min(ring.radius, (jet.point - ring.centre).norm());
@@ -228,7 +242,7 @@ SizeField::Disc SizeField::make_disc(const SingularPoint& singular) const {
 }
 
 void SizeField::blend_with_discs(Uv uv, Sample& sample) const {
-  for (const Disc& disc : discs_at(uv)) {
+  for (const Disc& disc : discs_[cell_at(uv)]) {
     const double squared = (sample.point - disc.centre).squaredNorm();
     if (squared >= 4 * disc.radius * disc.radius) continue;
     const double share = std::min(1.0, 2 - std::sqrt(squared) / disc.radius);
@@ -249,7 +263,7 @@ void SizeField::add_curvature(Uv uv, const Jet& jet, Sample& sample) const {
       is_regular(sample.form) ? surface_.beside_roundings(uv) : beside_pole(surface_, uv);
   const Jet there = regular == uv ? jet : second_order(regular);
   if (!is_regular(first_form_factor(there.du, there.dv))) return;
-  sample.size = size_from_curvature(there);
+  sample.size = size_from_curvature(regular, there);
   blend_with_discs(uv, sample);
 }
 

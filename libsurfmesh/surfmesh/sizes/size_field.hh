@@ -45,7 +45,7 @@ class SizeField {
   /// below hmin. At an extraordinary vertex curvature is unbounded, so the size around it is
   /// isotropic: the length h that the greatest curvature on the ring at distance h/2 asks for. It
   /// does not depend on the distance from the vertex. Beside a narrowly rounded side, the curvature
-  /// is that where the rounding ends.
+  /// is that where the rounding ends. Ripples around a vertex of many faces do not count (WideFan).
   ///
   /// Cost     one surface evaluation with second derivatives, plus the cost of the sources
   /// Throws   InvalidInput if a field is not positive (definite) and finite, naming (u,v)
@@ -92,12 +92,13 @@ class SizeField {
   void add_cells();
   void add_discs();
   Uv in_cells(Uv uv) const;
-  const std::vector<Disc>& discs_at(Uv uv) const;
+  std::size_t cell_at(Uv uv) const;
   Jet second_order(Uv uv) const;
+  PrincipalCurvatures curvatures(Uv uv, const Jet& jet) const;
   void add_curvature(Uv uv, const Jet& jet, Sample& sample) const;
   void add_sources(Uv uv, const Jet& jet, Sample& sample) const;
   void add_rings(Uv uv, Sample& sample) const;
-  SizeTensor size_from_curvature(const Jet& jet) const;
+  SizeTensor size_from_curvature(Uv uv, const Jet& jet) const;
   Disc make_disc(const SingularPoint& singular) const;
   Disc ring_around(Uv at, double distance) const;
   Disc quarter_ring(const Disc& so_far, Uv at, Uv towards, double distance) const;
@@ -115,6 +116,7 @@ class SizeField {
   std::vector<FieldSource> fields_;
   std::vector<std::shared_ptr<const NodeInterpolation>> tables_;
   std::vector<std::shared_ptr<const SourceTree>> trees_;
+  std::vector<WideFan> fans_;
   std::vector<Ring> rings_;
   std::vector<Uv> required_points_;
   bool has_wishes_ = false;               ///< sources apart from the curvature
