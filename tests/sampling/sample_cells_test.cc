@@ -66,6 +66,30 @@ TEST(SampleCells, HoldASmoothFieldToThePrecisionAtAllPoints) {
   EXPECT_EQ(thrice, 0);
 }
 
+/// The same surface, said to consist of many cells.
+class Divided : public Surface {
+ public:
+  Divided(const Surface& surface, CellCount cells) : surface_(surface), cells_(cells) {}
+
+  Jet evaluate(Uv uv, Order order) const override { return surface_.evaluate(uv, order); }
+  Domain domain() const override { return surface_.domain(); }
+  CellCount cells() const override { return cells_; }
+
+ private:
+  const Surface& surface_;
+  CellCount cells_;
+};
+
+TEST(SampleCells, MayBeHalvedHoweverManyThereAreAtFirst) {
+  // The nodes of 720 × 8 cells are more than a patch of so few elements usually gets.
+  const test::Torus torus(3, 1, {0, 6, -1, 1});
+  const Divided divided(torus, {720, 8});
+  const SizeField field(divided, resolve(sizing_of(0.1, 1e-3, 100, 1.2), 1), {});
+  const Sampled cells = sampled(field);
+  EXPECT_FALSE(cells.report.is_coarse);
+  EXPECT_GT(cells.cells->node_count(), 721 * 9);
+}
+
 TEST(SampleCells, HoldAFieldWithKinksAtMostPoints) {
   const auto wave = testing::paper_wave();
   const SizeField field(*wave, resolve(testing::paper_sizing(), 1), {});

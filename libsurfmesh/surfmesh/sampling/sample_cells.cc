@@ -131,7 +131,8 @@ class CellSampler {
         is_one_cell_(field.surface().cells().u * field.surface().cells().v == 1),
         search_(field),
         is_searched_(std::any_of(field.fields().begin(), field.fields().end(),
-                                 [](const FieldSource& f) { return f.has_bounds(); })) {}
+                                 [](const FieldSource& f) { return f.has_bounds(); })),
+        first_nodes_(cells.node_count()) {}
 
   CellSampling run(const RunContext& context) {
     find_points();
@@ -348,9 +349,10 @@ class CellSampler {
     return tree_.at(cell, s, t);
   }
 
-  /// Metric area is measured anew when nodes have doubled.
+  /// Nodes of the cells that were there at first do not count. Metric area is measured anew when
+  /// nodes have doubled.
   bool is_full() {
-    const double nodes = cells_.node_count();
+    const double nodes = cells_.node_count() - first_nodes_;
     if (nodes <= most_nodes_) return false;
     if (nodes < 2 * measured_at_) return true;
     measured_at_ = nodes;
@@ -384,6 +386,7 @@ class CellSampler {
   std::deque<Waiting> waiting_;
   std::vector<ControlNode> missed_;  ///< places that cells of the least length do not give
   std::vector<Metric> metrics_;      ///< by node
+  int first_nodes_;
   double most_nodes_ = surfmesh::most_nodes(0);
   double measured_at_ = 0;  ///< nodes
   CellSampling sampling_;
