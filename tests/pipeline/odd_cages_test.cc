@@ -202,6 +202,20 @@ TEST(VertexOfManyFaces, TakesTrianglesInProportionToItsFaces) {
   }
 }
 
+TEST(FaceOfManySides, IsMeshedWhereItsPartsAreNarrowerThanHmin) {
+  // Nodes along the parts make many triangles, in next to no metric area.
+  constexpr int sides = 800;
+  Cage cage;
+  cage.faces.emplace_back();
+  for (int i = 0; i < sides; ++i) {
+    cage.points.emplace_back(std::cos(2 * M_PI * i / sides), std::sin(2 * M_PI * i / sides), 0);
+    cage.faces[0].push_back(i);
+  }
+  const MeshResult result = mesh_model(model_from_cage(cage));
+  testing::expect_valid(result.mesh);
+  EXPECT_EQ(texts_of(result.report.notices, Severity::Shortfall), std::vector<std::string>{});
+}
+
 TEST(PrismOfManySides, HasNoSliversBesideItsCentres) {
   // The parts of its ends are narrow quads around a vertex.
   PipelineOptions options;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/refine/refine.hh"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -29,6 +30,10 @@ double least_distance(Placement placement) { return placement == Placement::Fron
 
 /// Triangles for each that the metric area asks for above which a run is given up.
 constexpr double kMostTriangles = 3;
+
+/// A run is not given up either for fewer triangles than this many for each that the boundary makes
+/// by itself: between near sides of many nodes there is next to no area.
+constexpr double kMostForBoundary = 2;
 
 /// Inserts nodes into the triangles of the front.
 class Refinement {
@@ -79,7 +84,8 @@ class Refinement {
   /// of unit edges follow a metric that turns too fast.
   bool exceeds_prediction() const {
     return static_cast<double>(delaunay_.n_faces() - slack_) >
-           kMostTriangles * states_.predicted_count();
+           std::max(kMostTriangles * states_.predicted_count(),
+                    kMostForBoundary * static_cast<double>(slack_));
   }
 
   /// Insert points of the field that lie in triangles much too large for them: what lies between
