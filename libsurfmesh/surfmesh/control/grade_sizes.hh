@@ -55,7 +55,12 @@ class Gradation {
   Gradation(Net& net, double grade) : net_(net), growth_(std::log(grade)) {}
 
   /// Let the size of a node reach others.
-  void start_from(int node) { queue_.push({size_range(net_.size(node)).least, node}); }
+  void start_from(int node) {
+    const auto index = static_cast<std::size_t>(node);
+    if (is_waiting_.size() <= index) is_waiting_.resize(index + 1, 0);
+    is_waiting_[index] = 1;
+    queue_.push({size_range(net_.size(node)).least, node});
+  }
 
   /// Grade from all nodes that were started from.
   /// Throws   Cancelled
@@ -64,8 +69,12 @@ class Gradation {
       if (steps % kStepsBetweenCancellation == 0) context.throw_if_cancelled();
       const auto [least, node] = queue_.top();
       queue_.pop();
-      // Lowered since: it is in the queue once more, and was visited then.
-      if (least == size_range(net_.size(node)).least) spread(node, least);
+      // Lowered since: it is in the queue once more, and was visited then. Or it is there more
+      // than once with the same least length, of which one visit is enough.
+      char& is_waiting = is_waiting_[static_cast<std::size_t>(node)];
+      if (is_waiting == 0 || least != size_range(net_.size(node)).least) continue;
+      is_waiting = 0;
+      spread(node, least);
     }
   }
 
@@ -90,6 +99,7 @@ class Gradation {
 
   Net& net_;
   double growth_;
+  std::vector<char> is_waiting_;  ///< by node: changed since it was last visited
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 
