@@ -93,6 +93,26 @@ TEST(ProjectMesh, StaysOnTheSheetOfAHairpin) {
   EXPECT_TRUE(measure_distance(mesh, model, search, true).faults.empty());
 }
 
+TEST(MeasureDistance, TellsHowManyFacesCannotBeJudged) {
+  // Sheets far narrower than the samples of the search.
+  const Model model =
+      testing::model_of({make_callable_surface(Domain{0, 1, 0, 1}, [](auto u, auto v) {
+        return std::array{u, v, 0.1 * sin(1 / (u + 0.01))};
+      })});
+  const Surface& surface = *model.patches[0].surface;
+  PolyMesh mesh = testing::plane_grid(60, 4);
+  for (const VertexHandle vh : mesh.vertices()) {
+    const Vec3 at = to_eigen(mesh.point(vh));
+    // Nodes of equal steps of the wave.
+    const double step = (1 / 0.01 - 1 / 1.01) / 60;
+    const Uv uv{1 / (1 / 1.01 + (60 - at.x()) * step) - 0.01, at.y() / 4};
+    mesh.set_point(vh, to_openmesh(surface.evaluate(uv, Order::Position).point));
+  }
+  const SurfaceSearch search(model);
+  project_mesh(mesh, {}, model, search);
+  EXPECT_TRUE(measure_distance(mesh, model, search, true).faults.empty());
+}
+
 TEST(MeasureDistance, CallsNoFaceTurnedThatFacesOneOfTwoSheetsInOnePlace) {
   // Beyond u = π / 6.4 the sheet lies on itself, turned over.
   const Model model =

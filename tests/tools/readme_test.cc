@@ -30,15 +30,18 @@ using Readme = Program;
 TEST_F(Readme, HasCommandLinesThatWork) {
   std::filesystem::create_directory_symlink(std::filesystem::path(SURFMESH_SOURCE_DIR) / "models",
                                             folder_ / "models");
-  const std::vector<std::string> lines = command_lines("README.md");
-  EXPECT_GE(lines.size(), 8u);
-  for (const std::string& line : lines) {
-    EXPECT_EQ(shell("'" SURFMESH_PROGRAM "'" + line.substr(8)), 0) << line << '\n' << err_;
+  for (const char* document : {"README.md", "libsurfmesh/REFERENCE.md"}) {
+    const std::vector<std::string> lines = command_lines(document);
+    EXPECT_GE(lines.size(), 8u);
+    for (const std::string& line : lines) {
+      EXPECT_EQ(shell("'" SURFMESH_PROGRAM "'" + line.substr(8)), 0) << line << '\n' << err_;
+    }
   }
 }
 
-TEST(ReadmeText, NamesEveryOption) {
-  const std::string text = read_text(std::filesystem::path(SURFMESH_SOURCE_DIR) / "README.md");
+TEST(Reference, NamesEveryOption) {
+  const std::string text =
+      read_text(std::filesystem::path(SURFMESH_SOURCE_DIR) / "libsurfmesh/REFERENCE.md");
   for (const std::string_view name : option_names()) {
     const std::string quoted = '`' + std::string(name) + '`';
     std::string flag = "--" + std::string(name);

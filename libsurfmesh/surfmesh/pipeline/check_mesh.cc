@@ -178,6 +178,7 @@ Json metric_json(const MetricFit& fit) {
 Json fit_json(const ModelFit& fit) {
   const SurfaceDistance& distance = fit.distance;
   return {{"projected", fit.is_projected},
+          {"unjudged_faces", fit.distance.unjudged},
           {"stored_metric", fit.is_by_stored_metric},
           {"other_sizes", fit.has_other_sizes},
           {"edges", edges_json(fit.sizes.edges)},
@@ -236,6 +237,11 @@ class Lines {
   void add_fit(const ModelFit& fit) {
     add("model", fit.is_projected ? "the mesh has no (u,v), nearest points were taken"
                                   : "by the (u,v) of the mesh");
+    if (fit.distance.unjudged > 0) {
+      add("", fmt::format("{} faces could not be judged: the nearest points of their corners lie "
+                          "on another sheet of the surface",
+                          fit.distance.unjudged));
+    }
     if (!fit.is_by_stored_metric) {
       add("metric", "the exact sizes of the model");
       if (fit.has_other_sizes) {

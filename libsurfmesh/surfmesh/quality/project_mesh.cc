@@ -133,7 +133,7 @@ class MeshProjection {
     if (distance(start) > on_surface_) return false;
     const int patch = mesh_.property(patch_of_, mesh_.face_handle(corner));
     const NearPoint near = find_near_point(model_.surface(patch), point_of(mesh_, corner),
-                                           mesh_.property(uv_of_, start), on_surface_);
+                                           mesh_.property(uv_of_, start), {.enough = on_surface_});
     if (near.distance > on_surface_) return false;
     take(corner, near);
     return true;

@@ -32,7 +32,10 @@ void ask_at(FaceHandle fh, const RunContext& context) {
 /// projected to the wrong side, whose normal is about perpendicular.
 constexpr double kClearlyTurned = 0.5;
 
-/// Distances below this share of the diagonal need no second search.
+/// Share of the area of a patch by which the faces on one side must exceed those on the other.
+constexpr double kClearSide = 0.5;
+
+/// Distances below this share of the diagonal are rounding, and need no second search.
 constexpr double kOnSurface = 1e-10;
 
 /// Measures the faces of a mesh one after the other.
@@ -47,7 +50,9 @@ class DistanceMeter {
         patch_of_(require(mesh, keys::face_patch)),
         uv_of_(require(mesh, keys::corner_uv)),
         facing_(mesh.n_faces(), 0),
-        side_of_(model.patches.size(), 0) {}
+        is_off_(mesh.n_faces(), 0),
+        side_of_(model.patches.size(), 0),
+        area_of_(model.patches.size(), 0) {}
 
   SurfaceDistance run(const RunContext& context) {
     for (const FaceHandle fh : mesh_.faces()) {
@@ -99,14 +104,20 @@ class DistanceMeter {
     }
     const double cosine = facing(area, normal);
     facing_[index(fh)] = cosine;
-    side_of_[static_cast<std::size_t>(mesh_.property(patch_of_, fh))] +=
-        cosine > 0 ? area.norm() : -area.norm();
+    const auto patch = static_cast<std::size_t>(mesh_.property(patch_of_, fh));
+    side_of_[patch] += cosine > 0 ? area.norm() : -area.norm();
+    area_of_[patch] += area.norm();
   }
 
   /// Returns the normal p_u × p_v of the surface there; zero where it has none.
   Vec3 measure_corner(const Surface& surface, const Corner& corner, FaceHandle fh) {
     const Jet jet = surface.evaluate(corner.uv, Order::First);
     const double distance = (jet.point - corner.point).norm();
+    ++corners_;
+    if (distance > kOnSurface * model_.diagonal) {
+      ++corners_off_;
+      is_off_[index(fh)] = 1;
+    }
     if (distance > result_.max_corner) {
       result_.max_corner = distance;
       result_.max_corner_face = index(fh);
@@ -145,12 +156,25 @@ class DistanceMeter {
     for (const FaceHandle fh : mesh_.faces()) {
       const double side = side_of_[static_cast<std::size_t>(mesh_.property(patch_of_, fh))];
       if (facing_[index(fh)] * (side < 0 ? -1 : 1) > least_facing) continue;
+      if (is_projected_ && !can_be_judged(fh)) {
+        ++result_.unjudged;
+        continue;
+      }
       if (is_projected_ && faces_a_sheet(fh)) continue;
       turned_.add([&] {
         return fmt::format("{} at {}", face_text(fh),
                            point_text(detail::middle_of(mesh_, corners_of(mesh_, fh))));
       });
     }
+  }
+
+  /// False if the projection has not found a corner of a face, although most corners of the mesh
+  /// lie on the surface; or if the patch has no side that clearly most of its faces are on, for
+  /// it is folded onto itself.
+  bool can_be_judged(FaceHandle fh) const {
+    const auto patch = static_cast<std::size_t>(mesh_.property(patch_of_, fh));
+    if (std::abs(side_of_[patch]) < kClearSide * area_of_[patch]) return false;
+    return !is_off_[index(fh)] || 2 * corners_off_ > corners_;
   }
 
   /// True if a face is turned against one sheet of the surface, but not against another one in
@@ -178,10 +202,14 @@ class DistanceMeter {
   decltype(keys::face_patch)::Handle patch_of_;
   decltype(keys::corner_uv)::Handle uv_of_;
   std::vector<double> facing_;   ///< cosine of the angle between face and surface
+  std::vector<char> is_off_;     ///< of faces, with a corner that is not on the surface
   std::vector<double> side_of_;  ///< of each patch, area along minus area against the normal
+  std::vector<double> area_of_;  ///< of each patch, twice the area of its faces
   SurfaceDistance result_;
   double sum_ = 0;
   std::size_t samples_ = 0;
+  std::size_t corners_ = 0;
+  std::size_t corners_off_ = 0;
   MeshFault turned_{"turned_face", 0, {}};
   MeshFault off_{"corner_off_surface", 0, {}};
 };
