@@ -83,7 +83,7 @@ FormulaProgram random_program(Random& random) {
   const auto any = [&] { return nodes[random() % nodes.size()]; };
   const auto count = 1 + random() % 8;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto last = static_cast<unsigned>(Operation::Hypot);
+    const auto last = static_cast<unsigned>(Operation::Select);
     auto operation = static_cast<Operation>(1 + random() % last);
     int a = any(), b = any();
     // The builder makes the forms with a constant.
@@ -93,7 +93,7 @@ FormulaProgram random_program(Random& random) {
       (random() % 2 == 0 ? a : b) =
           builder.constant(random() % 3 == 0 ? uniform(random, -3, 3) : whole);
     }
-    nodes.push_back(builder.apply(operation, a, b));
+    nodes.push_back(builder.apply(operation, a, b, any()));
   }
   return builder.finish(nodes);
 }
@@ -128,14 +128,67 @@ TEST(FormulaBounds, HoldAllValuesOfRandomPrograms) {
 
 TEST(FormulaBounds, HoldAllValuesOfEachFunction) {
   Random random(2);
-  for (const std::string text :
-       {"sqrt(u)", "cbrt(u)",       "exp(u)",      "log(u)",     "sin(u)",       "cos(u)",
-        "tan(u)",  "asin(u)",       "acos(u)",     "atan(u)",    "sinh(u)",      "cosh(u)",
-        "tanh(u)", "abs(u)",        "atan2(u,v)",  "min(u,v)",   "max(u,v)",     "hypot(u,v)",
-        "u^v",     "u^2",           "u^3",         "u^-3",       "u^-2",         "u^17",
-        "u^-18",   "u^-17",         "u^0.5",       "u^-1.5",     "2^u",          "0.5^u",
-        "0^u",     "(-2)^u",        "u/v",         "1/u",        "u-v",          "3-u",
-        "u/-3",    "sin(300000*u)", "cos(1e17*u)", "exp(900*u)", "log(u)-log(v)"}) {
+  for (const std::string text : {"sqrt(u)",
+                                 "cbrt(u)",
+                                 "exp(u)",
+                                 "log(u)",
+                                 "sin(u)",
+                                 "cos(u)",
+                                 "tan(u)",
+                                 "asin(u)",
+                                 "acos(u)",
+                                 "atan(u)",
+                                 "sinh(u)",
+                                 "cosh(u)",
+                                 "tanh(u)",
+                                 "abs(u)",
+                                 "atan2(u,v)",
+                                 "min(u,v)",
+                                 "max(u,v)",
+                                 "hypot(u,v)",
+                                 "u^v",
+                                 "u^2",
+                                 "u^3",
+                                 "u^-3",
+                                 "u^-2",
+                                 "u^17",
+                                 "u^-18",
+                                 "u^-17",
+                                 "u^0.5",
+                                 "u^-1.5",
+                                 "2^u",
+                                 "0.5^u",
+                                 "0^u",
+                                 "(-2)^u",
+                                 "u/v",
+                                 "1/u",
+                                 "u-v",
+                                 "3-u",
+                                 "u/-3",
+                                 "sin(300000*u)",
+                                 "cos(1e17*u)",
+                                 "exp(900*u)",
+                                 "log(u)-log(v)",
+                                 "log10(u)",
+                                 "sign(u)",
+                                 "floor(u)",
+                                 "ceil(u)",
+                                 "mod(u,1)",
+                                 "mod(u,-0.3)",
+                                 "mod(u,v)",
+                                 "mod(3,v)",
+                                 "mod(1e6*u,v)",
+                                 "u<v",
+                                 "u<=v",
+                                 "u==v",
+                                 "u!=v",
+                                 "u>0",
+                                 "step(1,u)",
+                                 "if(u<v,u,v^2)",
+                                 "if(u,3,v)",
+                                 "if(u>0,sqrt(u),-1)",
+                                 "mod(u+1e-9,1)",
+                                 "mod(-1e-20*u,1)"}) {
     const FormulaProgram program = program_of(text);
     SCOPED_TRACE(text);
     for (int i = 0; i < 3000 && !::testing::Test::HasFailure(); ++i) {
@@ -187,6 +240,37 @@ TEST(FormulaBounds, KnowTheCutOfAngles) {
   expect_near(bounds_of("atan2(u,v)", {0, 1}, {-1, 1}), {0, pi});
   expect_near(bounds_of("atan2(u,v)", {-1, -0.5}, {-1, 1}),
               {std::atan2(-0.5, -1), std::atan2(-0.5, 1)});
+}
+
+TEST(FormulaBounds, HoldBothSidesOfAJump) {
+  EXPECT_EQ(bounds_of("sign(u)", {-1, 2}), (Interval{-1, 1}));
+  EXPECT_EQ(bounds_of("sign(u)", {0, 2}), (Interval{0, 1}));
+  EXPECT_EQ(bounds_of("floor(u)", {0.5, 2.5}), (Interval{0, 2}));
+  EXPECT_EQ(bounds_of("floor(u)", {0.5, 1}), (Interval{0, 1}));
+  EXPECT_EQ(bounds_of("ceil(u)", {1, 1.5}), (Interval{1, 2}));
+  EXPECT_EQ(bounds_of("mod(u,1)", {0.5, 1}), (Interval{0, 1}));
+  EXPECT_EQ(bounds_of("mod(u,-2)", {0.5, 4}), (Interval{-2, 0}));
+  EXPECT_EQ(bounds_of("mod(u,v)", {0.5, 4}, {1, 2}), (Interval{0, 2}));
+  EXPECT_EQ(bounds_of("mod(u,v)", {0.5, 4}, {-1, 2}), (Interval{-1, 2}));
+  EXPECT_EQ(bounds_of("u<v", {0, 1}, {0.5, 2}), (Interval{0, 1}));
+  EXPECT_EQ(bounds_of("u<=v", {1, 2}, {0, 1}), (Interval{0, 1}));
+  EXPECT_EQ(bounds_of("u==0.5", {0, 1}), (Interval{0, 1}));
+  EXPECT_EQ(bounds_of("if(u<0.5,2,v)", {0, 1}, {3, 4}), (Interval{2, 4}));
+}
+
+TEST(FormulaBounds, AreExactBesideAJump) {
+  EXPECT_EQ(bounds_of("sign(u)", {-2, -1}), (Interval{-1, -1}));
+  EXPECT_EQ(bounds_of("floor(u)", {1, 1.5}), (Interval{1, 1}));
+  EXPECT_EQ(bounds_of("ceil(u)", {1.25, 2}), (Interval{2, 2}));
+  EXPECT_EQ(bounds_of("mod(u,1)", {1, 1.75}), (Interval{0, 0.75}));
+  EXPECT_EQ(bounds_of("mod(u,-1)", {1.25, 2}), (Interval{-0.75, 0}));
+  expect_near(bounds_of("mod(u,v)", {5.1, 5.2}, {2, 2.1}), {0.9, 1.2});
+  EXPECT_EQ(bounds_of("u<v", {0, 1}, {1.5, 2}), (Interval{1, 1}));
+  EXPECT_EQ(bounds_of("u<v", {1, 2}, {0, 1}), (Interval{0, 0}));
+  EXPECT_EQ(bounds_of("u<=v", {0, 1}, {1, 2}), (Interval{1, 1}));
+  EXPECT_EQ(bounds_of("u==2", {0, 1}), (Interval{0, 0}));
+  EXPECT_EQ(bounds_of("if(u<0.5,2,v)", {0.5, 1}, {3, 4}), (Interval{3, 4}));
+  EXPECT_EQ(bounds_of("if(u<0.5,2,v)", {0, 0.25}, {3, 4}), (Interval{2, 2}));
 }
 
 TEST(FormulaBounds, HoldThePartThatIsDefined) {
@@ -270,9 +354,26 @@ TEST(FormulaSlopes, CancelWhatOccursSeveralTimes) {
   EXPECT_GT(bounds_of(program, {box[0], box[1]}).width(), 0.01);
 }
 
+/// Whole periods are subtracted, not forgotten: u − mod(u,1) is a step.
+TEST(FormulaSlopes, CancelBetweenJumps) {
+  const auto by_slopes = [](const std::string& text, const Interval& u) {
+    Interval result;
+    bound_by_slopes(program_of(text), std::array{u, Interval{0, 1}}, std::span(&result, 1));
+    return result;
+  };
+  EXPECT_LT(by_slopes("u-mod(u,1)", {3.1, 3.9}).width(), 1e-12);
+  EXPECT_LT(by_slopes("if(u<4,u,u^2)-u", {3.1, 3.9}).width(), 1e-12);
+  EXPECT_LT(by_slopes("floor(u)*u-3*u", {3.1, 3.9}).width(), 1e-12);
+  EXPECT_TRUE(by_slopes("u-mod(u,1)", {3.1, 4.1}).contains(3));
+  EXPECT_TRUE(by_slopes("u-mod(u,1)", {3.1, 4.1}).contains(4));
+  EXPECT_TRUE(by_slopes("if(u<4,u,u^2)-u", {3.1, 4.1}).contains(4.1 * 3.1));
+}
+
 TEST(FormulaProgram, KnowsWhetherItReadsEachOnce) {
   EXPECT_TRUE(program_of("0.002+0.098*min(1,abs(u-0.317)/0.02)").reads_each_once());
   EXPECT_TRUE(program_of("u^2+v").reads_each_once());
+  EXPECT_TRUE(program_of("if(u<1,v,2)").reads_each_once());
+  EXPECT_FALSE(program_of("if(u<1,2,u)").reads_each_once());
   EXPECT_FALSE(program_of("u^2+u").reads_each_once());
   EXPECT_FALSE(program_of("sin(u+v)*exp(u+v)").reads_each_once());
 }
@@ -284,6 +385,8 @@ TEST(FormulaProgram, KnowsItsVariables) {
   EXPECT_FALSE(program_of("sin(v)").uses(0));
   EXPECT_TRUE(program_of("v").uses(1));
   EXPECT_FALSE(program_of("3").uses(0));
+  EXPECT_TRUE(program_of("if(1/v<1,3,u)").uses(0));
+  EXPECT_FALSE(program_of("if(1<2,v,u)").uses(0));
 }
 
 }  // namespace

@@ -9,40 +9,18 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/formula/coordinates.hh"
+#include "surfmesh/formula/formula_functions.hh"
+#include "surfmesh/formula/unknown_name.hh"
 
 namespace surfmesh {
 namespace {
 
-struct Function {
-  std::string_view name;
-  Operation operation;
-  int argument_count;
-};
-
-constexpr std::array kFunctions = {
-    Function{"sqrt", Operation::Sqrt, 1},   Function{"cbrt", Operation::Cbrt, 1},
-    Function{"exp", Operation::Exp, 1},     Function{"log", Operation::Log, 1},
-    Function{"sin", Operation::Sin, 1},     Function{"cos", Operation::Cos, 1},
-    Function{"tan", Operation::Tan, 1},     Function{"asin", Operation::Asin, 1},
-    Function{"acos", Operation::Acos, 1},   Function{"atan", Operation::Atan, 1},
-    Function{"atan2", Operation::Atan2, 2}, Function{"sinh", Operation::Sinh, 1},
-    Function{"cosh", Operation::Cosh, 1},   Function{"tanh", Operation::Tanh, 1},
-    Function{"abs", Operation::Abs, 1},     Function{"min", Operation::Min, 2},
-    Function{"max", Operation::Max, 2},     Function{"pow", Operation::Power, 2},
-    Function{"hypot", Operation::Hypot, 2}};
-
 /// Names that mean the same in every formula of a model.
 constexpr std::array<std::string_view, 5> kReserved = {"pi", "e", "u", "v", "t"};
-
-/// Longer formulas are quoted only in part.
-constexpr std::size_t kMaxQuoted = 80;
-
-const Function* find_function(std::string_view name) {
-  const auto it = std::ranges::find(kFunctions, name, &Function::name);
-  return it == kFunctions.end() ? nullptr : &*it;
-}
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -58,46 +36,81 @@ bool is_name(std::string_view text) {
 
 using Constants = std::map<std::string, double>;
 
-void check_constants(const Constants& constants, const std::vector<std::string>& variables) {
-  for (const auto& [name, value] : constants) {
-    const bool is_taken = std::ranges::find(kReserved, name) != kReserved.end() ||
-                          std::ranges::find(variables, name) != variables.end() ||
-                          find_function(name) != nullptr;
-    const char* fault = !is_name(name)          ? "is not a name"
-                        : is_taken              ? "would redefine a name of the formulas"
-                        : !std::isfinite(value) ? "is not finite"
-                                                : nullptr;
-    if (fault) {
-      throw Error(ErrorCode::InvalidInput, fmt::format("the constant '{}' {}", name, fault));
-    }
-  }
+/// What names mean in a formula.
+struct Names {
+  const std::vector<std::string>& variables;
+  const Constants& constants;
+  const std::map<std::string, int>& named;  // nodes of the builder
+};
+
+/// The names that a formula may use, besides functions.
+std::vector<std::string_view> words(const Names& names) {
+  std::vector<std::string_view> result(names.variables.begin(), names.variables.end());
+  for (const auto& [name, node] : names.named) result.push_back(name);
+  for (const auto& [name, value] : names.constants) result.push_back(name);
+  result.insert(result.end(), {"pi", "e"});
+  return result;
 }
 
+/// What is written in other languages, and how to say it.
+struct ForeignSign {
+  std::string_view sign;
+  std::string_view advice;
+};
+
+constexpr std::array kForeignSigns = {
+    ForeignSign{"&&", "for 'and' multiply the comparisons: (a<b)*(b<c)"},
+    ForeignSign{"||", "for 'or' take the greater comparison: max(a<b,b<c)"},
+    ForeignSign{"=", "'equal' is =="}};
+
 /// Recursive descent straight into the builder:
+///   whole   = sum [ (<|<=|>|>=|==|!=) sum ]
 ///   sum     = product { (+|-) product }
 ///   product = signed { (*|/) signed }
 ///   signed  = (-|+) signed | power
-///   power   = primary [ ^ signed ]
-///   primary = number | name | function ( sum {, sum} ) | ( sum )
+///   power   = primary [ (^|**) signed ]
+///   primary = number | name | function ( whole {, whole} ) | ( whole )
 class Parser {
  public:
-  Parser(std::string_view text, const std::vector<std::string>& variables,
-         const Constants& constants, FormulaBuilder& builder)
-      : text_(text), variables_(variables), constants_(constants), builder_(builder) {}
+  Parser(std::string_view text, const Names& names, FormulaBuilder& builder)
+      : text_(text), names_(names), builder_(builder) {}
 
   int parse() {
-    const int result = parse_sum();
+    const int result = parse_whole();
     if (!is_at_end()) fail("an operator or the end");
     return result;
   }
 
  private:
+  int parse_whole() {
+    const int left = parse_sum();
+    refuse_foreign_signs();
+    const std::string_view comparison = accept_comparison();
+    if (comparison.empty()) return left;
+    const int result = compare(left, comparison, parse_sum());
+    refuse_foreign_signs();
+    const std::size_t end = position_;
+    if (accept_comparison().empty()) return result;
+    position_ = end;
+    throw fault("comparisons do not follow each other: multiply them, (a<b)*(b<c)");
+  }
+
+  int compare(int left, std::string_view comparison, int right) {
+    if (comparison == "<") return builder_.apply(Operation::Less, left, right);
+    if (comparison == ">") return builder_.apply(Operation::Less, right, left);
+    if (comparison == "<=") return builder_.apply(Operation::LessEqual, left, right);
+    if (comparison == ">=") return builder_.apply(Operation::LessEqual, right, left);
+    const int equal = builder_.apply(Operation::Equal, left, right);
+    if (comparison == "==") return equal;
+    return builder_.apply(Operation::Subtract, builder_.constant(1), equal);
+  }
+
   int parse_sum() {
     int left = parse_product();
     while (true) {
-      if (accept('+')) {
+      if (accept("+")) {
         left = builder_.apply(Operation::Add, left, parse_product());
-      } else if (accept('-')) {
+      } else if (accept("-")) {
         left = builder_.apply(Operation::Subtract, left, parse_product());
       } else {
         return left;
@@ -108,9 +121,9 @@ class Parser {
   int parse_product() {
     int left = parse_signed();
     while (true) {
-      if (accept('*')) {
+      if (accept("*")) {
         left = builder_.apply(Operation::Multiply, left, parse_signed());
-      } else if (accept('/')) {
+      } else if (accept("/")) {
         left = builder_.apply(Operation::Divide, left, parse_signed());
       } else {
         return left;
@@ -123,8 +136,8 @@ class Parser {
     if (++depth_ > kMaxFormulaDepth) {
       throw fault(fmt::format("nested more than {} deep", kMaxFormulaDepth));
     }
-    const int result = accept('-')   ? builder_.apply(Operation::Negate, parse_signed())
-                       : accept('+') ? parse_signed()
+    const int result = accept("-")   ? builder_.apply(Operation::Negate, parse_signed())
+                       : accept("+") ? parse_signed()
                                      : parse_power();
     --depth_;
     return result;
@@ -132,7 +145,8 @@ class Parser {
 
   int parse_power() {
     const int base = parse_primary();
-    return accept('^') ? builder_.apply(Operation::Power, base, parse_signed()) : base;
+    return accept("^") || accept("**") ? builder_.apply(Operation::Power, base, parse_signed())
+                                       : base;
   }
 
   int parse_primary() {
@@ -141,9 +155,9 @@ class Parser {
     const char next = text_[position_];
     if (is_digit(next) || next == '.') return parse_number();
     if (is_name_start(next)) return parse_name();
-    if (!accept('(')) fail(kOperand);
-    const int result = parse_sum();
-    if (!accept(')')) fail("an operator or ')'");
+    if (!accept("(")) fail(kOperand);
+    const int result = parse_whole();
+    if (!accept(")")) fail("an operator or ')'");
     return result;
   }
 
@@ -164,38 +178,67 @@ class Parser {
     while (position_ < text_.size() && is_name_part(text_[position_])) ++position_;
     const std::string name(text_.substr(start, position_ - start));
 
-    if (const Function* function = find_function(name)) return parse_call(*function);
-    const auto variable = std::ranges::find(variables_, name);
-    if (variable != variables_.end()) return static_cast<int>(variable - variables_.begin());
-    if (name == "pi") return builder_.constant(std::numbers::pi);
-    if (name == "e") return builder_.constant(std::numbers::e);
-    const auto constant = constants_.find(name);
-    if (constant != constants_.end()) return builder_.constant(constant->second);
-
-    const bool is_call = accept('(');
+    if (const auto* function = find_formula_function(name)) return parse_call(*function);
+    if (const auto node = find(name)) return *node;
+    const bool is_call = accept("(");
     position_ = start;
-    throw fault(fmt::format("unknown {} '{}'", is_call ? "function" : "name", name));
+    throw fault(is_call ? unknown_function(name) : unknown_name(name, words(names_)));
   }
 
-  int parse_call(const Function& function) {
-    if (!accept('(')) fail(fmt::format("'(' after the function {}", function.name));
-    std::array<int, 2> arguments = {0, 0};
-    int count = 0;
-    if (!accept(')')) {
+  /// The node of a name that is no function.
+  std::optional<int> find(const std::string& name) {
+    const auto variable = std::ranges::find(names_.variables, name);
+    if (variable != names_.variables.end()) {
+      return static_cast<int>(variable - names_.variables.begin());
+    }
+    const auto named = names_.named.find(name);
+    if (named != names_.named.end()) return named->second;
+    const auto constant = names_.constants.find(name);
+    if (constant != names_.constants.end()) return builder_.constant(constant->second);
+    if (name == "pi" || name == "PI") return builder_.constant(std::numbers::pi);
+    if (name == "e") return builder_.constant(std::numbers::e);
+    return {};
+  }
+
+  int parse_call(const FormulaFunction& function) {
+    if (!accept("(")) fail(fmt::format("'(' after the function {}", function.name));
+    std::array<int, 3> arguments = {0, 0, 0};
+    std::size_t count = 0;
+    if (!accept(")")) {
       do {
-        const int argument = parse_sum();
-        if (count < 2) arguments[static_cast<std::size_t>(count)] = argument;
+        const int argument = parse_whole();
+        if (count < arguments.size()) arguments[count] = argument;
         ++count;
-      } while (accept(','));
-      if (!accept(')')) fail("an operator, ',' or ')'");
+      } while (accept(","));
+      if (!accept(")")) fail("an operator, ',' or ')'");
     }
-    if (count != function.argument_count) {
-      --position_;
-      throw fault(fmt::format("the function {} takes {} argument{}, not {}", function.name,
-                              function.argument_count, function.argument_count == 1 ? "" : "s",
-                              count));
+    expect_count(function, count);
+    return builder_.apply(function.operation, arguments[0], arguments[1], arguments[2]);
+  }
+
+  void expect_count(const FormulaFunction& function, std::size_t count) {
+    const std::size_t wanted = function.argument_count();
+    if (count == wanted) return;
+    --position_;
+    throw fault(fmt::format("the function {} takes {} argument{}, not {}: {}({})", function.name,
+                            wanted, wanted == 1 ? "" : "s", count, function.name,
+                            function.arguments));
+  }
+
+  std::string_view accept_comparison() {
+    for (const std::string_view sign : {"<=", ">=", "==", "!=", "<", ">"}) {
+      if (accept(sign)) return sign;
     }
-    return builder_.apply(function.operation, arguments[0], arguments[1]);
+    return {};
+  }
+
+  void refuse_foreign_signs() {
+    skip_space();
+    const std::string_view rest = text_.substr(position_);
+    for (const auto& [sign, advice] : kForeignSigns) {
+      if (!rest.starts_with(sign) || rest.starts_with("==")) continue;
+      throw fault(fmt::format("found '{}'; {}", sign, advice));
+    }
   }
 
   void skip_space() {
@@ -205,10 +248,12 @@ class Parser {
     }
   }
 
-  bool accept(char wanted) {
+  /// Step over a sign, if it stands here; ** is not *.
+  bool accept(std::string_view wanted) {
     skip_space();
-    if (position_ == text_.size() || text_[position_] != wanted) return false;
-    ++position_;
+    const std::string_view rest = text_.substr(position_);
+    if (!rest.starts_with(wanted) || (wanted == "*" && rest.starts_with("**"))) return false;
+    position_ += wanted.size();
     return true;
   }
 
@@ -226,18 +271,15 @@ class Parser {
     } else {
       while (end < text_.size() && is_continuation_byte(text_[end])) ++end;
     }
-    return fmt::format("'{}'", text_.substr(position_, end - position_));
+    return fmt::format("'{}'", shortened(text_.substr(position_, end - position_)));
   }
 
   Error fault(const std::string& reason) const {
     const auto column =
         1 + std::count_if(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(position_),
                           [](char c) { return !is_continuation_byte(c); });
-    const std::string quoted = text_.size() <= kMaxQuoted
-                                   ? std::string(text_)
-                                   : std::string(text_.substr(0, kMaxQuoted)) + "...";
     return Error(ErrorCode::InvalidInput,
-                 fmt::format("formula \"{}\", column {}: {}", quoted, column, reason));
+                 fmt::format("formula \"{}\", column {}: {}", shortened(text_), column, reason));
   }
 
   [[noreturn]] void fail(std::string_view expected) {
@@ -248,8 +290,7 @@ class Parser {
   static constexpr std::string_view kOperand = "a number, a name or '('";
 
   std::string_view text_;
-  const std::vector<std::string>& variables_;
-  const Constants& constants_;
+  const Names& names_;
   FormulaBuilder& builder_;
   std::size_t position_ = 0;
   int depth_ = 0;
@@ -257,20 +298,61 @@ class Parser {
 
 }  // namespace
 
-FormulaProgram parse_formulas(std::span<const std::string> texts,
-                              const std::vector<std::string>& variables,
-                              const Constants& constants) {
+std::string_view formula_name_fault(std::string_view name) {
+  if (!is_name(name)) return "is not a name of letters, digits and _";
+  const bool is_taken =
+      std::ranges::find(kReserved, name) != kReserved.end() || find_formula_function(name);
+  return is_taken ? "would redefine a name of the formulas" : "";
+}
+
+FormulaReader::FormulaReader(const std::vector<std::string>& variables, const Constants& constants)
+    : variables_(variables), builder_(variables.size()) {
   if (variables.size() > kMaxFormulaVariables) {
     throw Error(ErrorCode::InvalidInput, fmt::format("a formula of {} variables, of at most {}",
                                                      variables.size(), kMaxFormulaVariables));
   }
-  check_constants(constants, variables);
-  FormulaBuilder builder(variables.size());
-  std::vector<int> results;
-  for (const std::string& text : texts) {
-    results.push_back(Parser(text, variables, constants, builder).parse());
+  for (const auto& [name, value] : constants) {
+    std::string_view fault = name_fault(name);
+    if (fault.empty() && !std::isfinite(value)) fault = "is not finite";
+    if (fault.empty()) continue;
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("the constant '{}' {}", shortened(name), fault));
   }
-  return builder.finish(results);
+  constants_ = constants;
+}
+
+std::string_view FormulaReader::name_fault(const std::string& name) const {
+  const std::string_view fault = formula_name_fault(name);
+  const bool is_taken = std::ranges::find(variables_, name) != variables_.end() ||
+                        constants_.contains(name) || named_.contains(name);
+  return fault.empty() && is_taken ? "is the name of something else" : fault;
+}
+
+void FormulaReader::define(const std::string& name, std::string_view text) {
+  const std::string_view fault = name_fault(name);
+  if (!fault.empty()) {
+    throw Error(ErrorCode::InvalidInput, fmt::format("the name '{}' {}", shortened(name), fault));
+  }
+  named_[name] = read(text);
+}
+
+int FormulaReader::read(std::string_view text) {
+  const Names names = {variables_, constants_, named_};
+  return Parser(text, names, builder_).parse();
+}
+
+FormulaProgram FormulaReader::finish(const std::vector<int>& formulas) const {
+  return builder_.finish(formulas);
+}
+
+FormulaProgram parse_formulas(std::span<const std::string> texts,
+                              const std::vector<std::string>& variables, const Constants& constants,
+                              std::span<const NamedFormula> where) {
+  FormulaReader reader(variables, constants);
+  define_all(where, reader);
+  std::vector<int> formulas;
+  for (const std::string& text : texts) formulas.push_back(reader.read(text));
+  return reader.finish(formulas);
 }
 
 Formula parse_formula(std::string_view text, const std::vector<std::string>& variables,

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "surfmesh/formula/jump_bounds.hh"
 #include "surfmesh/geometry/jet_number.hh"
 
 namespace surfmesh {
@@ -135,6 +136,28 @@ Interval general_power(const Interval& x, const Interval& y) {
   return {-greatest, greatest};
 }
 
+/// Operations that jump; Select has an operand more.
+Interval bound_jump(Operation operation, const Interval& a, const Interval& b) {
+  switch (operation) {
+    case Operation::Sign:
+      return sign(a);
+    case Operation::Floor:
+      return floor(a);
+    case Operation::Ceil:
+      return ceil(a);
+    case Operation::Mod:
+      return mod(a, b);
+    case Operation::Less:
+      return is_less(a, b);
+    case Operation::LessEqual:
+      return is_less_equal(a, b);
+    case Operation::Equal:
+      return is_equal(a, b);
+    default:
+      return {};
+  }
+}
+
 /// Operations of the C library, and powers.
 Interval bound_function(const Instruction& step, const Interval& a, const Interval& b) {
   switch (step.operation) {
@@ -172,8 +195,10 @@ Interval bound_function(const Instruction& step, const Interval& a, const Interv
       return clipped(increasing(a, [](double t) { return std::tanh(t); }), -1, 1);
     case Operation::Hypot:
       return length(a, b);
+    case Operation::Log10:
+      return monotone_on({0, kInfinity}, a, [](double t) { return std::log10(t); });
     default:
-      return {};
+      return bound_jump(step.operation, a, b);
   }
 }
 
@@ -217,9 +242,16 @@ inline Interval bound_step(const Instruction& step, const Interval& a, const Int
 
 }  // namespace
 
-Interval bound_operation(const Instruction& step, const Interval& a, const Interval& b) {
-  return step.operation == Operation::Constant ? defined(Interval::of(step.constant))
-                                               : bound_step(step, a, b);
+Interval bound_operation(const Instruction& step, const Interval& a, const Interval& b,
+                         const Interval& d) {
+  switch (step.operation) {
+    case Operation::Constant:
+      return defined(Interval::of(step.constant));
+    case Operation::Select:
+      return select(a, b, d);
+    default:
+      return bound_step(step, a, b);
+  }
 }
 
 void bound_registers(const FormulaProgram& program, std::span<const Interval> variables,
@@ -227,8 +259,10 @@ void bound_registers(const FormulaProgram& program, std::span<const Interval> va
   std::ranges::copy(variables, registers.begin());
   std::size_t next = variables.size();
   for (const Instruction& step : program.instructions()) {
-    const auto a = static_cast<std::size_t>(step.a), b = static_cast<std::size_t>(step.b);
-    registers[next++] = bound_operation(step, registers[a], registers[b]);
+    const auto operand = [&](std::size_t i) {
+      return registers[static_cast<std::size_t>(step.operand[i])];
+    };
+    registers[next++] = bound_operation(step, operand(0), operand(1), operand(2));
   }
 }
 
@@ -244,9 +278,8 @@ void bound(const FormulaProgram& program, std::span<const Interval> variables,
   const auto read = [&](int i) { return Interval{lower[i], upper[i]}; };
   for (std::size_t i = 0; i < program.variable_count(); ++i) write(variables[i]);
   for (const Instruction& step : program.instructions()) {
-    const bool has_operands = step.operation != Operation::Constant;
-    write(has_operands ? bound_step(step, read(step.a), read(step.b))
-                       : defined(Interval::of(step.constant)));
+    const auto [a, b, d] = step.operand;
+    write(bound_operation(step, read(a), read(b), read(d)));
   }
   for (std::size_t i = 0; i < results.size(); ++i) results[i] = read(program.results()[i]);
 }

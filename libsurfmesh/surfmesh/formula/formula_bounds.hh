@@ -14,6 +14,7 @@ namespace surfmesh {
 /// NaN. Points where a formula is not defined do not count; a result that is defined nowhere in the
 /// box is unbounded, and so is a quotient whose divisor changes its sign. Where the sign of a zero
 /// decides, as for 1/0 and on the cut of atan2, that zero has the sign of the rest of its interval.
+/// Where a step may be in the box, both of its sides count.
 ///
 /// The bounds are exact, up to a few roundings, where each variable occurs once. Otherwise they are
 /// too wide, by an amount that falls linearly with the width of the box.
@@ -31,8 +32,9 @@ void bound(const FormulaProgram& program, std::span<const Interval> variables,
 void bound_registers(const FormulaProgram& program, std::span<const Interval> variables,
                      std::span<Interval> registers);
 
-/// The same for one operation on operands inside intervals. The second one is not read if the
-/// operation has only one.
-Interval bound_operation(const Instruction& step, const Interval& a, const Interval& b);
+/// The same for one operation on operands inside intervals. Those that the operation does not have
+/// are not read.
+Interval bound_operation(const Instruction& step, const Interval& a, const Interval& b,
+                         const Interval& d = {});
 
 }  // namespace surfmesh

@@ -8,37 +8,22 @@
 #include <vector>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/formula/coordinates.hh"
 
 namespace surfmesh {
 namespace {
 
 const std::vector<std::string> kParameters = {"t"};
 
-struct Coordinate {
-  char name;
-  std::string text;
-};
-
-/// All in one program; first one by one, so that an error can name the coordinate.
-template <std::size_t count>
-FormulaProgram read(const std::array<Coordinate, count>& coordinates, const CurveRange& range,
-                    const std::map<std::string, double>& constants) {
+FormulaProgram read(const std::vector<Coordinate>& coordinates, const CurveRange& range,
+                    const std::map<std::string, double>& constants,
+                    const std::vector<NamedFormula>& where) {
   if (!std::isfinite(range.from) || !std::isfinite(range.to) || !(range.from < range.to)) {
     throw Error(
         ErrorCode::InvalidInput,
         fmt::format("the range from {} to {} is empty or not finite", range.from, range.to));
   }
-  parse_formulas({}, kParameters, constants);
-  std::array<std::string, count> texts;
-  for (std::size_t i = 0; i < count; ++i) {
-    texts[i] = coordinates[i].text;
-    try {
-      parse_formula(texts[i], kParameters, constants);
-    } catch (const Error& error) {
-      throw Error(error.code(), fmt::format("{}: {}", coordinates[i].name, error.what()));
-    }
-  }
-  return parse_formulas(texts, kParameters, constants);
+  return read_coordinates(coordinates, kParameters, constants, where);
 }
 
 template <std::size_t count>
@@ -60,8 +45,7 @@ std::array<double, count> values(const FormulaProgram& program, double t) {
 FormulaCurve::FormulaCurve(const CurveFormulas& formulas, const CurveRange& range,
                            const std::map<std::string, double>& constants)
     : range_(range),
-      program_(read(std::array{Coordinate{'u', formulas.u}, Coordinate{'v', formulas.v}}, range,
-                    constants)) {}
+      program_(read({{"u", formulas.u}, {"v", formulas.v}}, range, constants, formulas.where)) {}
 
 Uv FormulaCurve::evaluate(double t) const {
   const auto [u, v] = values<2>(program_, range_.at(t));
@@ -71,9 +55,8 @@ Uv FormulaCurve::evaluate(double t) const {
 FormulaSpaceCurve::FormulaSpaceCurve(const SpaceCurveFormulas& formulas, const CurveRange& range,
                                      const std::map<std::string, double>& constants)
     : range_(range),
-      program_(read(std::array{Coordinate{'x', formulas.x}, Coordinate{'y', formulas.y},
-                               Coordinate{'z', formulas.z}},
-                    range, constants)) {}
+      program_(read({{"x", formulas.x}, {"y", formulas.y}, {"z", formulas.z}}, range, constants,
+                    formulas.where)) {}
 
 Vec3 FormulaSpaceCurve::evaluate(double t) const {
   const auto [x, y, z] = values<3>(program_, range_.at(t));

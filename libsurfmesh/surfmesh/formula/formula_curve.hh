@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "surfmesh/formula/formula.hh"
 #include "surfmesh/geometry/curve.hh"
@@ -13,6 +14,7 @@ namespace surfmesh {
 struct CurveFormulas {
   std::string u;
   std::string v;
+  std::vector<NamedFormula> where = {};  ///< formulas that these may use
 };
 
 /// A curve in the parameters of a patch given by formulas of t, which runs through a range.
@@ -36,6 +38,7 @@ struct SpaceCurveFormulas {
   std::string x;
   std::string y;
   std::string z;
+  std::vector<NamedFormula> where = {};
 };
 
 /// A curve in space given by formulas of t, which runs through a range.

@@ -4,43 +4,92 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <tuple>
 #include <utility>
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/values.hh"
+#include "surfmesh/formula/floored_mod.hh"
 
 namespace surfmesh {
 namespace {
 
-bool is_binary(Operation operation) {
+bool is_commutative(Operation operation) {
+  return operation == Operation::Add || operation == Operation::Multiply ||
+         operation == Operation::Equal;
+}
+
+/// Steps have no derivatives but 0; what is not a number is never hidden.
+template <int order>
+JetNumber<order> sign(const JetNumber<order>& x) {
+  return x.value() > 0 ? 1.0 : x.value() < 0 ? -1.0 : 0 * x.value();
+}
+
+template <int order>
+JetNumber<order> mod(const JetNumber<order>& a, const JetNumber<order>& b) {
+  const double rest = floored_mod(a.value(), b.value());
+  if constexpr (order == 0) return rest;
+  const double periods = std::round((a.value() - rest) / b.value());
+  return chain(a, b, {rest, 1, -periods, 0, 0, 0});
+}
+
+template <int order>
+JetNumber<order> truth(const JetNumber<order>& a, const JetNumber<order>& b, bool holds) {
+  if (std::isnan(a.value()) || std::isnan(b.value())) return kUnset;
+  return holds ? 1.0 : 0.0;
+}
+
+template <int order>
+JetNumber<order> select(const JetNumber<order>& condition, const JetNumber<order>& a,
+                        const JetNumber<order>& b) {
+  if (std::isnan(condition.value())) return kUnset;
+  return condition.value() != 0 ? a : b;
+}
+
+template <int order>
+JetNumber<order> compute_step(Operation operation, const JetNumber<order>& a,
+                              const JetNumber<order>& b) {
   switch (operation) {
-    case Operation::Add:
-    case Operation::Subtract:
-    case Operation::Multiply:
-    case Operation::Divide:
-    case Operation::Power:
-    case Operation::Atan2:
-    case Operation::Min:
-    case Operation::Max:
-    case Operation::Hypot:
-      return true;
+    case Operation::Sign:
+      return sign(a);
+    case Operation::Floor:
+      return std::floor(a.value());
+    case Operation::Ceil:
+      return std::ceil(a.value());
+    case Operation::Mod:
+      return mod(a, b);
+    case Operation::Less:
+      return truth(a, b, a < b);
+    case Operation::LessEqual:
+      return truth(a, b, a <= b);
+    case Operation::Equal:
+      return truth(a, b, a == b);
     default:
-      return false;
+      return kUnset;
   }
 }
 
-bool is_commutative(Operation operation) {
-  return operation == Operation::Add || operation == Operation::Multiply;
+template <int order>
+JetNumber<order> log10(const JetNumber<order>& x) {
+  const double f1 = 1 / (std::numbers::ln10 * x.value());
+  return chain(x, std::log10(x.value()), f1, -f1 / x.value());
 }
 
 /// The one definition of all operations: folding and evaluation at every order agree.
 template <int order>
-inline JetNumber<order> compute(Operation operation, const JetNumber<order>& a,
-                                const JetNumber<order>& b, double c) {
-  switch (operation) {
+inline JetNumber<order> compute(const Instruction& step, const JetNumber<order>* registers) {
+  const auto operand = [&](std::size_t i) -> const JetNumber<order>& {
+    return registers[step.operand[i]];
+  };
+  const JetNumber<order>& a = operand(0);
+  const JetNumber<order>& b = operand(1);
+  const double c = step.constant;
+  switch (step.operation) {
     case Operation::Constant:
       return c;
     case Operation::Negate:
@@ -107,11 +156,47 @@ inline JetNumber<order> compute(Operation operation, const JetNumber<order>& a,
       return max(a, b);
     case Operation::Hypot:
       return hypot(a, b);
+    case Operation::Log10:
+      return log10(a);
+    case Operation::Select:
+      return select(a, b, operand(2));
+    default:
+      return compute_step(step.operation, a, b);
   }
-  return kUnset;
+}
+
+/// The value of an operation on constants.
+double fold(Operation operation, double a, double b = 0) {
+  const std::array<JetNumber<0>, 2> operands = {a, b};
+  return compute<0>({operation, {0, 1}}, operands.data()).value();
 }
 
 }  // namespace
+
+std::size_t operand_count(Operation operation) {
+  switch (operation) {
+    case Operation::Constant:
+      return 0;
+    case Operation::Add:
+    case Operation::Subtract:
+    case Operation::Multiply:
+    case Operation::Divide:
+    case Operation::Power:
+    case Operation::Atan2:
+    case Operation::Min:
+    case Operation::Max:
+    case Operation::Hypot:
+    case Operation::Mod:
+    case Operation::Less:
+    case Operation::LessEqual:
+    case Operation::Equal:
+      return 2;
+    case Operation::Select:
+      return 3;
+    default:
+      return 1;
+  }
+}
 
 template <int order>
 void FormulaProgram::evaluate(std::span<const JetNumber<order>> variables,
@@ -119,9 +204,7 @@ void FormulaProgram::evaluate(std::span<const JetNumber<order>> variables,
   JetNumber<order> registers[kMaxRegisters];  // not initialised: each is written before it is read
   JetNumber<order>* next = registers;
   for (std::size_t i = 0; i < variable_count_; ++i) *next++ = variables[i];
-  for (const Instruction& step : instructions_) {
-    *next++ = compute(step.operation, registers[step.a], registers[step.b], step.constant);
-  }
+  for (const Instruction& step : instructions_) *next++ = compute(step, registers);
   for (std::size_t i = 0; i < results_.size(); ++i) results[i] = registers[results_[i]];
 }
 
@@ -135,8 +218,7 @@ template void FormulaProgram::evaluate<2>(std::span<const JetNumber<2>>,
 bool FormulaProgram::uses(std::size_t variable) const {
   const auto index = static_cast<int>(variable);
   const auto reads = [index](const Instruction& step) {
-    if (step.operation == Operation::Constant) return false;
-    return step.a == index || (is_binary(step.operation) && step.b == index);
+    return std::ranges::find(step.operands(), index) != step.operands().end();
   };
   return std::ranges::any_of(instructions_, reads) ||
          std::ranges::find(results_, index) != results_.end();
@@ -145,16 +227,14 @@ bool FormulaProgram::uses(std::size_t variable) const {
 bool FormulaProgram::reads_each_once() const {
   std::vector<int> reads(variable_count_ + instructions_.size(), 0);
   for (const Instruction& step : instructions_) {
-    if (step.operation == Operation::Constant) continue;
-    ++reads[static_cast<std::size_t>(step.a)];
-    if (is_binary(step.operation)) ++reads[static_cast<std::size_t>(step.b)];
+    for (const int operand : step.operands()) ++reads[static_cast<std::size_t>(operand)];
   }
   return std::ranges::all_of(reads, [](int count) { return count <= 1; });
 }
 
 bool operator<(const Instruction& x, const Instruction& y) {
   const auto key = [](const Instruction& i) {
-    return std::tuple(i.operation, i.a, i.b, std::bit_cast<std::uint64_t>(i.constant));
+    return std::tuple(i.operation, i.operand, std::bit_cast<std::uint64_t>(i.constant));
   };
   return key(x) < key(y);
 }
@@ -173,46 +253,52 @@ std::optional<double> FormulaBuilder::constant_of(int node) const {
   return instruction.constant;
 }
 
-int FormulaBuilder::apply(Operation operation, int a, int b) {
-  if (!is_binary(operation)) {
-    if (const auto x = constant_of(a)) {
-      return constant(compute<0>(operation, *x, 0.0, 0).value());
-    }
-    return append({operation, a, 0, 0});
-  }
+int FormulaBuilder::apply(Operation operation, int a, int b, int d) {
+  if (operation == Operation::Select) return select(a, b, d);
   const auto x = constant_of(a);
+  if (operand_count(operation) == 1) {
+    return x ? constant(fold(operation, *x)) : append({operation, {a}});
+  }
   const auto y = constant_of(b);
-  if (x && y) return constant(compute<0>(operation, *x, *y, 0).value());
+  if (x && y) return constant(fold(operation, *x, *y));
   if (x || y) return apply_with_constant(operation, a, b);
-  if (operation == Operation::Multiply && a == b) return append({Operation::Square, a, 0, 0});
+  if (operation == Operation::Multiply && a == b) return append({Operation::Square, {a}});
   if (is_commutative(operation) && b < a) std::swap(a, b);
-  return append({operation, a, b, 0});
+  return append({operation, {a, b}});
+}
+
+int FormulaBuilder::select(int condition, int a, int b) {
+  const auto x = constant_of(condition);
+  if (!x) return append({Operation::Select, {condition, a, b}});
+  if (std::isnan(*x)) return constant(*x);
+  return *x != 0 ? a : b;
 }
 
 /// Only rewritings that keep every bit: x + 0 is not x where x is −0.
 int FormulaBuilder::apply_with_constant(Operation operation, int a, int b) {
   const auto x = constant_of(a);
   const auto y = constant_of(b);
+  const auto append_with = [&](Operation form, double c) { return append({form, {x ? b : a}, c}); };
   switch (operation) {
     case Operation::Add:
-      return append({Operation::AddConstant, x ? b : a, 0, x ? *x : *y});
+      return append_with(Operation::AddConstant, x ? *x : *y);
     case Operation::Subtract:
-      return x ? append({Operation::SubtractFrom, b, 0, *x})
-               : append({Operation::AddConstant, a, 0, -*y});
+      return x ? append_with(Operation::SubtractFrom, *x)
+               : append_with(Operation::AddConstant, -*y);
     case Operation::Multiply:
       if ((x ? *x : *y) == 1) return x ? b : a;
-      return append({Operation::Scale, x ? b : a, 0, x ? *x : *y});
+      return append_with(Operation::Scale, x ? *x : *y);
     case Operation::Divide:
-      return x ? append({Operation::DivideConstant, b, 0, *x})
-               : append({Operation::DivideByConstant, a, 0, *y});
+      return x ? append_with(Operation::DivideConstant, *x)
+               : append_with(Operation::DivideByConstant, *y);
     case Operation::Power:
-      if (x) return append({Operation::PowerBase, b, 0, *x});
+      if (x) return append_with(Operation::PowerBase, *x);
       if (*y == 0) return constant(1);
       if (*y == 1) return a;
-      if (*y == 2) return append({Operation::Square, a, 0, 0});
-      return append({Operation::PowerOf, a, 0, *y});
+      if (*y == 2) return append({Operation::Square, {a}});
+      return append_with(Operation::PowerOf, *y);
     default:
-      return append({operation, a, b, 0});
+      return append({operation, {a, b}});
   }
 }
 
@@ -222,9 +308,8 @@ std::vector<char> FormulaBuilder::used_nodes(const std::vector<int>& results) co
   for (int result : results) is_used[static_cast<std::size_t>(result)] = 1;
   for (std::size_t i = is_used.size(); i-- > first;) {
     const Instruction& node = nodes_[i - first];
-    if (!is_used[i] || node.operation == Operation::Constant) continue;
-    is_used[static_cast<std::size_t>(node.a)] = 1;
-    if (is_binary(node.operation)) is_used[static_cast<std::size_t>(node.b)] = 1;
+    if (!is_used[i]) continue;
+    for (const int operand : node.operands()) is_used[static_cast<std::size_t>(operand)] = 1;
   }
   return is_used;
 }
@@ -240,8 +325,7 @@ FormulaProgram FormulaBuilder::finish(const std::vector<int>& results) const {
   for (std::size_t i = first; i < is_used.size(); ++i) {
     if (!is_used[i]) continue;
     Instruction step = nodes_[i - first];
-    step.a = registers[static_cast<std::size_t>(step.a)];
-    step.b = registers[static_cast<std::size_t>(step.b)];
+    for (int& operand : step.operand) operand = registers[static_cast<std::size_t>(operand)];
     registers[i] = static_cast<int>(first + program.instructions_.size());
     program.instructions_.push_back(step);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -11,7 +12,8 @@
 
 namespace surfmesh {
 
-/// What one instruction of a formula program computes from its operands a, b and its constant c.
+/// What one instruction of a formula program computes from its operands a, b, d and its constant c.
+/// Comparisons give 1 or 0.
 enum class Operation : unsigned char {
   Constant,  ///< c
   Negate,
@@ -45,15 +47,29 @@ enum class Operation : unsigned char {
   Abs,
   Min,
   Max,
-  Hypot
+  Hypot,
+  Log10,
+  Sign,
+  Floor,
+  Ceil,
+  Mod,        ///< a − b floor(a/b)
+  Less,       ///< a < b
+  LessEqual,  ///< a ≤ b
+  Equal,      ///< a = b
+  Select      ///< b if a is not 0, else d
 };
+
+/// How many of its operands an operation reads: 0 to 3.
+std::size_t operand_count(Operation operation);
 
 /// One step of a program; instruction i writes register (variable count + i).
 struct Instruction {
   Operation operation = Operation::Constant;
-  int a = 0;
-  int b = 0;
+  std::array<int, 3> operand = {0, 0, 0};  ///< registers; those that are not read are 0
   double constant = 0;
+
+  /// The operands that are read.
+  std::span<const int> operands() const { return {operand.data(), operand_count(operation)}; }
 
   /// An order of all instructions; constants by their bits, so that NaN and −0 are ordered, too.
   friend bool operator<(const Instruction& x, const Instruction& y);
@@ -104,11 +120,11 @@ class FormulaBuilder {
   explicit FormulaBuilder(std::size_t variable_count)
       : variable_count_(static_cast<int>(variable_count)) {}
 
-  int constant(double value) { return append({Operation::Constant, 0, 0, value}); }
+  int constant(double value) { return append({Operation::Constant, {}, value}); }
 
-  /// The result of an operation: Negate to Divide, Power, or a function. The forms with a
-  /// constant are chosen by the builder.
-  int apply(Operation operation, int a, int b = 0);
+  /// The result of an operation: Negate to Divide, Power, a comparison or a function. The forms
+  /// with a constant are chosen by the builder.
+  int apply(Operation operation, int a, int b = 0, int d = 0);
 
   /// The program that computes the nodes `results`, without the nodes that these do not use.
   /// Throws   InvalidInput if it needs more than FormulaProgram::kMaxRegisters
@@ -118,6 +134,7 @@ class FormulaBuilder {
   std::optional<double> constant_of(int node) const;
   std::vector<char> used_nodes(const std::vector<int>& results) const;
   int append(const Instruction& instruction);
+  int select(int condition, int a, int b);
   int apply_with_constant(Operation operation, int a, int b);
 
   int variable_count_;

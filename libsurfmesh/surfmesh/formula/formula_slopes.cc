@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "surfmesh/formula/formula_bounds.hh"
+#include "surfmesh/formula/jump_bounds.hh"
 
 namespace surfmesh {
 namespace {
@@ -19,23 +21,22 @@ constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 constexpr Interval kOne = {1, 1};
 constexpr Interval kZero = {0, 0};
 
-/// The slopes of an operation with respect to its two operands; none if it does not depend on one.
+/// The slopes of an operation with respect to its operands; none if it does not depend on one.
 struct Slopes {
   std::optional<Interval> a = {};
   std::optional<Interval> b = {};
+  std::optional<Interval> d = {};
 };
 
 /// What a slope may be that has become 0 by its size.
 constexpr Interval kUnderflow = {-std::numeric_limits<double>::min(),
                                  std::numeric_limits<double>::min()};
 
-Interval of(Operation operation, const Interval& a) {
-  return bound_operation({operation, 0, 0, 0}, a, a);
-}
+Interval of(Operation operation, const Interval& a) { return bound_operation({operation}, a, a); }
 
 Interval power(const Interval& a, double c) {
   if (c == 1) return a;
-  return bound_operation({Operation::PowerOf, 0, 0, c}, a, a);
+  return bound_operation({Operation::PowerOf, {}, c}, a, a);
 }
 
 Interval scaled(const Interval& a, double c) { return a * Interval::of(c); }
@@ -44,7 +45,10 @@ Interval within(const Interval& a, double lower, double upper) {
   return {std::clamp(a.lower, lower, upper), std::clamp(a.upper, lower, upper)};
 }
 
-Interval sign(const Interval& a) { return {a.lower > 0 ? 1.0 : -1.0, a.upper < 0 ? -1.0 : 1.0}; }
+/// Where |a| has no slope, it lies between those beside.
+Interval slope_of_abs(const Interval& a) {
+  return {a.lower > 0 ? 1.0 : -1.0, a.upper < 0 ? -1.0 : 1.0};
+}
 
 /// Of the lesser of two operands: 1 for the one that is always chosen, else between 0 and 1.
 Slopes slopes_of_minimum(const Interval& a, const Interval& b) {
@@ -64,6 +68,26 @@ Slopes slopes_of_angle(const Interval& y, const Interval& x) {
 Slopes slopes_of_power(const Interval& a, const Interval& b, const Interval& result) {
   if (!(a.lower > 0)) return {Interval{}, Interval{}};
   return {b * result / a, result * of(Operation::Log, a)};
+}
+
+/// Across a jump there is no slope; else the slopes are those of a − b times a whole number.
+Slopes slopes_of_mod(const Interval& a, const Interval& b) {
+  const auto periods = whole_periods(a, b);
+  if (!periods) return {Interval{}, Interval{}};
+  return {kOne, Interval::of(-*periods)};
+}
+
+/// Of the operand that is always chosen, if there is one.
+Slopes slopes_of_select(const Interval& condition) {
+  if (!condition.contains(0)) return {{}, kOne, {}};
+  if (condition == kZero) return {{}, {}, kOne};
+  return {Interval{}, Interval{}, Interval{}};
+}
+
+/// Steps are constant or jump.
+Slopes slopes_of_step(const Interval& result) {
+  if (result.lower == result.upper) return {};
+  return {Interval{}, Interval{}};
 }
 
 Slopes slopes_of_function(const Instruction& step, const Interval& a, const Interval& b,
@@ -106,8 +130,14 @@ Slopes slopes_of_function(const Instruction& step, const Interval& a, const Inte
       return {kOne - square(result)};
     case Operation::Hypot:
       return {within(a / result, -1, 1), within(b / result, -1, 1)};
+    case Operation::Log10:
+      return {kOne / scaled(a, std::numbers::ln10)};
+    case Operation::Mod:
+      return slopes_of_mod(a, b);
+    case Operation::Select:
+      return slopes_of_select(a);
     default:
-      return {Interval{}, Interval{}};
+      return slopes_of_step(result);
   }
 }
 
@@ -138,7 +168,7 @@ Slopes slopes_of(const Instruction& step, const Interval& a, const Interval& b,
     case Operation::Square:
       return {scaled(a, 2)};
     case Operation::Abs:
-      return {sign(a)};
+      return {slope_of_abs(a)};
     case Operation::Min:
       return slopes_of_minimum(a, b);
     case Operation::Max: {
@@ -161,6 +191,7 @@ class SlopesOfResult {
 
  private:
   void step_back(std::size_t instruction);
+  const Interval& at(int i) const { return registers_[static_cast<std::size_t>(i)]; }
 
   const FormulaProgram& program_;
   std::span<const Interval> registers_;
@@ -174,11 +205,16 @@ void SlopesOfResult::step_back(std::size_t instruction) {
   if (slope == kZero) return;
   rounding_ += kRounding * abs(slope).upper * abs(registers_[index]).upper;
   const Instruction& step = program_.instructions()[instruction];
-  const auto a = static_cast<std::size_t>(step.a), b = static_cast<std::size_t>(step.b);
-  const Slopes own = slopes_of(step, registers_[a], registers_[b], registers_[index]);
-  const auto product = [&](const Interval& x) { return slope * (x + kUnderflow) + kUnderflow; };
-  if (own.a) slopes_[a] = slopes_[a] + product(*own.a);
-  if (own.b) slopes_[b] = slopes_[b] + product(*own.b);
+  const auto [a, b, d] = step.operand;
+  const Slopes own = slopes_of(step, at(a), at(b), registers_[index]);
+  const auto add = [&](int operand, const std::optional<Interval>& x) {
+    if (!x) return;
+    Interval& sum = slopes_[static_cast<std::size_t>(operand)];
+    sum = sum + (slope * (*x + kUnderflow) + kUnderflow);
+  };
+  add(a, own.a);
+  add(b, own.b);
+  add(d, own.d);
 }
 
 Interval SlopesOfResult::difference(int result, std::span<const Interval> variables) {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/formula/formula_surface.hh"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <vector>
 
-#include "surfmesh/core/error.hh"
+#include "surfmesh/formula/coordinates.hh"
 #include "surfmesh/geometry/jet_of_numbers.hh"
 #include "surfmesh/geometry/surface_checks.hh"
 
@@ -15,19 +13,10 @@ namespace {
 
 const std::vector<std::string> kParameters = {"u", "v"};
 
-/// All three in one program; first one by one, so that an error can name the coordinate.
 FormulaProgram read(const SurfaceFormulas& formulas,
                     const std::map<std::string, double>& constants) {
-  parse_formulas({}, kParameters, constants);
-  const std::array texts = {formulas.x, formulas.y, formulas.z};
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    try {
-      parse_formula(texts[i], kParameters, constants);
-    } catch (const Error& error) {
-      throw Error(error.code(), fmt::format("{}: {}", "xyz"[i], error.what()));
-    }
-  }
-  return parse_formulas(texts, kParameters, constants);
+  return read_coordinates({{"x", formulas.x}, {"y", formulas.y}, {"z", formulas.z}}, kParameters,
+                          constants, formulas.where);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "surfmesh/formula/formula.hh"
 #include "surfmesh/geometry/surface.hh"
@@ -14,6 +15,7 @@ struct SurfaceFormulas {
   std::string x = "u";
   std::string y = "v";
   std::string z = "0";
+  std::vector<NamedFormula> where = {};  ///< they may use these, which are computed once a point
 };
 
 /// A surface given by formulas, with exact derivatives.

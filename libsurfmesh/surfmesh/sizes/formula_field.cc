@@ -14,9 +14,10 @@ namespace {
 
 using Program = std::shared_ptr<const FormulaProgram>;
 
-Program parse(std::span<const std::string> texts, const std::map<std::string, double>& constants) {
+Program parse(std::span<const std::string> texts, const std::map<std::string, double>& constants,
+              std::span<const NamedFormula> where) {
   const std::vector<std::string> variables = {"u", "v", "x", "y", "z"};
-  return std::make_shared<FormulaProgram>(parse_formulas(texts, variables, constants));
+  return std::make_shared<FormulaProgram>(parse_formulas(texts, variables, constants, where));
 }
 
 bool uses_position(const FormulaProgram& program) {
@@ -48,8 +49,9 @@ std::array<Interval, count> bounds(const FormulaProgram& program, const UvBox& b
 
 }  // namespace
 
-FieldSource formula_field(const std::string& size, const std::map<std::string, double>& constants) {
-  const Program program = parse(std::span(&size, 1), constants);
+FieldSource formula_field(const std::string& size, const std::map<std::string, double>& constants,
+                          std::span<const NamedFormula> where) {
+  const Program program = parse(std::span(&size, 1), constants, where);
   FieldSource source;
   source.uses_position = uses_position(*program);
   source.size = [program](Uv uv, const Vec3& p) { return evaluate<1>(*program, uv, p)[0]; };
@@ -60,8 +62,9 @@ FieldSource formula_field(const std::string& size, const std::map<std::string, d
 }
 
 FieldSource formula_field(const std::array<std::string, 3>& metric,
-                          const std::map<std::string, double>& constants) {
-  const Program program = parse(metric, constants);
+                          const std::map<std::string, double>& constants,
+                          std::span<const NamedFormula> where) {
+  const Program program = parse(metric, constants, where);
   FieldSource source;
   source.uses_position = uses_position(*program);
   source.metric = [program](Uv uv, const Vec3& p) {
