@@ -326,9 +326,9 @@ TEST(ReadModelFaults, OfNames) {
             " /patches/1/name: there are two patches with the name p");
   EXPECT_EQ(fault(R"({"patches": [{"name": ""}]})"), " /patches/0/name: must not be empty");
   EXPECT_EQ(fault(model("", R"("constants": {"pi": 3})")),
-            " /constants/pi: this name is not to be redefined");
+            " /constants/pi: this would redefine a name of the formulas");
   EXPECT_EQ(fault(model("", R"("constants": {"2a": 3})")),
-            " /constants/2a: the name of a constant has letters, digits and _ only");
+            " /constants/2a: this is not a name of letters, digits and _");
 }
 
 TEST(ReadModelFaults, OfContours) {
@@ -351,7 +351,7 @@ TEST(ReadModelFaults, OfContours) {
   EXPECT_EQ(fault(contour(R"("name": "a", "xyz": {"x": "t", "y": "0"})")),
             front + "/xyz/z: this key is missing");
   EXPECT_TRUE(fault(contour(R"("name": "a", "xyz": {"x": "t", "y": "u", "z": "0"})"))
-                  .starts_with(front + "/xyz: y: "));
+                  .starts_with(front + "/xyz/y: formula \"u\", column 1: "));
   const std::string one = R"({"name": "a", "xyz": {"x": "t", "y": "0", "z": "0"}})";
   EXPECT_EQ(fault(contours(one + ", " + one)),
             " /contours/1/name: there are two contours with the name a");

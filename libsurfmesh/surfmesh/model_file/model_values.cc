@@ -8,9 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "surfmesh/core/error.hh"
 #include "surfmesh/core/length.hh"
-#include "surfmesh/formula/formula.hh"
 
 namespace surfmesh {
 namespace {
@@ -19,11 +17,7 @@ namespace {
 Length read_any_length(const JsonNode& node) {
   Length length;
   if (node.json().is_string()) {
-    try {
-      length = parse_length(node.text());
-    } catch (const Error& error) {
-      node.fail(error.what());
-    }
+    length = at_node(node, [&] { return parse_length(node.text()); });
     if (!length.is_relative) node.fail("a length in model units is a number, without quotes");
   } else {
     length = Length::units(node.number());
@@ -34,13 +28,32 @@ Length read_any_length(const JsonNode& node) {
 
 }  // namespace
 
+FormulaNode::FormulaNode(const JsonNode& node, const std::vector<std::string>& variables,
+                         const Constants& constants)
+    : node_(node), reader_(variables, constants) {
+  const auto where = node.find("where");
+  if (!where) return;
+  for (const auto& [name, value] : where->members()) {
+    const NamedFormula formula = {name, value.text()};
+    at_node(value, [&] { reader_.define(formula.name, formula.text); });
+    where_.push_back(formula);
+  }
+}
+
+std::string FormulaNode::text(std::string_view key) {
+  const JsonNode value = node_.at(key);
+  const std::string text = value.text();
+  at_node(value, [&] { reader_.read(text); });
+  return text;
+}
+
+std::string FormulaNode::text(std::string_view key, const std::string& otherwise) {
+  return node_.has(key) ? text(key) : otherwise;
+}
+
 double number_or_expression(const JsonNode& node, const Constants& constants) {
   if (!node.json().is_string()) return node.number();
-  try {
-    return evaluate_constant(node.text(), constants);
-  } catch (const Error& error) {
-    node.fail(error.what());
-  }
+  return at_node(node, [&] { return evaluate_constant(node.text(), constants); });
 }
 
 Length read_length(const JsonNode& node) {

@@ -6,7 +6,10 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "surfmesh/core/error.hh"
+#include "surfmesh/formula/formula.hh"
 #include "surfmesh/io/json_node.hh"
 #include "surfmesh/sizes/sizing.hh"
 
@@ -15,6 +18,37 @@
 namespace surfmesh {
 
 using Constants = std::map<std::string, double>;
+
+/// Call `make`, and put the place of the node in front of its errors.
+template <class Make>
+auto at_node(const JsonNode& node, Make make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    node.fail(error.what());
+  }
+}
+
+/// Formulas that belong together, in an object with one key for each and `where` for those that
+/// they use. The reader tells the fault of each at its own place, before the text is used.
+class FormulaNode {
+ public:
+  /// Read `where`, if the object has it.
+  FormulaNode(const JsonNode& node, const std::vector<std::string>& variables,
+              const Constants& constants);
+
+  /// The formula of a key, which must be there.
+  std::string text(std::string_view key);
+  /// The formula of a key; `otherwise` if it is not there.
+  std::string text(std::string_view key, const std::string& otherwise);
+
+  const std::vector<NamedFormula>& where() const { return where_; }
+
+ private:
+  JsonNode node_;
+  FormulaReader reader_;
+  std::vector<NamedFormula> where_;
+};
 
 /// Read a number, or a string with a constant expression.
 double number_or_expression(const JsonNode& node, const Constants& constants);

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -22,23 +20,11 @@
 namespace surfmesh {
 namespace {
 
-bool is_name(std::string_view text) {
-  const auto is_letter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-  };
-  return !text.empty() && is_letter(text[0]) && std::all_of(text.begin(), text.end(), [&](char c) {
-    return is_letter(c) || (c >= '0' && c <= '9');
-  });
-}
-
 Constants read_constants(const JsonNode& node) {
-  constexpr std::array<std::string_view, 5> taken = {"pi", "e", "u", "v", "t"};
   Constants constants;
   for (const auto& [name, value] : node.members()) {
-    if (!is_name(name)) value.fail("the name of a constant has letters, digits and _ only");
-    if (std::find(taken.begin(), taken.end(), name) != taken.end()) {
-      value.fail("this name is not to be redefined");
-    }
+    const std::string_view fault = formula_name_fault(name);
+    if (!fault.empty()) value.fail(fmt::format("this {}", fault));
     constants[name] = number_or_expression(value, constants);
   }
   return constants;
@@ -52,22 +38,15 @@ Domain read_domain(const JsonNode& node, const Constants& constants) {
   return domain;
 }
 
-SurfaceFormulas read_formulas(const JsonNode& node) {
-  node.expect_keys({"x", "y", "z"});
+SurfaceFormulas read_formulas(const JsonNode& node, const Constants& constants) {
+  node.expect_keys({"x", "y", "z", "where"});
+  FormulaNode formula(node, {"u", "v"}, constants);
   SurfaceFormulas formulas;
-  if (const auto x = node.find("x")) formulas.x = x->text();
-  if (const auto y = node.find("y")) formulas.y = y->text();
-  formulas.z = node.at("z").text();
+  formulas.x = formula.text("x", formulas.x);
+  formulas.y = formula.text("y", formulas.y);
+  formulas.z = formula.text("z");
+  formulas.where = formula.where();
   return formulas;
-}
-
-std::shared_ptr<const Surface> make_surface(const JsonNode& node, const SurfaceFormulas& formulas,
-                                            const Domain& domain, const Constants& constants) {
-  try {
-    return std::make_shared<FormulaSurface>(formulas, domain, constants);
-  } catch (const Error& error) {
-    node.fail(error.what());
-  }
 }
 
 /// What is the same for all patches: constants, and the folder that files are relative to.
@@ -82,9 +61,10 @@ void read_patch(const JsonNode& node, const FileScope& file, ModelFile& model) {
   PatchInput patch;
   patch.name = read_name(node.at("name"));
   const JsonNode surface = node.at("surface");
-  const SurfaceFormulas formulas = read_formulas(surface);
+  const SurfaceFormulas formulas = read_formulas(surface, constants);
   const Domain domain = read_domain(node.at("domain"), constants);
-  patch.surface = make_surface(surface, formulas, domain, constants);
+  patch.surface = at_node(
+      surface, [&] { return std::make_shared<FormulaSurface>(formulas, domain, constants); });
   if (const auto loops = node.find("loops")) patch.loops = read_loops(*loops);
   patch.origin = node.pointer();
   if (const auto sources = node.find("sources")) {

@@ -22,16 +22,6 @@
 namespace surfmesh {
 namespace {
 
-/// Call `make`, and put the place of the node in front of its errors.
-template <class Make>
-auto at_node(const JsonNode& node, Make make) {
-  try {
-    return make();
-  } catch (const Error& error) {
-    node.fail(error.what());
-  }
-}
-
 Scheme read_scheme(const JsonNode& node) {
   const std::string text = node.text();
   if (text == "auto") return Scheme::Auto;
@@ -111,10 +101,11 @@ CageInput read_cage_input(const JsonNode& node, const std::filesystem::path& fol
 
 ContourInput::On read_on(const JsonNode& node, const CurveRange& range,
                          const Constants& constants) {
-  node.expect_keys({"patch", "u", "v"});
+  node.expect_keys({"patch", "u", "v", "where"});
   ContourInput::On on{node.at("patch").text(), nullptr};
-  if (!node.has("u") && !node.has("v")) return on;
-  const CurveFormulas formulas{node.at("u").text(), node.at("v").text()};
+  if (!node.has("u") && !node.has("v") && !node.has("where")) return on;
+  FormulaNode formula(node, {"t"}, constants);
+  const CurveFormulas formulas{formula.text("u"), formula.text("v"), formula.where()};
   on.curve =
       at_node(node, [&] { return std::make_shared<FormulaCurve>(formulas, range, constants); });
   return on;
@@ -122,8 +113,10 @@ ContourInput::On read_on(const JsonNode& node, const CurveRange& range,
 
 std::shared_ptr<const SpaceCurve> read_xyz(const JsonNode& node, const CurveRange& range,
                                            const Constants& constants) {
-  node.expect_keys({"x", "y", "z"});
-  const SpaceCurveFormulas formulas{node.at("x").text(), node.at("y").text(), node.at("z").text()};
+  node.expect_keys({"x", "y", "z", "where"});
+  FormulaNode formula(node, {"t"}, constants);
+  const SpaceCurveFormulas formulas{formula.text("x"), formula.text("y"), formula.text("z"),
+                                    formula.where()};
   return at_node(node,
                  [&] { return std::make_shared<FormulaSpaceCurve>(formulas, range, constants); });
 }

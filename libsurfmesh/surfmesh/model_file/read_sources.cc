@@ -82,29 +82,21 @@ void read_along(const JsonNode& node, const PatchScope& patch, ModelFile& model)
   model.sources.along.push_back(std::move(source));
 }
 
-/// A field of one formula or three; faults are those of `node`.
-template <class Formulas>
-FieldSource read_formulas(const JsonNode& node, const Formulas& formulas,
-                          const Constants& constants) {
-  try {
-    return formula_field(formulas, constants);
-  } catch (const Error& error) {
-    node.fail(error.what());
-  }
-}
-
 void read_field(const JsonNode& node, const PatchScope& patch, Sources& sources) {
   refuse(node, "a field", {"size", "angle", "radius", "outer"});
   const JsonNode field = node.at("field");
-  field.expect_keys({"size", "m11", "m12", "m22"});
+  field.expect_keys({"size", "m11", "m12", "m22", "where"});
+  FormulaNode formula(field, formula_field_variables(), patch.constants);
   FieldSource source;
   if (field.has("size")) {
     refuse(field, "a field of one size", {"m11", "m12", "m22"});
-    source = read_formulas(field.at("size"), field.at("size").text(), patch.constants);
+    const std::string size = formula.text("size");
+    source = at_node(field, [&] { return formula_field(size, patch.constants, formula.where()); });
   } else {
-    const std::array<std::string, 3> metric = {field.at("m11").text(), field.at("m12").text(),
-                                               field.at("m22").text()};
-    source = read_formulas(field, metric, patch.constants);
+    const std::array<std::string, 3> metric = {formula.text("m11"), formula.text("m12"),
+                                               formula.text("m22")};
+    source =
+        at_node(field, [&] { return formula_field(metric, patch.constants, formula.where()); });
   }
   source.patch = patch.index;
   source.precision = read_precision(node);

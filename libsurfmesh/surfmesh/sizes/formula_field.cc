@@ -16,8 +16,8 @@ using Program = std::shared_ptr<const FormulaProgram>;
 
 Program parse(std::span<const std::string> texts, const std::map<std::string, double>& constants,
               std::span<const NamedFormula> where) {
-  const std::vector<std::string> variables = {"u", "v", "x", "y", "z"};
-  return std::make_shared<FormulaProgram>(parse_formulas(texts, variables, constants, where));
+  return std::make_shared<FormulaProgram>(
+      parse_formulas(texts, formula_field_variables(), constants, where));
 }
 
 bool uses_position(const FormulaProgram& program) {
@@ -48,6 +48,11 @@ std::array<Interval, count> bounds(const FormulaProgram& program, const UvBox& b
 }
 
 }  // namespace
+
+const std::vector<std::string>& formula_field_variables() {
+  static const std::vector<std::string> variables = {"u", "v", "x", "y", "z"};
+  return variables;
+}
 
 FieldSource formula_field(const std::string& size, const std::map<std::string, double>& constants,
                           std::span<const NamedFormula> where) {

@@ -5,11 +5,15 @@
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "surfmesh/formula/formula.hh"
 #include "surfmesh/sizes/sizing.hh"
 
 namespace surfmesh {
+
+/// u, v, x, y, z: parameters and position.
+const std::vector<std::string>& formula_field_variables();
 
 /// A field of one size from a formula of u, v, x, y, z, with bounds: those of bound(), or where it
 /// reads something twice, of bound_by_slopes(). It may use the formulas of `where`. Its patch is
