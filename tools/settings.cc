@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/formula/formula.hh"
 #include "surfmesh/pipeline/set_option.hh"
 
 namespace surfmesh {
@@ -84,11 +85,11 @@ std::string placeholder(const Option& option) {
   return text;
 }
 
-/// The text in lines that fit beside the column of the names.
-std::string wrapped(std::string text) {
+/// The text in lines that fit beside the column of the names, or have another width.
+std::string wrapped(std::string text, std::size_t width = kScreen - kColumn) {
   std::size_t start = 0;
-  while (text.size() - start > kScreen - kColumn) {
-    const std::size_t blank = text.rfind(' ', start + kScreen - kColumn);
+  while (text.size() - start > width) {
+    const std::size_t blank = text.rfind(' ', start + width);
     if (blank == text.npos || blank <= start) break;
     text[blank] = '\n';
     start = blank + 1;
@@ -155,6 +156,8 @@ void add_help_all(CLI::App& command, const std::shared_ptr<HelpFormatter>& forma
           CLI::Option* flag = command.get_option_no_throw(flag_of(option));
           if (flag) flag->description(wrapped(long_text(option)));
         }
+        command.footer(fmt::format("{}\nFunctions of formulas (README, Formulas):\n{}\n",
+                                   command.get_footer(), wrapped(formula_functions(), kScreen)));
         throw CLI::CallForHelp();
       },
       "show every option with its range and exit");

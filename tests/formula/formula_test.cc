@@ -4,10 +4,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -179,6 +183,14 @@ TEST(FormulaGrammar, AnyNumberOfVariablesHasAValue) {
   const Formula formula = parse_formula("x+10*y+100*z", {"x", "y", "z"});
   const std::vector<double> at = {1, 2, 3};
   EXPECT_EQ(formula.evaluate(at), 321);
+}
+
+TEST(FormulaGrammar, ReadmeListsTheFunctions) {
+  std::ifstream stream(std::filesystem::path(SURFMESH_SOURCE_DIR) / "README.md");
+  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  std::ranges::replace(text, '\n', ' ');
+  EXPECT_NE(text.find('`' + formula_functions() + '`'), std::string::npos)
+      << "README.md must list: " << formula_functions();
 }
 
 TEST(FormulaErrors, TellColumnExpectedAndFound) {

@@ -111,6 +111,50 @@ TEST(ReadModel, ReadsPlacesInSpace) {
   EXPECT_EQ(file.sources.near[1].line.at(1), Vec3(1, 0, 2));
 }
 
+TEST(ReadModel, ReadsNamedFormulas) {
+  const ModelFile file = read(R"({"constants": {"a": 2}, "patches": [{"name": "p",
+      "surface": {"where": {"r": "a+u", "s": "r*v"}, "x": "r", "z": "s"},
+      "domain": {"u": [0, 2], "v": [-1, 1]},
+      "sources": [{"field": {"size": "h", "where": {"h": "0.1+z*z"}}},
+                  {"field": {"m11": "m", "m12": "0", "m22": "m*m", "where": {"m": "1+u"}}}]}],
+    "contours": [{"name": "c", "on": [{"patch": "p", "u": "c", "v": "c/2", "where": {"c": "t*t"}}]},
+      {"name": "d", "xyz": {"x": "c", "y": "0", "z": "c", "where": {"c": "a*t"}}}]})");
+  EXPECT_EQ(point(file, 0, {1, 0.5}), Vec3(3, 0.5, 1.5));
+  EXPECT_EQ(file.sources.fields.at(0).size({0, 0}, {0, 0, -2}), 4.1);
+  EXPECT_EQ(file.sources.fields.at(1).metric({1, 0}, Vec3::Zero()), (Metric{2, 0, 4}));
+  EXPECT_EQ(file.contours.at(0).on.at(0).curve->evaluate(0.5), (Uv{0.25, 0.125}));
+  EXPECT_EQ(file.contours.at(1).xyz->evaluate(0.5), Vec3(1, 0, 1));
+}
+
+TEST(ReadModelFaults, OfFormulasAtTheirPlace) {
+  const auto surface = [](const std::string& keys) {
+    return fault(R"({"patches": [{"name": "p", "surface": {)" + keys +
+                 R"(}, "domain": {"u": [0, 1], "v": [0, 1]}}]})");
+  };
+  const std::string at = " /patches/0/surface/";
+  EXPECT_TRUE(surface(R"("x": "u", "y": "v*", "z": "0")").starts_with(at + "y: formula \"v*\""));
+  EXPECT_TRUE(surface(R"("z": "r", "where": {"r": "s", "s": "u"})")
+                  .starts_with(at + "where/r: formula \"s\", column 1: unknown name 's'"));
+  EXPECT_EQ(surface(R"("z": "r+q", "where": {"r": "u"})"),
+            at + "z: formula \"r+q\", column 3: unknown name 'q'. Names: u v r pi e");
+  EXPECT_EQ(surface(R"("z": "0", "where": {"v": "u"})"),
+            at + "where/v: the name 'v' would redefine a name of the formulas");
+  EXPECT_EQ(surface(R"("z": "0", "where": {"r": 2})"), at + "where/r: must be a string, not number");
+  EXPECT_EQ(surface(R"("z": "0", "where": "r")"), at + "where: must be an object, not string");
+  const std::string field = " /patches/0/sources/0/field/";
+  EXPECT_TRUE(fault(source(R"("field": {"size": "1+"})")).starts_with(field + "size: formula"));
+  EXPECT_TRUE(fault(source(R"("field": {"m11": "1", "m12": "w", "m22": "1"})"))
+                  .starts_with(field + "m12: formula \"w\", column 1: unknown name 'w'"));
+  EXPECT_EQ(fault(source(R"("field": {"size": "1", "where": {"x": "u"}})")),
+            field + "where/x: the name 'x' is the name of something else");
+  EXPECT_EQ(fault(contour(R"("name": "a", "on": [{"patch": "p", "where": {"c": "t"}}])")),
+            " /contours/0/on/0/u: this key is missing");
+  EXPECT_TRUE(fault(contour(R"("name": "a", "on": [{"patch": "p", "u": "t", "v": "v"}])"))
+                  .starts_with(" /contours/0/on/0/v: formula \"v\", column 1: unknown name"));
+  EXPECT_EQ(fault(model("", R"("constants": {"step": 3})")),
+            " /constants/step: this would redefine a name of the formulas");
+}
+
 TEST(ReadModelFaults, OfSourcesOfAllKinds) {
   const std::string front = " /patches/0/sources/0";
   EXPECT_EQ(fault(source(R"("along": [[0, 0]], "size": 1)")),

@@ -147,13 +147,21 @@ INSTANTIATE_TEST_SUITE_P(
     Surface, BadInputs,
     ::testing::Values(
         BadInput{"FormulaDoesNotParse", "a.json", formula("2*+u*"),
-                 "a.json: /patches/0/surface: z: formula \"2*+u*\", column 6: expected a number, a "
+                 "a.json: /patches/0/surface/z: formula \"2*+u*\", column 6: expected a number, a "
                  "name or '(', found the end"},
-        BadInput{"UnknownName", "a.json", formula("u+w"),
-                 "a.json: /patches/0/surface: z: formula \"u+w\", column 3: unknown name 'w'"},
+        BadInput{
+            "UnknownName", "a.json", formula("u+w"),
+            "a.json: /patches/0/surface/z: formula \"u+w\", column 3: unknown name 'w'. Names: u v "
+            "pi e"},
         BadInput{"UnknownFunction", "a.json", formula("sine(u)"),
-                 "a.json: /patches/0/surface: z: formula \"sine(u)\", column 1: unknown function "
-                 "'sine'"},
+                 "a.json: /patches/0/surface/z: formula \"sine(u)\", column 1: unknown function "
+                 "'sine', did you mean sin? Functions: abs sign"},
+        BadInput{"NamedFormula", "a.json", patch(R"("z": "r", "where": {"r": "1<u<2"})"),
+                 "a.json: /patches/0/surface/where/r: formula \"1<u<2\", column 4: comparisons do "
+                 "not follow each other: multiply them, (a<b)*(b<c)"},
+        BadInput{"ModByZero", "a.json", formula("mod(u,0)"),
+                 "a.json: /patches/0: patch p: the position of the surface at (u,v) = (0, 0) is "
+                 "not finite: z"},
         BadInput{"NanInTheDomain", "a.json", formula("log(u-0.5)"),
                  "a.json: /patches/0: patch p: the position of the surface at (u,v) = (0, 0) is "
                  "not finite"},

@@ -9,6 +9,7 @@
 
 #include "support/program.hh"
 #include "surfmesh/core/version.hh"
+#include "surfmesh/formula/formula.hh"
 #include "surfmesh/pipeline/option_table.hh"
 
 namespace surfmesh {
@@ -69,6 +70,12 @@ TEST_F(MeshProgram, HelpsWithEveryOption) {
   }
   std::istringstream lines(out_);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
+}
+
+TEST_F(MeshProgram, HelpsWithTheFunctionsOfFormulas) {
+  EXPECT_EQ(run("mesh --help-all"), 0);
+  std::replace(out_.begin(), out_.end(), '\n', ' ');
+  EXPECT_NE(out_.find(formula_functions()), std::string::npos) << out_;
 }
 
 TEST_F(MeshProgram, RefusesWordsOfOneDash) {

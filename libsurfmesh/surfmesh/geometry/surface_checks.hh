@@ -9,9 +9,9 @@ namespace surfmesh {
 /// Throws   InvalidInput, naming the bounds
 void check(const Domain& domain);
 
-/// Report an evaluation that is not finite.
-/// Throws   Geometry, naming (u,v), always
-[[noreturn]] void throw_not_finite(Uv uv, Order order);
+/// Report an evaluation that is not finite, up to the requested order.
+/// Throws   Geometry, naming (u,v), the order and the coordinates, always
+[[noreturn]] void throw_not_finite(const Jet& jet, Uv uv, Order order);
 
 /// Check the result of an evaluation, up to the requested order.
 /// Throws   Geometry if it is not finite, naming (u,v)
@@ -22,7 +22,7 @@ inline void check_finite(const Jet& jet, Uv uv, Order order) {
   if (order >= Order::Second) {
     sum += (jet.duu - jet.duu).sum() + (jet.duv - jet.duv).sum() + (jet.dvv - jet.dvv).sum();
   }
-  if (!(sum == 0)) throw_not_finite(uv, order);
+  if (!(sum == 0)) throw_not_finite(jet, uv, order);
 }
 
 }  // namespace surfmesh
