@@ -78,11 +78,31 @@ TEST_P(ExampleModels, MeshCleanly) {
 INSTANTIATE_TEST_SUITE_P(
     All, ExampleModels,
     ::testing::Values(Example{"bracket.json", -6, 1}, Example{"sphere.json", 2, 1},
-                      Example{"torus.json", 0, 1}, Example{"wave.json", 1, 1},
-                      Example{"perforated.json", -1, 1}, Example{"window.json", -1, 1},
-                      Example{"pipes.json", -1, 1}, Example{"pipe_on_plate.json", 0, 1},
-                      Example{"knob_on_plate.json", 3, 2}, Example{"sizes.json", 5, 5}),
+                      Example{"blade.json", 0, 1}, Example{"torus.json", 0, 1},
+                      Example{"wave.json", 1, 1}, Example{"perforated.json", -1, 1},
+                      Example{"window.json", -1, 1}, Example{"pipes.json", -1, 1},
+                      Example{"pipe_on_plate.json", 0, 1}, Example{"knob_on_plate.json", 3, 2},
+                      Example{"sizes.json", 5, 5}),
     [](const auto& test) { return test.param.name.substr(0, test.param.name.find('.')); });
+
+/// Half the thickness of the blade's profile at u^2 along the chord, for u above 0.
+double half_thickness(double u) {
+  return 5 * 0.12 *
+         (0.2969 * u - 0.126 * std::pow(u, 2) - 0.3516 * std::pow(u, 4) + 0.2843 * std::pow(u, 6) -
+          0.1036 * std::pow(u, 8));
+}
+
+TEST(BladeModel, HasTheProfileOnBothSidesOfItsBluntEdge) {
+  const Model model = load_model(kModels / "blade.json").model;
+  for (const double u : {-0.9, -0.5, -0.01, 0.0, 0.01, 0.5, 0.9}) {
+    const Jet jet = model.patches.at(0).surface->evaluate({u, 0}, Order::Second);
+    EXPECT_NEAR(jet.point.x(), u * u - 0.3, 1e-15);
+    EXPECT_NEAR(jet.point.y(), std::copysign(half_thickness(std::abs(u)), u), 1e-15);
+    EXPECT_NEAR(jet.du.y(),
+                (half_thickness(std::abs(u) + 1e-6) - half_thickness(std::abs(u) - 1e-6)) / 2e-6,
+                1e-8);
+  }
+}
 
 /// Least 3D quality of the triangles of a mesh.
 constexpr double kLeastShape = 0.2;

@@ -157,6 +157,31 @@ std::size_t evaluations_for(const FieldSource& source, std::size_t& found) {
   return search.evaluations();
 }
 
+TEST(FieldSearch, FindsWhatLiesWithinSteps) {
+  for (const std::string text : {"if((abs(u-0.3171)<0.0005)*(abs(v-0.61)<0.0005),0.002,0.1)",
+                                 "0.1-0.098*step(0.3166,u)*step(-0.3176,-u)*(floor(1000*v)==610)",
+                                 "max(0.002,0.1*sign(hypot(u-0.3171,v-0.61)-0.0004))"}) {
+    const SizeField field = field_of(formula_field(text));
+    FieldSearch search(field);
+    const std::vector<Uv> found = find_in_cells(search, field, 0.05);
+    ASSERT_EQ(found.size(), 1u) << text;
+    EXPECT_NEAR(found[0].u, 0.3171, 0.0005) << text;
+    EXPECT_NEAR(found[0].v, 0.61, 0.001) << text;
+    EXPECT_LT(search.evaluations(), 2000u) << text;
+  }
+}
+
+TEST(FieldSearch, FindsNothingBesideSteps) {
+  for (const std::string text :
+       {"0.06+0.03*floor(4*u)-0.01*sign(v-0.317)", "0.03+0.02*mod(3.3*u,1)", "if(u<v,0.05,0.08)",
+        "0.05+0.02*(u>0.317)", "0.05+0.02*mod(u,0.3+0.1*v)/0.4"}) {
+    std::size_t found = 0;
+    const std::size_t evaluations = evaluations_for(formula_field(text), found);
+    EXPECT_EQ(found, 0u) << text;
+    EXPECT_LE(evaluations, 2u * kCells * kCells) << text;
+  }
+}
+
 TEST(FieldSearch, FindsNothingInSmoothFields) {
   for (const std::string text :
        {"0.1", "0.05+0.02*sin(6*u)*cos(5*v)", "0.02+0.1*(u-0.3)^2+0.2*v^2*u",
