@@ -139,7 +139,8 @@ TEST(ReadModelFaults, OfFormulasAtTheirPlace) {
             at + "z: formula \"r+q\", column 3: unknown name 'q'. Names: u v r pi e");
   EXPECT_EQ(surface(R"("z": "0", "where": {"v": "u"})"),
             at + "where/v: the name 'v' would redefine a name of the formulas");
-  EXPECT_EQ(surface(R"("z": "0", "where": {"r": 2})"), at + "where/r: must be a string, not number");
+  EXPECT_EQ(surface(R"("z": "0", "where": {"r": 2})"),
+            at + "where/r: must be a string, not number");
   EXPECT_EQ(surface(R"("z": "0", "where": "r")"), at + "where: must be an object, not string");
   const std::string field = " /patches/0/sources/0/field/";
   EXPECT_TRUE(fault(source(R"("field": {"size": "1+"})")).starts_with(field + "size: formula"));

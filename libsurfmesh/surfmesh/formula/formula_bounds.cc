@@ -244,14 +244,9 @@ inline Interval bound_step(const Instruction& step, const Interval& a, const Int
 
 Interval bound_operation(const Instruction& step, const Interval& a, const Interval& b,
                          const Interval& d) {
-  switch (step.operation) {
-    case Operation::Constant:
-      return defined(Interval::of(step.constant));
-    case Operation::Select:
-      return select(a, b, d);
-    default:
-      return bound_step(step, a, b);
-  }
+  if (step.operation == Operation::Constant) return defined(Interval::of(step.constant));
+  if (step.operation == Operation::Select) return select(a, b, d);
+  return bound_step(step, a, b);
 }
 
 void bound_registers(const FormulaProgram& program, std::span<const Interval> variables,
@@ -259,7 +254,7 @@ void bound_registers(const FormulaProgram& program, std::span<const Interval> va
   std::ranges::copy(variables, registers.begin());
   std::size_t next = variables.size();
   for (const Instruction& step : program.instructions()) {
-    const auto operand = [&](std::size_t i) {
+    const auto operand = [&](std::size_t i) -> const Interval& {
       return registers[static_cast<std::size_t>(step.operand[i])];
     };
     registers[next++] = bound_operation(step, operand(0), operand(1), operand(2));
@@ -279,7 +274,13 @@ void bound(const FormulaProgram& program, std::span<const Interval> variables,
   for (std::size_t i = 0; i < program.variable_count(); ++i) write(variables[i]);
   for (const Instruction& step : program.instructions()) {
     const auto [a, b, d] = step.operand;
-    write(bound_operation(step, read(a), read(b), read(d)));
+    if (step.operation == Operation::Constant) {
+      write(defined(Interval::of(step.constant)));
+    } else if (step.operation == Operation::Select) {
+      write(select(read(a), read(b), read(d)));
+    } else {
+      write(bound_step(step, read(a), read(b)));
+    }
   }
   for (std::size_t i = 0; i < results.size(); ++i) results[i] = read(program.results()[i]);
 }

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "surfmesh/formula/formula.hh"
@@ -12,12 +13,19 @@
 namespace surfmesh {
 namespace {
 
-using Program = std::shared_ptr<const FormulaProgram>;
+/// A program, and whether its simple bounds are as good as those by slopes.
+struct Fields {
+  FormulaProgram program;
+  bool reads_each_once;
+};
+using SharedFields = std::shared_ptr<const Fields>;
 
-Program parse(std::span<const std::string> texts, const std::map<std::string, double>& constants,
-              std::span<const NamedFormula> where) {
-  return std::make_shared<FormulaProgram>(
-      parse_formulas(texts, formula_field_variables(), constants, where));
+SharedFields parse(std::span<const std::string> texts,
+                   const std::map<std::string, double>& constants,
+                   std::span<const NamedFormula> where) {
+  FormulaProgram program = parse_formulas(texts, formula_field_variables(), constants, where);
+  const bool reads_each_once = program.reads_each_once();
+  return std::make_shared<Fields>(Fields{std::move(program), reads_each_once});
 }
 
 bool uses_position(const FormulaProgram& program) {
@@ -37,13 +45,14 @@ std::array<double, count> evaluate(const FormulaProgram& program, Uv uv, const V
 }
 
 template <std::size_t count>
-std::array<Interval, count> bounds(const FormulaProgram& program, const UvBox& box,
+std::array<Interval, count> bounds(const Fields& fields, const UvBox& box,
                                    const Eigen::AlignedBox3d& positions) {
   const auto side = [&](int i) { return Interval{positions.min()[i], positions.max()[i]}; };
   const std::array<Interval, 5> variables = {box.u, box.v, side(0), side(1), side(2)};
   std::array<Interval, count> results;
-  program.reads_each_once() ? bound(program, variables, results)
-                            : bound_by_slopes(program, variables, results);
+  const FormulaProgram& program = fields.program;
+  fields.reads_each_once ? bound(program, variables, results)
+                         : bound_by_slopes(program, variables, results);
   return results;
 }
 
@@ -56,12 +65,12 @@ const std::vector<std::string>& formula_field_variables() {
 
 FieldSource formula_field(const std::string& size, const std::map<std::string, double>& constants,
                           std::span<const NamedFormula> where) {
-  const Program program = parse(std::span(&size, 1), constants, where);
+  const SharedFields fields = parse(std::span(&size, 1), constants, where);
   FieldSource source;
-  source.uses_position = uses_position(*program);
-  source.size = [program](Uv uv, const Vec3& p) { return evaluate<1>(*program, uv, p)[0]; };
-  source.size_bounds = [program](const UvBox& box, const Eigen::AlignedBox3d& positions) {
-    return bounds<1>(*program, box, positions)[0];
+  source.uses_position = uses_position(fields->program);
+  source.size = [fields](Uv uv, const Vec3& p) { return evaluate<1>(fields->program, uv, p)[0]; };
+  source.size_bounds = [fields](const UvBox& box, const Eigen::AlignedBox3d& positions) {
+    return bounds<1>(*fields, box, positions)[0];
   };
   return source;
 }
@@ -69,15 +78,15 @@ FieldSource formula_field(const std::string& size, const std::map<std::string, d
 FieldSource formula_field(const std::array<std::string, 3>& metric,
                           const std::map<std::string, double>& constants,
                           std::span<const NamedFormula> where) {
-  const Program program = parse(metric, constants, where);
+  const SharedFields fields = parse(metric, constants, where);
   FieldSource source;
-  source.uses_position = uses_position(*program);
-  source.metric = [program](Uv uv, const Vec3& p) {
-    const auto [m11, m12, m22] = evaluate<3>(*program, uv, p);
+  source.uses_position = uses_position(fields->program);
+  source.metric = [fields](Uv uv, const Vec3& p) {
+    const auto [m11, m12, m22] = evaluate<3>(fields->program, uv, p);
     return Metric{m11, m12, m22};
   };
-  source.metric_bounds = [program](const UvBox& box, const Eigen::AlignedBox3d& positions) {
-    const auto [m11, m12, m22] = bounds<3>(*program, box, positions);
+  source.metric_bounds = [fields](const UvBox& box, const Eigen::AlignedBox3d& positions) {
+    const auto [m11, m12, m22] = bounds<3>(*fields, box, positions);
     return MetricBounds{m11, m12, m22};
   };
   return source;
