@@ -186,11 +186,11 @@ TEST(FormulaGrammar, AnyNumberOfVariablesHasAValue) {
 }
 
 TEST(FormulaGrammar, ReadmeListsTheFunctions) {
-  std::ifstream stream(std::filesystem::path(SURFMESH_SOURCE_DIR) / "README.md");
+  std::ifstream stream(std::filesystem::path(SURFMESH_SOURCE_DIR) / "libsurfmesh/REFERENCE.md");
   std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   std::ranges::replace(text, '\n', ' ');
   EXPECT_NE(text.find('`' + formula_functions() + '`'), std::string::npos)
-      << "README.md must list: " << formula_functions();
+      << "libsurfmesh/REFERENCE.md must list: " << formula_functions();
 }
 
 TEST(FormulaErrors, TellColumnExpectedAndFound) {
