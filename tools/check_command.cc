@@ -28,9 +28,11 @@ constexpr const char* kFooter =
     "  that are not where their (u,v) are), open_edge and closed_edge (not as in the model),\n"
     "  components, euler (other numbers than the model's); duplicate_vertex then leaves out where\n"
     "  the model has to be cut\n"
-    "Keys of the JSON text: mesh, model, clean, faults, notices, counts, open_edges, closed,\n"
-    "  manifold, oriented, angles (degrees), edge_lengths, shape, stored_metric (null without),\n"
-    "  fit (null without --model)\n"
+    "Faces that pass through each other are told, but are no fault: a surface may do so by right.\n"
+    "Keys of the JSON text: mesh, model, clean, faults, notices, counts, open_edges,\n"
+    "  self_intersections, closed, manifold, oriented, area, volume (null unless closed and\n"
+    "  oriented), box, angles (degrees), edge_lengths, shape, stored_metric (null without), fit\n"
+    "  (null without --model)\n"
     "A mesh in .om is judged by the metric it was made by. Sizes among the flags ask for exact "
     "ones.\n"
     "Example:\n  surfmesh check knob.om --model knob.obj --json\n";
@@ -75,7 +77,7 @@ MeshCheck CheckCommand::measure(Progress& progress) const {
   settings.insert(settings.end(), set_.begin(), set_.end());
   if (!model_.empty()) input = read_model_with(model_, scheme_, settings, progress);
   throw_if_signalled();
-  MeshCheck check = check_mesh(read_mesh_arrays(mesh_));
+  MeshCheck check = check_mesh(read_mesh_arrays(mesh_), &progress);
   check.mesh = mesh_;
   check.model = model_;
   // Read again: this is the mesh as it was mended, with all that the format knows of its corners.

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <filesystem>
 #include <new>
+#include <vector>
 
 #include "output_paths.hh"
 #include "outputs.hh"
@@ -15,6 +16,7 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/formats/write_mesh.hh"
+#include "surfmesh/pipeline/given_options.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 #include "surfmesh/pipeline/set_option.hh"
@@ -54,7 +56,11 @@ class MeshRun {
   void read(const std::string& path, Progress& progress) {
     const double start = processor_seconds();
     input_ = load_model(path, cage_options_, &progress);
-    for (const auto& [name, value] : settings_) set_option(input_.options, name, value);
+    given_ = options_of_file(input_.options);
+    for (const auto& [name, value] : settings_) {
+      set_option(input_.options, name, value);
+      add_given({name, value, OptionOrigin::CommandLine}, given_);
+    }
     read_seconds_ = processor_seconds() - start;
     throw_if_signalled();
   }
@@ -69,16 +75,14 @@ class MeshRun {
   /// Made where it is returned to: a mesh cannot be moved, and a copy takes time.
   MeshResult mesh(const std::string& path, Progress& progress) const {
     MeshResult result = mesh_model(input_.model, input_.sources, input_.options, &progress);
-    result.report.input = path;
-    result.report.seconds[Stage::Read] = read_seconds_;
+    describe(path, result.report);
     throw_if_signalled();
     return result;
   }
 
   Report estimate(const std::string& path, Progress& progress) const {
     Report report = estimate_mesh(input_.model, input_.sources, input_.options, &progress);
-    report.input = path;
-    report.seconds[Stage::Read] = read_seconds_;
+    describe(path, report);
     throw_if_signalled();
     return report;
   }
@@ -95,6 +99,7 @@ class MeshRun {
   /// Write the mesh, and the report with its last clocks if it has a path.
   void write(MeshResult& result, const std::string& mesh_path,
              const std::string& report_path) const {
+    result.report.output = mesh_path;
     Outputs outputs;
     const double start = processor_seconds();
     tell_rounding(result, mesh_path);
@@ -119,6 +124,14 @@ class MeshRun {
                     path, rounding.greatest_move, 100 * rounding.share)));
   }
 
+  /// What the run was asked for.
+  void describe(const std::string& path, Report& report) const {
+    report.input = path;
+    report.files = input_.files;
+    report.given = given_;
+    report.seconds[Stage::Read] = read_seconds_;
+  }
+
   double seconds_so_far() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
@@ -127,6 +140,7 @@ class MeshRun {
   CageOptions cage_options_;
   const Settings& settings_;
   ModelInput input_;
+  std::vector<GivenOption> given_;
   double read_seconds_ = 0;
 };
 

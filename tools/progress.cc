@@ -17,12 +17,30 @@ constexpr std::chrono::milliseconds kLeastInterval{100};
 
 void Progress::progress(std::string_view stage, std::size_t done, std::size_t total) {
   if (!is_shown_) return;
-  const Clock::time_point now = Clock::now();
-  if (stage == stage_ && done != total && now - last_ < kLeastInterval) return;
+  const bool is_due = stage != stage_ || done == total || Clock::now() - last_ >= kLeastInterval;
   stage_ = stage;
-  last_ = now;
+  done_ = done;
+  total_ = total;
+  if (is_due) show();
+}
+
+void Progress::at_work(std::size_t elements, int pass) {
+  if (!is_shown_ || stage_.empty()) return;
+  elements_ = elements;
+  pass_ = pass;
+  show();
+}
+
+/// "mesh 3/48, 120000 triangles, pass 2, 1.4 s"
+void Progress::show() {
+  last_ = Clock::now();
   has_line_ = true;
-  tell(fmt::format("\r\x1b[K{} {}/{}", stage, done, total));
+  const double seconds = std::chrono::duration<double>(last_ - start_).count();
+  const std::string triangles =
+      elements_ > 0 ? fmt::format(", {} triangles", elements_) : std::string();
+  const std::string pass = pass_ > 1 ? fmt::format(", pass {}", pass_) : std::string();
+  tell(fmt::format("\r\x1b[K{} {}/{}{}{}, {:.1f} s", stage_, done_, total_, triangles, pass,
+                   seconds));
   std::fflush(stderr);
 }
 

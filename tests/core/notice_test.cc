@@ -59,5 +59,14 @@ TEST(NoticeLines, ListAFewOfAKind) {
   EXPECT_EQ(lines[2], "warning: sides 2; and 9 more like these");
 }
 
+TEST(NoticeLines, CountTheSameAtOtherLocations) {
+  const Notices notices = {warning(NoticeKind::TurnedLoop, "a.json: loop 0: it is turned"),
+                           warning(NoticeKind::TurnedLoop, "a.json: loop 1: it is turned"),
+                           warning(NoticeKind::TurnedLoop, "patch a, loop 2: it is not")};
+  EXPECT_EQ(lines_of(notices),
+            (std::vector<std::string>{"warning: a.json: loop 0: it is turned (and 1 more)",
+                                      "warning: patch a, loop 2: it is not"}));
+}
+
 }  // namespace
 }  // namespace surfmesh

@@ -16,6 +16,9 @@ class Recorder : public Observer {
   void progress(std::string_view stage, std::size_t done, std::size_t total) override {
     told.push_back(std::string(stage) + " " + std::to_string(done) + "/" + std::to_string(total));
   }
+  void at_work(std::size_t elements, int pass) override {
+    told.push_back(std::to_string(elements) + " of pass " + std::to_string(pass));
+  }
   bool is_cancelled() override { return cancels; }
 
   std::vector<std::string> told;
@@ -26,7 +29,19 @@ TEST(RunContext, PassesProgressOn) {
   Recorder recorder;
   const RunContext context(&recorder);
   context.tell("mesh", 1, 3);
-  EXPECT_EQ(recorder.told, (std::vector<std::string>{"mesh 1/3"}));
+  EXPECT_EQ(recorder.told, (std::vector<std::string>{"mesh 1/3", "0 of pass 0"}));
+}
+
+TEST(RunContext, TellsElementsWithThoseOfUnfinishedPatchesNowAndThen) {
+  Recorder recorder;
+  const RunContext context(&recorder);
+  context.begin_mesh();
+  context.add_elements(10);
+  context.change_unfinished(5);
+  for (int i = 0; i < 100; ++i) context.throw_if_cancelled();
+  ASSERT_FALSE(recorder.told.empty());
+  EXPECT_EQ(recorder.told.front(), "15 of pass 1");
+  EXPECT_LT(recorder.told.size(), 100U);
 }
 
 TEST(RunContext, IsNeverCancelledWithoutAnObserver) {

@@ -45,15 +45,32 @@ using Keys = std::vector<std::string>;
 
 TEST(ReportJson, HasTheKeysOfTheDocumentation) {
   const Json json = Json::parse(to_json(example()));
-  EXPECT_EQ(keys_of(json),
-            (Keys{"input", "options", "notices", "estimated_triangles", "mesh", "patches", "edges",
-                  "quality", "quads", "sag", "control", "seconds", "triangles_per_second",
-                  "triangles_per_second_in_all"}));
+  EXPECT_EQ(keys_of(json), (Keys{"version",
+                                 "input",
+                                 "output",
+                                 "files",
+                                 "given",
+                                 "options",
+                                 "notices",
+                                 "estimated_triangles",
+                                 "mesh",
+                                 "patches",
+                                 "groups",
+                                 "diagonal",
+                                 "edge_lengths",
+                                 "edges",
+                                 "quality",
+                                 "quads",
+                                 "sag",
+                                 "control",
+                                 "seconds",
+                                 "triangles_per_second",
+                                 "triangles_per_second_in_all"}));
   EXPECT_EQ(keys_of(json["mesh"]),
             (Keys{"vertices", "triangles", "quads", "patches", "closed", "euler"}));
   EXPECT_EQ(keys_of(json["edges"]),
             (Keys{"count", "mean", "stddev", "min", "max", "unit_fraction", "histogram"}));
-  EXPECT_EQ(keys_of(json["quality"]), (Keys{"min", "mean", "below_0.3"}));
+  EXPECT_EQ(keys_of(json["quality"]), (Keys{"min", "mean", "below_0.3", "worst"}));
   EXPECT_EQ(keys_of(json["quads"]),
             (Keys{"fraction", "min_scaled_jacobian", "mean_scaled_jacobian"}));
   EXPECT_EQ(keys_of(json["sag"]), (Keys{"asked", "reached", "evaluations"}));
@@ -111,6 +128,26 @@ TEST(ReportJson, ListsEveryOptionWithItsEffectiveValue) {
   EXPECT_EQ(options["nodes"], 400);
   EXPECT_EQ(options["quads"], false);
   EXPECT_EQ(options["curvature"], 0.25);
+}
+
+TEST(ReportJson, TellsOptionsAsGivenAndFrom) {
+  Report report = example();
+  set_option(report.options, "hmin", "0.07%");
+  report.given = options_of_file(report.options);
+  add_given({"hmax", "5%", OptionOrigin::CommandLine}, report.given);
+  EXPECT_EQ(Json::parse(to_json(report))["given"],
+            Json::parse(R"({"hmin": {"value": "0.07%", "from": "model file"},
+                            "hmax": {"value": "5%", "from": "command line"}})"));
+}
+
+TEST(ReportJson, SumsPatchesByGroup) {
+  Report report = example();
+  report.patches = {{"a", {"g"}, 1, 0.5, 0.9}, {"b", {"h", "g"}, 2, 1.5, 0.7}, {"c", {}, 4, 1}};
+  const Json json = Json::parse(to_json(report));
+  EXPECT_EQ(json["groups"][0], Json::parse(R"({"name": "g", "patches": 2, "triangles": 3,
+                                               "area": 2.0, "least_quality": 0.7})"));
+  EXPECT_EQ(json["groups"][1]["name"], "h");
+  EXPECT_TRUE(json["patches"][2]["least_quality"].is_null());
 }
 
 TEST(ReportJson, HoldsNamesThatAreNotUtf8) {

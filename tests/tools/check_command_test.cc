@@ -83,9 +83,9 @@ TEST_F(CheckProgram, JudgesByExactSizesOnlyWhereSizesAreGiven) {
 TEST_F(CheckProgram, HasTheDocumentedKeys) {
   mesh("plate.json");
   const Json json = check(0, "a.om");
-  for (const char* key :
-       {"mesh", "model", "clean", "faults", "notices", "counts", "closed", "manifold", "oriented",
-        "angles", "edge_lengths", "shape", "stored_metric", "fit"}) {
+  for (const char* key : {"mesh", "model", "clean", "faults", "notices", "counts", "closed",
+                          "manifold", "oriented", "self_intersections", "area", "volume", "box",
+                          "angles", "edge_lengths", "shape", "stored_metric", "fit"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   EXPECT_TRUE(json["fit"].is_null());

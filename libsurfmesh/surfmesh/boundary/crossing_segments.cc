@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "surfmesh/delaunay/predicates.hh"
+#include "surfmesh/geometry/predicates.hh"
 
 namespace surfmesh::detail {
 namespace {

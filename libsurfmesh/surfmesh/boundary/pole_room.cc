@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "surfmesh/delaunay/predicates.hh"
+#include "surfmesh/geometry/predicates.hh"
 
 namespace surfmesh::detail {
 namespace {

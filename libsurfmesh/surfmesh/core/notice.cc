@@ -20,6 +20,29 @@ std::string line_of(const Notice& notice) {
   return fmt::format("{}: {}{}", front, notice.text, more);
 }
 
+/// What a text says without the location before it: "the loop is turned" of "patch a: the loop is
+/// turned".
+std::string_view without_location(std::string_view text) {
+  const std::size_t colon = text.rfind(": ");
+  return colon == text.npos ? text : text.substr(colon);
+}
+
+/// Of notices that differ only in the location the first, counting the others.
+Notices with_alike_counted(const Notices& notices) {
+  Notices result;
+  std::map<std::pair<NoticeKind, std::string_view>, std::size_t> index_of;
+  for (const Notice& notice : notices) {
+    const std::pair key(notice.kind, without_location(notice.text));
+    const auto [found, is_new] = index_of.emplace(key, result.size());
+    if (is_new) {
+      result.push_back(notice);
+    } else {
+      result[found->second].count += notice.count;
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string_view name(NoticeKind kind) {
@@ -104,7 +127,8 @@ bool has_shortfall(const Notices& notices) {
                      [](const Notice& notice) { return notice.severity == Severity::Shortfall; });
 }
 
-std::vector<std::string> lines_of(const Notices& notices) {
+std::vector<std::string> lines_of(const Notices& every) {
+  const Notices notices = with_alike_counted(every);
   std::map<NoticeKind, std::size_t> notices_of, times_of, shown;
   for (const Notice& notice : notices) {
     ++notices_of[notice.kind];

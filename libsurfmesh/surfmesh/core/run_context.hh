@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <limits>
 #include <mutex>
@@ -37,7 +38,7 @@ class RunContext {
   /// Throws   Cancelled
   void tell(std::string_view stage, std::size_t done, std::size_t total) const;
 
-  /// Ask the observer.
+  /// Ask the observer, and tell it a few times a second how much is made.
   /// Throws   Cancelled
   void throw_if_cancelled() const;
 
@@ -53,7 +54,11 @@ class RunContext {
   std::size_t elements_left() const;
 
   /// Begin another mesh, which has no elements yet.
-  void begin_mesh() const { elements_ = 0; }
+  void begin_mesh() const {
+    elements_ = 0;
+    unfinished_ = 0;
+    ++pass_;
+  }
 
   /// The elements of the patches that are finished.
   std::size_t elements() const { return elements_; }
@@ -62,15 +67,26 @@ class RunContext {
   /// Throws   Limit if there are too many
   void add_elements(std::size_t count) const;
 
+  /// Change the number of elements of patches that are not finished, which only the observer is
+  /// told.
+  void change_unfinished(std::ptrdiff_t more) const { unfinished_ += more; }
+
   /// Throws   Limit
   [[noreturn]] void throw_too_many_elements() const;
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  void tell_at_work() const;
+
   Observer* observer_;
   std::size_t max_elements_;
-  mutable std::mutex mutex_;  ///< of the observer
+  mutable std::mutex mutex_;          ///< of the observer
+  mutable Clock::time_point told_{};  ///< when it was last told of elements; under the mutex
   mutable std::atomic<bool> was_cancelled_ = false;
-  mutable std::atomic<std::size_t> elements_ = 0;  ///< of the patches that are finished
+  mutable std::atomic<std::size_t> elements_ = 0;       ///< of the patches that are finished
+  mutable std::atomic<std::ptrdiff_t> unfinished_ = 0;  ///< elements of the others
+  mutable std::atomic<int> pass_ = 0;                   ///< meshes begun
 };
 
 }  // namespace surfmesh

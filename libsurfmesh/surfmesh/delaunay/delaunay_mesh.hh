@@ -8,7 +8,7 @@
 #include "surfmesh/core/topology.hh"
 #include "surfmesh/delaunay/in_circle.hh"
 #include "surfmesh/delaunay/locate.hh"
-#include "surfmesh/delaunay/predicates.hh"
+#include "surfmesh/geometry/predicates.hh"
 
 namespace surfmesh {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "surfmesh/delaunay/predicates.hh"
+#include "surfmesh/geometry/predicates.hh"
 
 namespace surfmesh {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "surfmesh/delaunay/predicates.hh"
+#include "surfmesh/geometry/predicates.hh"
 
 namespace surfmesh {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "surfmesh/delaunay/predicates.hh"
+#include "surfmesh/geometry/predicates.hh"
 
 namespace surfmesh {
 

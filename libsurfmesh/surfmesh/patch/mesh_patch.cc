@@ -40,6 +40,7 @@ class PatchRun {
     insert_inner_nodes();
     improve_triangles();
     finish();
+    context_.change_unfinished(-refined_faces_);
     context_.add_elements(result_.mesh.mesh->n_faces());
     return std::move(result_);
   }
@@ -60,6 +61,7 @@ class PatchRun {
   void insert_inner_nodes() {
     const StageClock clock(result_.seconds[Stage::Refine]);
     const RefineReport report = refine(*patch_.delaunay, task_.field, task_.refine, context_);
+    refined_faces_ = static_cast<std::ptrdiff_t>(patch_.delaunay->n_faces());
     result_.queries[Stage::Refine] = report.queries;
     result_.is_given_up = report.is_stopped;
   }
@@ -89,6 +91,7 @@ class PatchRun {
   PatchTask task_;
   const RunContext& context_;
   TriangulatedPatch patch_;
+  std::ptrdiff_t refined_faces_ = 0;  ///< that the observer knows of
   PatchResult result_;
 };
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "surfmesh/delaunay/predicates.hh"
+#include "surfmesh/geometry/predicates.hh"
 #include "surfmesh/patch/corner_triangles.hh"
 #include "surfmesh/patch/sag_meter.hh"
 #include "surfmesh/patch_mesh/patch_mesh.hh"

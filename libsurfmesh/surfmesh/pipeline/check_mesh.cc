@@ -18,6 +18,7 @@
 #include "surfmesh/pipeline/notice_json.hh"
 #include "surfmesh/quality/project_mesh.hh"
 #include "surfmesh/quality/sag.hh"
+#include "surfmesh/quality/self_intersections.hh"
 #include "surfmesh/sizes/model_sources.hh"
 #include "surfmesh/sizes/size_field.hh"
 
@@ -137,8 +138,22 @@ Json faults_json(const std::vector<MeshFault>& faults) {
   return json;
 }
 
-Json open_edges_json(const MeshFault& open) {
-  return {{"count", open.count}, {"places", open.places}};
+/// What is counted, but is no fault in itself.
+Json places_json(const MeshFault& found) {
+  return {{"count", found.count}, {"places", found.places}};
+}
+
+/// True if the faces enclose a volume.
+bool has_volume(const FaceSetCheck& faces) { return faces.is_closed && faces.is_oriented; }
+
+Json volume_json(const MeshCheck& check) {
+  return has_volume(check.faces) ? Json(check.extent.volume) : Json();
+}
+
+Json box_json(const Eigen::AlignedBox3d& box) {
+  if (box.isEmpty()) return nullptr;
+  const Vec3 &low = box.min(), &high = box.max();
+  return {{"min", {low.x(), low.y(), low.z()}}, {"max", {high.x(), high.y(), high.z()}}};
 }
 
 Json counts_json(const FaceSetCheck& faces) {
@@ -212,6 +227,25 @@ class Lines {
     if (!faces.is_closed) add("", "the first open edge: " + faces.open_edges.places.front());
   }
 
+  void add_self_intersections(const MeshFault& found) {
+    if (found.count == 0) return add("", "no faces pass through each other");
+    add("warning",
+        fmt::format("{} pairs of faces pass through each other, the first:", found.count));
+    add("", "  " + found.places.front());
+  }
+
+  void add_extent(const MeshCheck& check) {
+    const MeshExtent& extent = check.extent;
+    if (extent.box.isEmpty()) return;
+    add("box",
+        fmt::format("from {} to {}", point_text(extent.box.min()), point_text(extent.box.max())));
+    const std::string volume =
+        !has_volume(check.faces) ? ""
+                                 : fmt::format(", volume {:.6g}{}", extent.volume,
+                                               extent.volume < 0 ? ": the faces face inwards" : "");
+    add("area", fmt::format("{:.6g}{}", extent.area, volume));
+  }
+
   void add_shape(const ShapeStatistics& shape) {
     add("angles",
         fmt::format("from {:.2f}° (face {}) to {:.2f}° (face {})", kDegrees * shape.min_angle,
@@ -280,9 +314,11 @@ class Lines {
 
 }  // namespace
 
-MeshCheck check_mesh(const MeshArraysFile& file) {
+MeshCheck check_mesh(const MeshArraysFile& file, Observer* observer) {
   MeshCheck check;
   check.faces = check_face_set(file.mesh);
+  check.self_intersections = find_self_intersections(file.mesh, RunContext(observer));
+  check.extent = measure_extent(file.mesh);
   check.shape = measure_shape(file.mesh);
   check.notices = file.notices;
   check.faults = check.faces.faults;
@@ -339,10 +375,14 @@ std::string to_json(const MeshCheck& check) {
       {"faults", faults_json(check.faults)},
       {"notices", notices_json(check)},
       {"counts", counts_json(check.faces)},
-      {"open_edges", open_edges_json(check.faces.open_edges)},
+      {"open_edges", places_json(check.faces.open_edges)},
+      {"self_intersections", places_json(check.self_intersections)},
       {"closed", check.faces.is_closed},
       {"manifold", check.faces.is_manifold},
       {"oriented", check.faces.is_oriented},
+      {"area", check.extent.area},
+      {"volume", volume_json(check)},
+      {"box", box_json(check.extent.box)},
       {"angles", angles_json(shape)},
       {"edge_lengths",
        {{"min", shape.min_edge}, {"mean", shape.mean_edge}, {"max", shape.max_edge}}},
@@ -356,6 +396,8 @@ std::string to_json(const MeshCheck& check) {
 std::string to_text(const MeshCheck& check) {
   Lines lines;
   lines.add_faces(check.faces);
+  lines.add_self_intersections(check.self_intersections);
+  lines.add_extent(check);
   lines.add_shape(check.shape);
   const bool is_by_exact_sizes = check.fit && !check.fit->is_by_stored_metric;
   if (check.stored && !is_by_exact_sizes) lines.add_stored(*check.stored);

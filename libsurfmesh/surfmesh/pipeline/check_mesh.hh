@@ -10,6 +10,7 @@
 #include "surfmesh/formats/read_mesh.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/quality/face_set_check.hh"
+#include "surfmesh/quality/mesh_extent.hh"
 #include "surfmesh/quality/statistics.hh"
 #include "surfmesh/quality/surface_distance.hh"
 
@@ -47,6 +48,9 @@ struct MeshCheck {
   std::string mesh;   ///< as given
   std::string model;  ///< as given; empty for none
   FaceSetCheck faces;
+  /// Pairs of faces that pass through each other. No faults: a surface may do so by right.
+  MeshFault self_intersections{"self_intersection", 0, {}};
+  MeshExtent extent;
   ShapeStatistics shape;
   std::optional<MetricFit> stored;       ///< in the metric that the mesh was made by, if it has one
   std::optional<ModelFit> fit;           ///< with a model
@@ -59,7 +63,10 @@ struct MeshCheck {
 ///
 /// Faults are those of check_face_set, and degenerate_face for triangles of .stl files with two
 /// equal corners.
-MeshCheck check_mesh(const MeshArraysFile& file);
+///
+/// Cost     about 3 µs a triangle, most of it for self-intersections; see there
+/// Throws   Cancelled by the observer, which may be null
+MeshCheck check_mesh(const MeshArraysFile& file, Observer* observer = nullptr);
 
 /// Measure a mesh in the metric of its corners; nothing if a corner has none, or no (u,v).
 ///
@@ -84,7 +91,9 @@ void add_fit(MeshCheck& check, ModelFit fit);
 
 /// The check as JSON text. Keys: mesh, model, clean, faults (kind, count, places), notices (kind,
 /// text, count), counts (vertices, edges, triangles, quads, polygons, boundary_edges,
-/// boundary_loops, components, euler), open_edges (count, places), closed, manifold, oriented,
+/// boundary_loops, components, euler), open_edges (count, places), self_intersections (count,
+/// places), closed, manifold, oriented, area, volume (null unless closed and oriented), box (min,
+/// max; null without faces),
 /// angles (min, max, min_face, max_face, histogram), edge_lengths (min, mean, max), shape (min,
 /// mean, below_0.3); stored_metric, null for a mesh that has none: edges (count, mean, stddev, min,
 /// max, unit_fraction, histogram), quality (min, mean, below_0.3); with a model fit, else null:

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -280,7 +282,32 @@ class Run {
     report_.edges = measure_edges(mesh);
     context_.throw_if_cancelled();
     report_.quality = measure_quality(mesh);
+    report_.diagonal = model_.diagonal;
+    report_.lengths = measure_lengths(mesh);
+    locate_worst(mesh);
     warn_of_flat_triangles(mesh);
+  }
+
+  static Report::Lengths measure_lengths(const PolyMesh& mesh) {
+    Report::Lengths lengths;
+    if (mesh.n_edges() == 0) return lengths;
+    lengths.min = std::numeric_limits<double>::infinity();
+    double sum = 0;
+    for (const EdgeHandle eh : mesh.edges()) {
+      const double length = mesh.calc_edge_length(eh);
+      lengths.min = std::min(lengths.min, length);
+      lengths.max = std::max(lengths.max, length);
+      sum += length;
+    }
+    lengths.mean = sum / static_cast<double>(mesh.n_edges());
+    return lengths;
+  }
+
+  void locate_worst(const PolyMesh& mesh) {
+    if (report_.quality.worst_face < 0) return;
+    const FaceHandle fh(report_.quality.worst_face);
+    const int patch = mesh.property(require(mesh, keys::face_patch), fh);
+    report_.worst = {model_.patch(patch).name, to_eigen(mesh.calc_face_centroid(fh))};
   }
 
   /// True if a corner of a face is on a contour.
@@ -299,7 +326,7 @@ class Run {
     if (quality.worst_face < 0 || quality.min >= kFlatQuality) return;
     const FaceHandle fh(quality.worst_face);
     const auto patch = mesh.property(require(mesh, keys::face_patch), fh);
-    const Vec3 point = to_eigen(mesh.calc_face_centroid(fh));
+    const Vec3 point = report_.worst->point;
     const char* cause = is_at_contour(mesh, fh)
                             ? ": the boundary leaves less room than the sizes ask for; gaps get "
                               "their sizes by proximity, not below hmin"
@@ -388,6 +415,14 @@ void do_or_cancel(const RunContext& context, Work work) {
   }
 }
 
+/// Tell the least quality of each patch that has triangles.
+void add_qualities(Report& report) {
+  const std::vector<double>& least = report.quality.min_of_patches;
+  for (std::size_t p = 0; p < report.patches.size() && p < least.size(); ++p) {
+    if (std::isfinite(least[p])) report.patches[p].least_quality = least[p];
+  }
+}
+
 }  // namespace
 
 MeshResult mesh_model(const Model& model, const Sources& sources, const PipelineOptions& options,
@@ -401,6 +436,7 @@ MeshResult mesh_model(const Model& model, const Sources& sources, const Pipeline
   });
   result.names = mesh_names(model);
   result.report.patches = measure_patches(result.mesh, result.names);
+  add_qualities(result.report);
   return result;
 }
 

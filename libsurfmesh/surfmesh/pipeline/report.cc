@@ -3,13 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 #include <variant>
 
 #include "surfmesh/core/option_range.hh"
+#include "surfmesh/core/version.hh"
 #include "surfmesh/pipeline/notice_json.hh"
 #include "surfmesh/pipeline/set_option.hh"
 
@@ -39,13 +42,84 @@ Json mesh_json(const Report::Mesh& mesh) {
           {"patches", mesh.patches},   {"closed", mesh.is_closed},    {"euler", mesh.euler}};
 }
 
+/// Null for what is not known.
+template <class Number>
+Json or_null(const std::optional<Number>& number) {
+  return number ? Json(*number) : Json(nullptr);
+}
+
+Json files_json(const std::vector<std::filesystem::path>& files) {
+  Json json = Json::array();
+  for (const std::filesystem::path& file : files) json.push_back(file.string());
+  return json;
+}
+
+Json given_json(const std::vector<GivenOption>& given) {
+  Json json = Json::object();
+  for (const GivenOption& option : given) {
+    json[option.name] = {{"value", option.value}, {"from", name(option.origin)}};
+  }
+  return json;
+}
+
+/// The sums of a group over its patches.
+struct GroupMeasure {
+  std::string name;
+  std::size_t patches = 0;
+  std::size_t triangles = 0;
+  double area = 0;
+  std::optional<double> least_quality;
+};
+
+void add_patch(const PatchMeasure& patch, GroupMeasure& group) {
+  ++group.patches;
+  group.triangles += patch.triangles;
+  group.area += patch.area;
+  if (!patch.least_quality) return;
+  group.least_quality =
+      std::min(group.least_quality.value_or(*patch.least_quality), *patch.least_quality);
+}
+
+/// In the order in which patches name them.
+std::vector<GroupMeasure> measure_groups(const std::vector<PatchMeasure>& patches) {
+  std::vector<GroupMeasure> groups;
+  std::map<std::string, std::size_t> index_of;
+  for (const PatchMeasure& patch : patches) {
+    for (const std::string& name : patch.groups) {
+      const auto [found, is_new] = index_of.emplace(name, groups.size());
+      if (is_new) groups.push_back({name, 0, 0, 0, std::nullopt});
+      add_patch(patch, groups[found->second]);
+    }
+  }
+  return groups;
+}
+
+Json groups_json(const std::vector<PatchMeasure>& patches) {
+  Json json = Json::array();
+  for (const GroupMeasure& group : measure_groups(patches)) {
+    json.push_back({{"name", group.name},
+                    {"patches", group.patches},
+                    {"triangles", group.triangles},
+                    {"area", group.area},
+                    {"least_quality", or_null(group.least_quality)}});
+  }
+  return json;
+}
+
+Json worst_json(const std::optional<Report::WorstTriangle>& worst) {
+  if (!worst) return nullptr;
+  return {{"patch", worst->patch},
+          {"point", {worst->point.x(), worst->point.y(), worst->point.z()}}};
+}
+
 Json patches_json(const std::vector<PatchMeasure>& patches) {
   Json json = Json::array();
   for (const PatchMeasure& patch : patches) {
     json.push_back({{"name", patch.name},
                     {"groups", patch.groups},
                     {"triangles", patch.triangles},
-                    {"area", patch.area}});
+                    {"area", patch.area},
+                    {"least_quality", or_null(patch.least_quality)}});
   }
   return json;
 }
@@ -102,12 +176,6 @@ Json control_json(const Report::Control& control) {
           {"answers", answers_json(control.queries.sum())}};
 }
 
-/// Null for what is not known.
-template <class Number>
-Json or_null(const std::optional<Number>& number) {
-  return number ? Json(*number) : Json(nullptr);
-}
-
 Json seconds_json(const Report& report) {
   Json json = Json::object();
   for (const Stage stage : kStages) json[std::string(name(stage))] = report.seconds[stage];
@@ -131,6 +199,26 @@ class Lines {
     add("control", fmt::format("{}, {} nodes, {} faces",
                                to_text(ranges::kControl, static_cast<double>(control.kind)),
                                control.nodes, control.faces));
+  }
+
+  void add_edges(const Report& report) {
+    const Report::Lengths& lengths = report.lengths;
+    add("edges", fmt::format("{:.4g} to {:.4g} long, mean {:.4g}; the model's diagonal is {:.4g}",
+                             lengths.min, lengths.max, lengths.mean, report.diagonal));
+    add("",
+        fmt::format("metric length (1 is wanted): mean {:.3f}, deviation {:.3f}, from {:.3f} to "
+                    "{:.3f}, {}",
+                    report.edges.mean, report.edges.stddev, report.edges.min, report.edges.max,
+                    histogram_share(report.edges)));
+  }
+
+  void add_quality(const Report& report) {
+    const QualityStatistics& quality = report.quality;
+    const std::string place = report.worst ? fmt::format(" in patch {} at {}", report.worst->patch,
+                                                         point_text(report.worst->point))
+                                           : "";
+    add("quality", fmt::format("mean {:.3f}, {:.2f} % below 0.3, least {:.3f}{}", quality.mean,
+                               100 * quality.below_0_3, quality.min, place));
   }
 
   void add_time(const Report& report) {
@@ -158,17 +246,26 @@ double Report::triangles_per_second_in_all() const {
 
 std::string to_json(const Report& report) {
   const Json json = {
+      {"version", SURFMESH_VERSION},
       {"input", report.input},
+      {"output", report.output.empty() ? Json(nullptr) : Json(report.output)},
+      {"files", files_json(report.files)},
+      {"given", given_json(report.given)},
       {"options", options_json(report.options)},
       {"notices", notices_json(report)},
       {"estimated_triangles", std::round(report.estimated_triangles)},
       {"mesh", mesh_json(report.mesh)},
       {"patches", patches_json(report.patches)},
+      {"groups", groups_json(report.patches)},
+      {"diagonal", report.diagonal},
+      {"edge_lengths",
+       {{"min", report.lengths.min}, {"mean", report.lengths.mean}, {"max", report.lengths.max}}},
       {"edges", edges_json(report.edges)},
       {"quality",
        {{"min", report.quality.min},
         {"mean", report.quality.mean},
-        {"below_0.3", report.quality.below_0_3}}},
+        {"below_0.3", report.quality.below_0_3},
+        {"worst", worst_json(report.worst)}}},
       // Not built yet.
       {"quads", {{"fraction", 0}, {"min_scaled_jacobian", 0}, {"mean_scaled_jacobian", 0}}},
       {"sag",
@@ -198,17 +295,13 @@ std::string to_text(const Report& report) {
   const Report::Mesh& mesh = report.mesh;
   Lines lines;
   lines.add("input", report.input);
+  if (!report.output.empty()) lines.add("output", report.output);
   lines.add("mesh", fmt::format("{} vertices, {} triangles, {} patches", mesh.vertices,
                                 mesh.triangles, mesh.patches));
   lines.add("", fmt::format("{}, Euler characteristic {}", mesh.is_closed ? "closed" : "open",
                             mesh.euler));
-  lines.add("edges",
-            fmt::format("mean {:.3f}, deviation {:.3f}, from {:.3f} to {:.3f}", report.edges.mean,
-                        report.edges.stddev, report.edges.min, report.edges.max));
-  lines.add("", histogram_share(report.edges));
-  lines.add("quality",
-            fmt::format("mean {:.3f}, least {:.3f}, {:.2f} % below 0.3", report.quality.mean,
-                        report.quality.min, 100 * report.quality.below_0_3));
+  lines.add_edges(report);
+  lines.add_quality(report);
   if (report.sag.asked && report.sag.reached) {
     lines.add("sag", fmt::format("{:.4g} reached, {:.4g} asked for", *report.sag.reached,
                                  *report.sag.asked));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "surfmesh/core/notice.hh"
 #include "surfmesh/core/stage.hh"
 #include "surfmesh/metric/metric_field.hh"
+#include "surfmesh/pipeline/given_options.hh"
 #include "surfmesh/pipeline/options.hh"
 #include "surfmesh/quality/patch_measures.hh"
 #include "surfmesh/quality/statistics.hh"
@@ -49,14 +51,33 @@ struct Report {
     std::optional<std::size_t> evaluations;  ///< of surfaces, in all meshes it took; likewise
   };
 
+  /// Lengths of the edges of the mesh, model units.
+  struct Lengths {
+    double min = 0;
+    double mean = 0;
+    double max = 0;
+  };
+
+  /// The first triangle of the least quality.
+  struct WorstTriangle {
+    std::string patch;
+    Vec3 point;  ///< its centre
+  };
+
   std::string input;
-  PipelineOptions options;         ///< the effective values
-  Notices notices;                 ///< a tool exits with status 3 if one is a shortfall
+  std::string output;                        ///< empty for none
+  std::vector<std::filesystem::path> files;  ///< all that were read
+  std::vector<GivenOption> given;            ///< with a value of their own, and where from
+  PipelineOptions options;                   ///< the effective values
+  Notices notices;                           ///< a tool exits with status 3 if one is a shortfall
   double estimated_triangles = 0;  ///< known before the mesh is made, see TriangleEstimate
   Mesh mesh;
   std::vector<PatchMeasure> patches;
   EdgeStatistics edges;       ///< in the metric of the control space
   QualityStatistics quality;  ///< likewise
+  double diagonal = 0;        ///< of the model's box, model units
+  Lengths lengths;
+  std::optional<WorstTriangle> worst;
   Sag sag;
   Control control;
   PerStage<double> seconds;  ///< processor time of all threads
@@ -73,7 +94,7 @@ struct Report {
 /// The report as JSON text, with the documented keys.
 std::string to_json(const Report& report);
 
-/// The report in about ten lines for a terminal.
+/// The report in about twelve lines for a terminal.
 std::string to_text(const Report& report);
 
 /// The report of estimate_mesh in a few lines for a terminal.

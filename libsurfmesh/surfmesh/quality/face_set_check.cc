@@ -14,6 +14,7 @@
 #include "surfmesh/core/disjoint_sets.hh"
 #include "surfmesh/core/notice.hh"
 #include "surfmesh/quality/facing.hh"
+#include "surfmesh/quality/patch_text.hh"
 
 namespace surfmesh {
 namespace {
@@ -81,14 +82,7 @@ class Checker {
  private:
   const Vec3& point(int vertex) const { return set_.points[static_cast<std::size_t>(vertex)]; }
 
-  /// " of patch wing" for a face, nothing where it has no patch.
-  std::string patch_text(std::size_t f) const {
-    if (f >= set_.patches.size() || set_.patches[f] < 0) return {};
-    const auto patch = static_cast<std::size_t>(set_.patches[f]);
-    const auto& names = set_.names.patches;
-    if (patch >= names.size()) return fmt::format(" of patch {}", patch);
-    return fmt::format(" of patch {}", names[patch]);
-  }
+  std::string patch_text(std::size_t f) const { return detail::patch_text(set_, f); }
 
   std::string edge_text(const Side& side) const {
     return fmt::format("edge {}-{}{} at {}", side.low, side.high, patch_text(side.face),

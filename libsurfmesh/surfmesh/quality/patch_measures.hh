@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct PatchMeasure {
   std::vector<std::string> groups;  ///< that it is in
   std::size_t triangles = 0;        ///< faces of more corners count as what they split into
   double area = 0;                  ///< of the mesh, in square model units
+  /// The least metric quality of its triangles, where it was measured: not by measure_patches.
+  std::optional<double> least_quality = std::nullopt;
 
   friend bool operator==(const PatchMeasure&, const PatchMeasure&) = default;
 };

@@ -143,6 +143,29 @@ std::vector<double> metric_lengths(const PolyMesh& mesh) {
   return lengths;
 }
 
+/// By patch; empty where no face has one.
+std::vector<double> least_of_patches(const std::vector<Triangle>& triangles) {
+  int most = -1;
+  for (const Triangle& triangle : triangles) most = std::max(most, triangle.patch);
+  std::vector<double> least(static_cast<std::size_t>(most + 1),
+                            std::numeric_limits<double>::infinity());
+  for (const Triangle& triangle : triangles) {
+    if (triangle.patch < 0) continue;
+    double& own = least[static_cast<std::size_t>(triangle.patch)];
+    own = std::min(own, triangle.quality);
+  }
+  return least;
+}
+
+/// Triangles of patches that lie the other way round count as turned back.
+void turn_back(std::vector<Triangle>& triangles) {
+  std::unordered_map<int, double> patch_area;
+  for (const Triangle& triangle : triangles) patch_area[triangle.patch] += triangle.area_uv;
+  for (Triangle& triangle : triangles) {
+    if (patch_area.at(triangle.patch) < 0) triangle.quality = -triangle.quality;
+  }
+}
+
 }  // namespace
 
 EdgeStatistics measure_edges(const PolyMesh& mesh) {
@@ -169,18 +192,17 @@ EdgeStatistics measure_edges(const PolyMesh& mesh) {
 }
 
 QualityStatistics measure_quality(const PolyMesh& mesh) {
-  const std::vector<Triangle> triangles = measure_triangles(mesh);
+  std::vector<Triangle> triangles = measure_triangles(mesh);
   QualityStatistics result;
   result.count = triangles.size();
   if (triangles.empty()) return result;
-  std::unordered_map<int, double> patch_area;
-  for (const Triangle& triangle : triangles) patch_area[triangle.patch] += triangle.area_uv;
+  turn_back(triangles);
+  if (find(mesh, keys::face_patch).is_valid()) result.min_of_patches = least_of_patches(triangles);
   Moments moments;
   std::size_t poor = 0;
   result.min = std::numeric_limits<double>::infinity();
   for (const Triangle& triangle : triangles) {
-    const bool is_turned = patch_area.at(triangle.patch) < 0;
-    const double quality = is_turned ? -triangle.quality : triangle.quality;
+    const double quality = triangle.quality;
     moments.add(quality);
     if (quality < result.min) {
       result.min = quality;

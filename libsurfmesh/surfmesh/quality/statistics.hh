@@ -38,8 +38,9 @@ struct QualityStatistics {
   std::size_t count = 0;  ///< triangles; other faces are left out
   double min = 0;
   double mean = 0;
-  double below_0_3 = 0;  ///< share of the triangles with Q < 0.3
-  int worst_face = -1;   ///< index of the first with the least Q
+  double below_0_3 = 0;                ///< share of the triangles with Q < 0.3
+  int worst_face = -1;                 ///< index of the first with the least Q
+  std::vector<double> min_of_patches;  ///< by patch where faces have one; +∞ without triangles
 
   friend bool operator==(const QualityStatistics&, const QualityStatistics&) = default;
 };

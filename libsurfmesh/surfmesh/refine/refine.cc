@@ -55,11 +55,19 @@ class Refinement {
   RefineReport run() {
     empty_front();
     if (!report_.is_stopped && insert_required_points()) empty_front();
+    count_faces();
     report_.queries = hint_.answers;
     return report_;
   }
 
  private:
+  /// Let the observer know of the triangles that have come since.
+  void count_faces() {
+    const std::size_t count = delaunay_.n_faces();
+    context_.change_unfinished(static_cast<std::ptrdiff_t>(count - counted_faces_));
+    counted_faces_ = count;
+  }
+
   void empty_front() {
     FrontQueue::Entry entry;
     std::size_t steps = 0;
@@ -69,7 +77,10 @@ class Refinement {
         return;
       }
       if (!front_.is_current(entry)) continue;
-      if (++steps % kStepsBetweenCancellation == 0) context_.throw_if_cancelled();
+      if (++steps % kStepsBetweenCancellation == 0) {
+        count_faces();
+        context_.throw_if_cancelled();
+      }
       const HalfedgeHandle base = front_.base_of(entry.face);
       if (!base.is_valid()) {
         states_[entry.face].is_active = false;  // its accepted neighbour has been replaced since
@@ -194,6 +205,7 @@ class Refinement {
   TriangleMetricRule rule_;
   double accepted_size_;
   double least_distance_;
+  std::size_t counted_faces_ = 0;
   std::size_t slack_;  ///< triangles that the boundary alone makes
   FaceStates states_;
   Front front_;

@@ -44,6 +44,8 @@ struct RefineReport {
 /// conforms with that of the triangle, or else leave the triangle as it is. The run is given up
 /// when it has made three times as many triangles as the metric area of the mesh asks for.
 ///
+/// The context counts the triangles as unfinished; they stay so at the end.
+///
 /// At the end, elements are renumbered in spatial order, except vertices that existed before.
 ///
 /// Reads    surf:constrained

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surfmesh/delaunay/predicates.hh"
+#include "surfmesh/geometry/predicates.hh"
 
 #include <algorithm>
 #include <array>
@@ -32,18 +32,19 @@ using Integer = boost::multiprecision::cpp_int;
 
 /// Numbers as multiples of one power of two. Rationals would be reduced after each operation, which
 /// takes most of the time.
-std::array<Integer, 6> multiples(const std::array<double, 6>& numbers) {
+template <std::size_t n>
+std::array<Integer, n> multiples(const std::array<double, n>& numbers) {
   constexpr int digits = std::numeric_limits<double>::digits;
-  std::array<std::int64_t, 6> mantissas{};
-  std::array<int, 6> exponents{};
+  std::array<std::int64_t, n> mantissas{};
+  std::array<int, n> exponents{};
   int least = std::numeric_limits<int>::max();
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     mantissas[i] =
         static_cast<std::int64_t>(std::ldexp(std::frexp(numbers[i], &exponents[i]), digits));
     if (mantissas[i] != 0) least = std::min(least, exponents[i]);
   }
-  std::array<Integer, 6> result;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
+  std::array<Integer, n> result;
+  for (std::size_t i = 0; i < n; ++i) {
     if (mantissas[i] == 0) continue;
     result[i] = mantissas[i];
     result[i] <<= exponents[i] - least;
@@ -63,8 +64,22 @@ int orient2d_exact(Uv a, Uv b, Uv c) {
       is_exact_difference(b.u, c.u) && is_exact_difference(b.v, c.v)) {
     return compare_products(a.u - c.u, b.v - c.v, a.v - c.v, b.u - c.u);
   }
-  const auto [au, av, bu, bv, cu, cv] = multiples({a.u, a.v, b.u, b.v, c.u, c.v});
+  const auto [au, av, bu, bv, cu, cv] = multiples<6>({a.u, a.v, b.u, b.v, c.u, c.v});
   const Integer determinant = (au - cu) * (bv - cv) - (av - cv) * (bu - cu);
+  return determinant.sign();
+}
+
+int orient3d_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  for (const Vec3& p : {a, b, c, d}) {
+    if (!p.allFinite()) return 0;
+  }
+  auto [ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz] = multiples<12>(
+      {a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), c.x(), c.y(), c.z(), d.x(), d.y(), d.z()});
+  for (Integer* x : {&ax, &bx, &cx}) *x -= dx;
+  for (Integer* y : {&ay, &by, &cy}) *y -= dy;
+  for (Integer* z : {&az, &bz, &cz}) *z -= dz;
+  const Integer determinant =
+      az * (cx * by - bx * cy) + bz * (ax * cy - cx * ay) + cz * (bx * ay - ax * by);
   return determinant.sign();
 }
 
