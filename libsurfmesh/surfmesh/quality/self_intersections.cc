@@ -127,7 +127,7 @@ std::pair<Points, int> with_lone_corner_first(const Points& t, const Signs& sign
 
 /// True if the pieces that two triangles cut out of the line in which their planes meet overlap in
 /// more than a point. Each triangle has a corner alone on its side.
-/// Source   Guigue and Devillers, Fast and robust triangle-triangle overlap test using orientation
+/// Source   Guigue, Devillers, Fast and robust triangle-triangle overlap test using orientation
 ///          predicates (2003), section 3
 bool pieces_overlap(const Points& a, const Signs& sides_a, const Points& b, const Signs& sides_b) {
   auto [p, side_p] = with_lone_corner_first(a, sides_a);
