@@ -66,6 +66,23 @@ TEST(CheckMesh, HasOneFaultOfAKind) {
   EXPECT_EQ(check.faults[0].places.size(), 2u);
 }
 
+TEST(CheckMesh, TellsFacesThatPassThroughEachOtherButNotAsAFault) {
+  MeshArraysFile file = tetrahedron();
+  for (const double x : {0.1, 0.1, 0.6}) file.mesh.points.emplace_back(x, 0.2, x < 0.5 ? -1 : 1);
+  file.mesh.points[5].z() = 1;
+  file.mesh.faces.add(std::vector{4, 5, 6});
+  const MeshCheck check = check_mesh(file);
+  EXPECT_GT(check.self_intersections.count, 0u);
+  EXPECT_TRUE(check.faults.empty());
+  EXPECT_EQ(Json::parse(to_json(check))["self_intersections"]["count"],
+            check.self_intersections.count);
+}
+
+TEST(CheckMesh, TellsTheVolumeOfClosedMeshesOnly) {
+  EXPECT_DOUBLE_EQ(Json::parse(to_json(check_mesh(tetrahedron())))["volume"], 1.0 / 6);
+  EXPECT_TRUE(Json::parse(to_json(check_mesh(tetrahedron({{0, 1, 2}}))))["volume"].is_null());
+}
+
 TEST(CheckMesh, PassesWarningsOn) {
   MeshArraysFile file = tetrahedron();
   file.notices = {warning(NoticeKind::IgnoredInput, "a.obj:1: odd")};
