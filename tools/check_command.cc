@@ -19,15 +19,10 @@ namespace surfmesh {
 namespace {
 
 constexpr const char* kFooter =
-    "Faults (exit status 3) by their kinds in the JSON text:\n"
-    "  non_manifold_edge, non_manifold_vertex, turned_neighbour (faces that pass their edge in "
-    "the\n"
-    "  same direction), degenerate_face, duplicate_face, duplicate_vertex, unused_vertex;\n"
-    "  with --model: turned_face (against the normal of the surface), corner_off_surface "
-    "(vertices\n"
-    "  that are not where their (u,v) are), open_edge and closed_edge (not as in the model),\n"
-    "  components, euler (other numbers than the model's); duplicate_vertex then leaves out where\n"
-    "  the model has to be cut\n"
+    "Faults (exit status 3): non_manifold_edge, non_manifold_vertex, turned_neighbour (faces that\n"
+    "  pass their edge in the same direction), degenerate_face, duplicate_face, duplicate_vertex,\n"
+    "  unused_vertex; with --model: turned_face (against the normal of the surface),\n"
+    "  corner_off_surface, open_edge, closed_edge, components, euler (not as in the model)\n"
     "Keys of the JSON text: mesh, model, clean, faults, notices, counts, open_edges,\n"
     "  self_intersections (no fault), closed, manifold, oriented, area, volume (null unless "
     "closed\n"

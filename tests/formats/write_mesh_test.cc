@@ -9,6 +9,7 @@
 #include "formats/example_meshes.hh"
 #include "support/errors.hh"
 #include "support/folders.hh"
+#include "support/meshes.hh"
 #include "support/notices.hh"
 #include "surfmesh/formats/read_cage.hh"
 
@@ -153,7 +154,7 @@ TEST(WhatIsLost, TellsWhatAFormatCannotHold) {
   using Lost = std::vector<std::string>;
   PolyMesh mesh = wavy_grid(3, 2);
   const std::string digits =
-      "the digits of positions beyond single precision: vertices move by up to 2.98e-08";
+      "the digits of positions beyond single precision: vertices move by up to 2.36e-08";
   const std::string quads = "5 faces of more than three corners, which are split";
   EXPECT_EQ(what_is_lost(mesh, "a.obj"), Lost());
   EXPECT_EQ(what_is_lost(mesh, "a.stl"), (Lost{digits, quads}));

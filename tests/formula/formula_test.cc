@@ -400,6 +400,8 @@ struct SameIn {
   std::string plain;
 };
 
+void PrintTo(const SameIn& same, std::ostream* out) { *out << same.text; }
+
 class FormulaSteps : public testing::TestWithParam<SameIn> {};
 
 /// u from 0.1 to 0.9, v from 2.1 to 2.9.

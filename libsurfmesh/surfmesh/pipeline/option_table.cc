@@ -76,8 +76,8 @@ constexpr OptionGroup kMeshing = OptionGroup::Meshing;
 constexpr OptionGroup kCages = OptionGroup::Cages;
 
 constexpr auto kTable = std::to_array<Option>({
-    {kSizes, true, "",
-     "size as a share of the radius of curvature; off by default with sag or size", kCurvature},
+    {kSizes, true, "", "size as a share of the radius of curvature; off with sag or size",
+     kCurvature},
     {kSizes, true, kLengthUnit, "one length everywhere, whatever the other sizes are",
      length(
          ranges::kSize, [](auto& o) -> auto& { return o.sizing.size; })},
@@ -112,10 +112,10 @@ constexpr auto kTable = std::to_array<Option>({
     {kSizes, false, "", "source of curvature: second derivatives, or differences of positions",
      number(
          ranges::kCurvatureFrom, [](auto& o) -> auto& { return o.sizing.curvature_from; })},
-    {kControl, true, "nodes", "control nodes: chosen to the precision, or so many regular ones",
+    {kControl, false, "nodes", "control nodes: chosen to the precision, or so many regular ones",
      number(
          ranges::kNodes, [](auto& o) -> auto& { return o.control.regular_nodes; })},
-    {kControl, true, "", "conformity of the control space with the sizes asked for",
+    {kControl, false, "", "conformity of the control space with the sizes asked for",
      number(
          ranges::kPrecision, [](auto& o) -> auto& { return o.control.precision; })},
     {kControl, false, "",
@@ -144,7 +144,7 @@ constexpr auto kTable = std::to_array<Option>({
     {kControl, false, "", "metric distance within which the last sizes are used again",
      number(
          ranges::kReuse, [](auto& o) -> auto& { return o.control.reuse; })},
-    {kMeshing, true, "", "where new nodes go: at the front, or to circumcentres",
+    {kMeshing, false, "", "where new nodes go: at the front, or to circumcentres",
      number(
          ranges::kPlacement, [](auto& o) -> auto& { return o.refine.placement; })},
     {kMeshing, false, "", "connection of new nodes: by their cavity, or by edge swaps",
