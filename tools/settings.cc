@@ -35,6 +35,7 @@ class HelpFormatter : public CLI::Formatter {
   std::string make_group(std::string group, bool is_positional,
                          std::vector<const CLI::Option*> flags) const override {
     std::erase_if(flags, [this](const CLI::Option* flag) { return hidden_.contains(flag); });
+    if (flags.empty()) return "";
     return CLI::Formatter::make_group(std::move(group), is_positional, std::move(flags));
   }
 
@@ -156,7 +157,7 @@ void add_help_all(CLI::App& command, const std::shared_ptr<HelpFormatter>& forma
           CLI::Option* flag = command.get_option_no_throw(flag_of(option));
           if (flag) flag->description(wrapped(long_text(option)));
         }
-        command.footer(fmt::format("{}\nFunctions of formulas (README, Formulas):\n{}\n",
+        command.footer(fmt::format("{}\nFunctions of formulas (libsurfmesh/REFERENCE.md):\n{}\n",
                                    command.get_footer(), wrapped(formula_functions(), kScreen)));
         throw CLI::CallForHelp();
       },

@@ -53,8 +53,11 @@ std::string usage_fault(const CLI::App& app, const CLI::ParseError& error) {
   const auto option = std::find_if(unknown.begin(), unknown.end(), [](const std::string& argument) {
     return argument.size() > 1 && argument.front() == '-';
   });
+  const bool has_no_command = &command == &app && !unknown.empty();
+  if (has_no_command && !unknown.front().starts_with('-'))
+    return unknown_command(app, unknown.front());
   if (option != unknown.end()) return unknown_option(command, *option);
-  if (&command == &app && !unknown.empty()) return unknown_command(app, unknown.front());
+  if (has_no_command) return unknown_command(app, unknown.front());
   return error.what();
 }
 

@@ -72,8 +72,8 @@ TEST(Creases, RunAroundAGroup) {
   };
   add_crease_around("two", 10, cage);
   EXPECT_EQ(cage.creases.size(), shares_edge() ? 6u : 8u);
-  EXPECT_EQ(error_of([&] { add_crease_around("three", 10, cage); }),
-            "invalid input: there is no group three");
+  EXPECT_EQ(error_of([&] { add_crease_around("tow", 10, cage); }),
+            "invalid input: there is no group tow, did you mean two?");
 }
 
 TEST(Creases, MakeTheLimitSurfaceOfACubeTheCubeItself) {

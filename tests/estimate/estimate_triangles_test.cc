@@ -154,7 +154,7 @@ TEST(CoarseEstimate, IsNotInStepWithAPeriodicField) {
 TEST(ElementLimit, NamesHmaxWhereItIsInTheWay) {
   const RunContext context(nullptr, 1000);
   const TriangleEstimate many({{{{4000 * kUnitArea, 1, 1}}, {}}});
-  EXPECT_NE(error_of([&] { throw_too_many(many, 1, context); }).find("hmin and hmax = 2.17"),
+  EXPECT_NE(error_of([&] { throw_too_many(many, 1, context); }).find("; size = 2.17"),
             std::string::npos);
 }
 

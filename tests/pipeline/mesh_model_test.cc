@@ -78,6 +78,21 @@ TEST(MeshModel, FillsAPlaneSquareWithTrianglesOfOneSize) {
   EXPECT_LT(result.report.edges.stddev, 0.06);
 }
 
+TEST(MeshModel, HasOneLengthEverywhereAndTellsWhatHasNoEffectBeside) {
+  PipelineOptions options;
+  options.sizing.size = Length::units(0.5);
+  const Report report = mesh_model(wave(), {}, options).report;
+  EXPECT_TRUE(report.notices.empty());
+  EXPECT_GT(report.edges.mean, 0.95);
+  EXPECT_LT(report.edges.mean, 1.05);
+  options.sizing.hmax = Length::units(0.1);
+  options.sizing.curvature = 0.1;
+  const Report told = mesh_model(wave(), {}, options).report;
+  EXPECT_EQ(texts_of(told.notices), (std::vector<std::string>{"curvature has no effect beside size",
+                                                              "hmax has no effect beside size"}));
+  EXPECT_EQ(told.mesh.triangles, report.mesh.triangles);
+}
+
 TEST(MeshModel, ReachesGoodFiguresOnTheWave) {
   PipelineOptions options;
   options.sizing = {.curvature = 0.15, .hmax = Length::units(1), .stretch = 5};

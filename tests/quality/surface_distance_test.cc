@@ -94,23 +94,29 @@ TEST(ProjectMesh, StaysOnTheSheetOfAHairpin) {
 }
 
 TEST(MeasureDistance, TellsHowManyFacesCannotBeJudged) {
-  // Sheets far narrower than the samples of the search.
-  const Model model =
-      testing::model_of({make_callable_surface(Domain{0, 1, 0, 1}, [](auto u, auto v) {
-        return std::array{u, v, 0.1 * sin(1 / (u + 0.01))};
-      })});
-  const Surface& surface = *model.patches[0].surface;
-  PolyMesh mesh = testing::plane_grid(60, 4);
-  for (const VertexHandle vh : mesh.vertices()) {
-    const Vec3 at = to_eigen(mesh.point(vh));
-    // Nodes of equal steps of the wave.
-    const double step = (1 / 0.01 - 1 / 1.01) / 60;
-    const Uv uv{1 / (1 / 1.01 + (60 - at.x()) * step) - 0.01, at.y() / 4};
-    mesh.set_point(vh, to_openmesh(surface.evaluate(uv, Order::Position).point));
-  }
+  const Model model = testing::model_of({testing::whole_torus()});
+  PolyMesh mesh = torus_mesh(*model.patches[0].surface, 24);
   const SurfaceSearch search(model);
   project_mesh(mesh, {}, model, search);
-  EXPECT_TRUE(measure_distance(mesh, model, search, true).faults.empty());
+  // As if the corners of a face had been found on the other side of the tube.
+  const auto uv_of = require(mesh, keys::corner_uv);
+  for (const HalfedgeHandle heh : mesh.fh_range(FaceHandle(100))) {
+    mesh.property(uv_of, heh).v = std::fmod(mesh.property(uv_of, heh).v + kPi, 2 * kPi);
+  }
+  const SurfaceDistance distance = measure_distance(mesh, model, search, true);
+  EXPECT_TRUE(distance.faults.empty());
+  EXPECT_EQ(distance.unjudged, 1u);
+}
+
+TEST(MeasureDistance, FindsTurnedFacesOfAProjectedMesh) {
+  const Model model = testing::model_of({testing::rectangle(0, 0, 4, 4)});
+  const SurfaceSearch search(model);
+  PolyMesh mesh = testing::plane_grid(4, 4);
+  mesh.set_point(VertexHandle(6), {2.5, 2.5, 0});
+  project_mesh(mesh, {}, model, search);
+  const SurfaceDistance distance = measure_distance(mesh, model, search, true);
+  ASSERT_EQ(distance.faults.size(), 1u);
+  EXPECT_EQ(distance.faults[0].kind, "turned_face");
 }
 
 TEST(MeasureDistance, CallsNoFaceTurnedThatFacesOneOfTwoSheetsInOnePlace) {

@@ -239,7 +239,7 @@ TEST_F(MeshProgram, NeedsAnOutputUnlessItOnlyEstimates) {
 
 TEST_F(MeshProgram, RefusesMoreTrianglesThanItMayMake) {
   expect_error(mesh("wave.json", "--hmin 1e-6 --hmax 1e-5"),
-               "triangles, more than max_elements = 50000000; hmin and hmax = ");
+               "triangles, more than max_elements = 50000000; size = ");
   expect_error(mesh("wave.json", "--hmin 1e-6 --hmax 1e-5 --dry-run"), "about 6.1e+12 triangles");
 }
 

@@ -44,9 +44,7 @@ TEST_P(MeshedCases, AreMeshedAndCheckAgrees) {
   ASSERT_EQ(run("mesh '" + path_ + "' -o out.om " + shared.options), shared.status) << err_;
   EXPECT_TRUE(says(shared.topology)) << out_;
   if (*shared.notice) {
-    EXPECT_TRUE(err_.starts_with(std::string("surfmesh: ") + shared.notice) ||
-                err_.find(shared.notice) != std::string::npos)
-        << err_;
+    EXPECT_NE(err_.find(shared.notice), std::string::npos) << err_;
   } else {
     EXPECT_EQ(err_, "");
   }

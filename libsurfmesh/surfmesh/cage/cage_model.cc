@@ -413,10 +413,8 @@ MendOptions mend_options(const Cage& cage, const CageOptions& options) {
 
 Model model_from_cage(const Cage& cage, const CageOptions& options) {
   MendedCage mended = mend_cage(cage, mend_options(cage, options));
-  if (options.crease_angle.value_or(0) > 0) {
-    check_option(ranges::kCreaseAngle, *options.crease_angle);
-    add_creases(*options.crease_angle, mended.cage);
-  }
+  check_option(ranges::kCreaseAngle, options.crease_angle.value_or(0));
+  if (options.crease_angle.value_or(0) > 0) add_creases(*options.crease_angle, mended.cage);
   const Scheme scheme = resolve_scheme(mended.cage, options.scheme);
   const RefinedCage regular = make_regular(mended.cage, scheme, mended.parent_faces);
   Model model = model_of_blocks(regular, scheme, options);

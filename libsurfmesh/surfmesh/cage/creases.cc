@@ -8,10 +8,12 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <string_view>
 #include <utility>
 
 #include "surfmesh/cage/cage_sides.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/io/nearest_word.hh"
 
 namespace surfmesh {
 namespace {
@@ -96,11 +98,20 @@ void add_crease_around(const std::string& group, double sharpness, Cage& cage) {
   const auto found = std::find_if(cage.groups.begin(), cage.groups.end(),
                                   [&](const Cage::FaceGroup& g) { return g.name == group; });
   if (found == cage.groups.end()) {
-    throw Error(ErrorCode::InvalidInput, fmt::format("there is no group {}", group));
+    std::vector<std::string_view> names;
+    for (const Cage::FaceGroup& g : cage.groups) names.push_back(g.name);
+    const auto meant = nearest_word(group, names);
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("there is no group {}{}", group,
+                            meant ? fmt::format(", did you mean {}?", *meant) : ""));
   }
   std::vector<char> is_inside(cage.faces.size(), 0);
-  for (const int face : found->faces) is_inside[static_cast<std::size_t>(face)] = 1;
+  for (const int face : found->faces) {
+    const auto at = static_cast<std::size_t>(face);
+    if (face >= 0 && at < is_inside.size()) is_inside[at] = 1;
+  }
   CreaseList creases(cage);
+  bool has_border = false;
   const std::vector<CageSide> sides = sorted_sides(cage.faces);
   for_each_edge(sides, [&](std::span<const CageSide> edge) {
     const auto is_in = [&](const CageSide& side) {
@@ -109,7 +120,13 @@ void add_crease_around(const std::string& group, double sharpness, Cage& cage) {
     const auto count = std::count_if(edge.begin(), edge.end(), is_in);
     if (count == 0 || count == static_cast<std::ptrdiff_t>(edge.size())) return;
     creases.add(edge[0].low, edge[0].high, sharpness);
+    has_border = true;
   });
+  if (has_border) return;
+  throw Error(ErrorCode::InvalidInput,
+              fmt::format("no edge lies between a face of group {} and one of the others; vertices "
+                          "that are not welded make none",
+                          group));
 }
 
 }  // namespace surfmesh

@@ -17,6 +17,7 @@ inline constexpr double kSharp = 10;
 /// The normal of a polygon that is not plane is that of its area. Faces that pass the edge in the
 /// same direction are taken as seen from one side. Edges of one face or of more than two stay as
 /// they are, and so do faces without area.
+/// Pre      the vertices of faces exist
 /// Cost     O(n log n) for n face corners
 void add_creases(double degrees, Cage& cage);
 
@@ -28,7 +29,7 @@ void add_crease(const std::vector<int>& vertices, double sharpness, Cage& cage);
 
 /// Make a crease of the edges at the border of a group, between a face of it and one that is not.
 ///
-/// Throws   InvalidInput if there is no group of this name
+/// Throws   InvalidInput if there is no group of this name, or no such edge
 void add_crease_around(const std::string& group, double sharpness, Cage& cage);
 
 }  // namespace surfmesh

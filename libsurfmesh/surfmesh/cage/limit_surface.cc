@@ -35,7 +35,7 @@ constexpr double kNoDirection = 1e-100;
 
 /// Faces around a vertex from which on they share one refinement: each by itself takes time with
 /// the square of their number. Below it, faces alone take less memory and evaluate faster.
-constexpr int kWideFan = 32;
+constexpr int kSharedRefinement = 32;
 
 /// A semi-sharp crease of this sharpness and more counts as an edge for sizes: its rounding, about
 /// 2^(1 - sharpness) of a face wide, would ask for elements far smaller than the faces beside it.
@@ -331,7 +331,7 @@ class SurfaceMaker {
     if (scheme == Sdc::SCHEME_BILINEAR) return is_shared;
     for (int v = 0; v < level.GetNumVertices(); ++v) {
       const Far::ConstIndexArray faces = level.GetVertexFaces(v);
-      if (faces.size() >= kWideFan) is_shared[static_cast<std::size_t>(v)] = 1;
+      if (faces.size() >= kSharedRefinement) is_shared[static_cast<std::size_t>(v)] = 1;
       if (!has_two_faces(level, v)) continue;
       for (const int face : faces) {
         for (const int w : level.GetFaceVertices(face)) is_shared[static_cast<std::size_t>(w)] = 1;

@@ -25,8 +25,8 @@ void throw_too_many(const TriangleEstimate& estimate, double hmax, const RunCont
   const auto hmin = estimate.fitting_hmin(kSurelyFewEnough * most);
   const std::string advice =
       !hmin ? std::string("tubes thinner than hmin need most of them, whatever hmin is")
-            : fmt::format("{} = {:.3g} (in model units) would fit",
-                          *hmin > hmax ? "hmin and hmax" : "hmin", *hmin);
+            : fmt::format("{} = {:.3g} (in model units) would fit", *hmin > hmax ? "size" : "hmin",
+                          *hmin);
   throw Error(
       ErrorCode::Limit,
       fmt::format("the sizes ask for about {:.2g} triangles, more than max_elements = {}; {}",

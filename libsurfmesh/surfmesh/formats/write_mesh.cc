@@ -27,7 +27,8 @@ Rounding rounding_of(const PolyMesh& mesh, const std::filesystem::path& path) {
     const OpenMesh::Vec3d& a = mesh.point(mesh.from_vertex_handle(heh));
     const OpenMesh::Vec3d& b = mesh.point(mesh.to_vertex_handle(heh));
     const double move = std::max(rounding_of(a), rounding_of(b));
-    if (move > result.share * (b - a).norm()) result.share = move / (b - a).norm();
+    const double length = (b - a).norm();
+    if (length > 0 && move > result.share * length) result.share = move / length;
   }
   return result;
 }

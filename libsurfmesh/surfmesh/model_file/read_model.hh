@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "surfmesh/cage/cage_model.hh"
+#include "surfmesh/cage/creases.hh"
 #include "surfmesh/model/join_sides.hh"
 #include "surfmesh/sizes/sizing.hh"
 
@@ -18,7 +19,7 @@ namespace surfmesh {
 struct CreaseInput {
   std::vector<int> vertices = {};  ///< from 0, one after the other along edges
   std::string group = {};
-  double sharpness = 10;
+  double sharpness = kSharp;
   std::string origin = {};  ///< JSON pointer
 };
 

@@ -206,7 +206,7 @@ class SagCorrector {
       for (const double share : {before - step, before + step}) {
         if (share < kFirstBend || share > kLastBend) continue;
         const double there = distance(share);
-        if (there <= greatest) continue;
+        if (!(there > greatest)) continue;
         greatest = there;
         bend = share;
       }

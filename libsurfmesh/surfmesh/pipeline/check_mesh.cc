@@ -271,6 +271,11 @@ class Lines {
   void add_fit(const ModelFit& fit) {
     add("model", fit.is_projected ? "the mesh has no (u,v), nearest points were taken"
                                   : "by the (u,v) of the mesh");
+    if (fit.is_projected) {
+      add("",
+          fmt::format("corners are up to {:.3g} from the surface, which without (u,v) is no fault",
+                      fit.distance.max_corner));
+    }
     if (fit.distance.unjudged > 0) {
       add("", fmt::format("{} faces could not be judged: the nearest points of their corners lie "
                           "on another sheet of the surface",

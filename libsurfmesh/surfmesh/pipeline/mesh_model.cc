@@ -18,6 +18,7 @@
 #include "surfmesh/boundary/patch_boundary.hh"
 #include "surfmesh/control/surface_metric_field.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/option_range.hh"
 #include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/validate.hh"
@@ -32,6 +33,7 @@
 #include "surfmesh/pipeline/patch_cache.hh"
 #include "surfmesh/pipeline/patch_names.hh"
 #include "surfmesh/pipeline/reach_sag.hh"
+#include "surfmesh/pipeline/set_option.hh"
 #include "surfmesh/quality/patch_measures.hh"
 
 namespace surfmesh {
@@ -39,6 +41,22 @@ namespace {
 
 /// A triangle of less quality is told: it is of no use, and the user can mend it.
 constexpr double kFlatQuality = 0.1;
+
+/// Beside one length everywhere, other sizes that were asked for have no effect.
+Notices unused_sizes(const PipelineOptions& options) {
+  Notices notices;
+  if (!options.sizing.size) return notices;
+  PipelineOptions defaults;
+  defaults.sizing.size = options.sizing.size;
+  for (const std::string_view name :
+       {ranges::kCurvature.name, ranges::kSag.name, ranges::kHmin.name, ranges::kHmax.name,
+        ranges::kStretch.name, ranges::kGrade.name, ranges::kProximity.name}) {
+    if (get_option(options, name) == get_option(defaults, name)) continue;
+    notices.push_back(
+        warning(NoticeKind::UnusedOption, fmt::format("{} has no effect beside size", name)));
+  }
+  return notices;
+}
 
 class Run {
  public:
@@ -48,6 +66,7 @@ class Run {
     if (sizing.sag > 0) demands_.sag = sizing.sag;
     report_.options = options;
     append(model.notices, report_.notices);
+    append(unused_sizes(options), report_.notices);
   }
 
   /// What is known without a mesh.

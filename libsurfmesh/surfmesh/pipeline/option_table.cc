@@ -76,7 +76,7 @@ constexpr OptionGroup kMeshing = OptionGroup::Meshing;
 constexpr OptionGroup kCages = OptionGroup::Cages;
 
 constexpr auto kTable = std::to_array<Option>({
-    {kSizes, true, "", "size as a share of the radius of curvature; off with sag or size",
+    {kSizes, true, "", "share of the radius of curvature; off with size, by default with sag",
      kCurvature},
     {kSizes, true, kLengthUnit, "one length everywhere, whatever the other sizes are",
      length(

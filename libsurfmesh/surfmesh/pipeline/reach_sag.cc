@@ -205,8 +205,9 @@ class SagLoop {
   /// Why the worst face of the best mesh is too far, and what helps.
   std::string cause() const {
     if (is_held(best_.mesh, worst_face_)) {
-      return fmt::format("hmin = {:.6g} is in the way, a smaller one helps",
-                         task_.sizing.bounds.hmin);
+      const SizeBounds& bounds = task_.sizing.bounds;
+      return fmt::format("{} = {:.6g} is in the way, a smaller one helps",
+                         bounds.hmin == bounds.hmax ? "size" : "hmin", bounds.hmin);
     }
     if (!spaces_->can_scale()) {
       return "control = mesh does not scale sizes; control = cells does, without the options that "

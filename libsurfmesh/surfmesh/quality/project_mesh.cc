@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "surfmesh/core/properties.hh"
@@ -14,8 +15,8 @@ namespace {
 using detail::corners_of;
 using detail::point_of;
 
-/// Distances below this share of the diagonal are rounding.
-constexpr double kOnSurface = 1e-10;
+/// Share of the diagonal that is rounding.
+constexpr double kRounding = 1e-10;
 
 /// Rounds in which corners learn from neighbours. A region of a wrong sheet shrinks by a row of
 /// faces a round.
@@ -47,7 +48,7 @@ class MeshProjection {
       : mesh_(mesh),
         model_(model),
         search_(search),
-        on_surface_(kOnSurface * model.diagonal),
+        on_surface_(surface_tolerance(mesh, model)),
         distances_(mesh.n_halfedges(), 0) {
     for (const std::string& name : patch_names) allowed_.push_back(patches_named(model, name));
     has_patches_ = find(mesh, keys::face_patch).is_valid();
@@ -151,6 +152,17 @@ class MeshProjection {
 };
 
 }  // namespace
+
+double surface_tolerance(const PolyMesh& mesh, const Model& model) {
+  constexpr double single = std::numeric_limits<float>::epsilon();
+  double greatest = 0;
+  for (const VertexHandle vh : mesh.vertices()) {
+    const Vec3 point = to_eigen(mesh.point(vh));
+    if (point.cast<float>().cast<double>() != point) return kRounding * model.diagonal;
+    greatest = std::max(greatest, point.cwiseAbs().maxCoeff());
+  }
+  return std::max(kRounding * model.diagonal, 2 * single * greatest);
+}
 
 void project_mesh(PolyMesh& mesh, const std::vector<std::string>& patch_names, const Model& model,
                   const SurfaceSearch& search, const RunContext& context) {

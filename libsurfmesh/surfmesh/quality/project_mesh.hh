@@ -11,6 +11,10 @@
 
 namespace surfmesh {
 
+/// Distances between mesh and model below this are rounding, model units: of the model, or of a
+/// mesh whose coordinates are all in single precision.
+double surface_tolerance(const PolyMesh& mesh, const Model& model);
+
 /// Give the corners of a mesh the patches and parameters of the nearest points of a model.
 ///
 /// The patch of a face is that of the point nearest to its middle, among the patches that have the

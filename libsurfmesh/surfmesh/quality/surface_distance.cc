@@ -12,6 +12,7 @@
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/quality/face_corners.hh"
 #include "surfmesh/quality/facing.hh"
+#include "surfmesh/quality/project_mesh.hh"
 
 namespace surfmesh {
 namespace {
@@ -32,12 +33,6 @@ void ask_at(FaceHandle fh, const RunContext& context) {
 /// projected to the wrong side, whose normal is about perpendicular.
 constexpr double kClearlyTurned = 0.5;
 
-/// Share of the area of a patch by which the faces on one side must exceed those on the other.
-constexpr double kClearSide = 0.5;
-
-/// Distances below this share of the diagonal are rounding, and need no second search.
-constexpr double kOnSurface = 1e-10;
-
 /// Measures the faces of a mesh one after the other.
 class DistanceMeter {
  public:
@@ -52,7 +47,7 @@ class DistanceMeter {
         facing_(mesh.n_faces(), 0),
         is_off_(mesh.n_faces(), 0),
         side_of_(model.patches.size(), 0),
-        area_of_(model.patches.size(), 0) {}
+        on_surface_(surface_tolerance(mesh, model)) {}
 
   SurfaceDistance run(const RunContext& context) {
     for (const FaceHandle fh : mesh_.faces()) {
@@ -60,7 +55,7 @@ class DistanceMeter {
       measure(fh);
     }
     if (samples_ > 0) result_.mean = sum_ / static_cast<double>(samples_);
-    find_turned();
+    find_turned(context);
     for (MeshFault* fault : {&turned_, &off_}) {
       if (fault->count > 0) result_.faults.push_back(std::move(*fault));
     }
@@ -106,7 +101,6 @@ class DistanceMeter {
     facing_[index(fh)] = cosine;
     const auto patch = static_cast<std::size_t>(mesh_.property(patch_of_, fh));
     side_of_[patch] += cosine > 0 ? area.norm() : -area.norm();
-    area_of_[patch] += area.norm();
   }
 
   /// Returns the normal p_u × p_v of the surface there; zero where it has none.
@@ -114,7 +108,7 @@ class DistanceMeter {
     const Jet jet = surface.evaluate(corner.uv, Order::First);
     const double distance = (jet.point - corner.point).norm();
     ++corners_;
-    if (distance > kOnSurface * model_.diagonal) {
+    if (distance > on_surface_) {
       ++corners_off_;
       is_off_[index(fh)] = 1;
     }
@@ -139,7 +133,7 @@ class DistanceMeter {
       const Vec3 point = w[0] * t[0].point + w[1] * t[1].point + w[2] * t[2].point;
       const Uv guess = w[0] * t[0].uv + w[1] * t[1].uv + w[2] * t[2].uv;
       NearPoint near = find_near_point(surface, point, guess);
-      if (near.is_on_border && near.distance > kOnSurface * model_.diagonal) {
+      if (near.is_on_border && near.distance > on_surface_) {
         near.distance = std::min(near.distance, search_.nearest(point).distance);
       }
       sum_ += near.distance;
@@ -151,9 +145,10 @@ class DistanceMeter {
     }
   }
 
-  void find_turned() {
+  void find_turned(const RunContext& context) {
     const double least_facing = is_projected_ ? -kClearlyTurned : 0;
     for (const FaceHandle fh : mesh_.faces()) {
+      ask_at(fh, context);
       const double side = side_of_[static_cast<std::size_t>(mesh_.property(patch_of_, fh))];
       if (facing_[index(fh)] * (side < 0 ? -1 : 1) > least_facing) continue;
       if (is_projected_ && !can_be_judged(fh)) {
@@ -169,11 +164,8 @@ class DistanceMeter {
   }
 
   /// False if the projection has not found a corner of a face, although most corners of the mesh
-  /// lie on the surface; or if the patch has no side that clearly most of its faces are on, for
-  /// it is folded onto itself.
+  /// lie on the surface.
   bool can_be_judged(FaceHandle fh) const {
-    const auto patch = static_cast<std::size_t>(mesh_.property(patch_of_, fh));
-    if (std::abs(side_of_[patch]) < kClearSide * area_of_[patch]) return false;
     return !is_off_[index(fh)] || 2 * corners_off_ > corners_;
   }
 
@@ -187,7 +179,7 @@ class DistanceMeter {
       area += (point_of(mesh_, corners[k - 1]) - a).cross(point_of(mesh_, corners[k]) - a);
     }
     const std::vector<NearPoint> feet = search_.feet(detail::middle_of(mesh_, corners));
-    const double reach = 2 * feet.front().distance + kOnSurface * model_.diagonal;
+    const double reach = 2 * feet.front().distance + on_surface_;
     return std::any_of(feet.begin(), feet.end(), [&](const NearPoint& foot) {
       const Jet jet = model_.surface(foot.patch).evaluate(foot.uv, Order::First);
       const double side = side_of_[static_cast<std::size_t>(foot.patch)] < 0 ? -1 : 1;
@@ -204,7 +196,7 @@ class DistanceMeter {
   std::vector<double> facing_;   ///< cosine of the angle between face and surface
   std::vector<char> is_off_;     ///< of faces, with a corner that is not on the surface
   std::vector<double> side_of_;  ///< of each patch, area along minus area against the normal
-  std::vector<double> area_of_;  ///< of each patch, twice the area of its faces
+  double on_surface_;            ///< distances below are rounding
   SurfaceDistance result_;
   double sum_ = 0;
   std::size_t samples_ = 0;

@@ -24,8 +24,8 @@ struct SurfaceDistance {
   /// is, and in a projected mesh by more than 120°; corner_off_surface: farther than 1e-6 of the
   /// diagonal from the surface at its (u,v), for a mesh with (u,v) of its own.
   std::vector<MeshFault> faults;
-  /// Faces of a projected mesh that look turned, but whose corners are not all found, or whose
-  /// patch is folded onto itself.
+  /// Faces of a projected mesh that look turned, but whose corners are not all found on the
+  /// surface, as most of the mesh's are.
   std::size_t unjudged = 0;
 };
 

@@ -30,7 +30,8 @@ struct RefineReport {
   std::size_t inserted = 0;  ///< inner nodes
   std::size_t refused = 0;   ///< triangles left too large because no point was good
   /// True if the run was given up at three times the number of triangles that the metric area asks
-  /// for: the metric changes direction faster than elements can follow.
+  /// for, and twice that of the boundary alone: the metric changes direction faster than elements
+  /// can follow.
   bool is_stopped = false;
   QueryCounts queries;  ///< of the metric field
 
@@ -42,7 +43,8 @@ struct RefineReport {
 /// One loop: take the worst triangle of the front and compute a point by the placement. Insert it
 /// if it is far enough from nodes and boundary. Otherwise try the circumcentre, if the metric there
 /// conforms with that of the triangle, or else leave the triangle as it is. The run is given up
-/// when it has made three times as many triangles as the metric area of the mesh asks for.
+/// when it has made three times as many triangles as the metric area of the mesh asks for, and
+/// twice as many as the boundary makes alone.
 ///
 /// The context counts the triangles as unfinished; they stay so at the end.
 ///

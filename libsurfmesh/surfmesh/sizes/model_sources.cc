@@ -92,11 +92,14 @@ std::optional<Notice> clamp_notice(const Model& model, const Sources& sources,
                          [&] { return count_clamped(table, *patch.surface, bounds); });
   }
   if (count == 0) return std::nullopt;
-  return warning(
-      NoticeKind::ClampedSizes,
-      fmt::format("{} of sources {} brought into the bounds hmin = {:.6g} and hmax = {:.6g}",
-                  count == 1 ? "1 size" : fmt::format("{} sizes", count), count == 1 ? "is" : "are",
-                  bounds.hmin, bounds.hmax));
+  const std::string into = bounds.hmin == bounds.hmax
+                               ? fmt::format("to the one length there is, {:.6g}", bounds.hmax)
+                               : fmt::format("into the bounds hmin = {:.6g} and hmax = {:.6g}",
+                                             bounds.hmin, bounds.hmax);
+  return warning(NoticeKind::ClampedSizes,
+                 fmt::format("{} of sources {} brought {}",
+                             count == 1 ? "1 size" : fmt::format("{} sizes", count),
+                             count == 1 ? "is" : "are", into));
 }
 
 }  // namespace surfmesh

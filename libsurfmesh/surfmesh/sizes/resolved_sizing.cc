@@ -43,8 +43,8 @@ ResolvedSizing resolve(const Sizing& sizing, double diagonal) {
   const bool is_uniform = sizing.size.has_value();
   return {.bounds = resolve_bounds(sizing, diagonal),
           .curvature = is_uniform ? 0 : sizing.curvature_factor(),
-          .sag = sizing.sag ? sizing.sag->in_units(diagonal) : 0,
-          .stretch = sizing.stretch,
+          .sag = sizing.sag && !is_uniform ? sizing.sag->in_units(diagonal) : 0,
+          .stretch = sizing.isotropic ? 1 : sizing.stretch,
           .grade = sizing.grade,
           .contour_curvature = sizing.contour_curvature && !is_uniform,
           .proximity = is_uniform ? 0 : sizing.proximity,

@@ -48,7 +48,7 @@ SizeField::SizeField(const Surface& surface, const ResolvedSizing& sizing,
       domain_(surface.domain()),
       bounds_(sizing.bounds),
       length_(sizing),
-      stretch_(sizing.isotropic ? 1 : sizing.stretch),
+      stretch_(sizing.stretch),
       is_isotropic_(sizing.isotropic) {
   add_all_sources(sources, sizing.grade, precision);
   if (length_.is_off()) return;
