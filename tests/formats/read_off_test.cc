@@ -81,6 +81,16 @@ TEST(ReadOff, LeavesOutFacesOfOneOrTwoVertices) {
                                      "an inside, is left out (and 2 more)"});
 }
 
+TEST(ReadOff, LeavesOutFacesWhoseBorderRunsThereAndBack) {
+  // A tip in the middle, a tip at an end, tips on tips.
+  for (const char* face : {"4 0 1 0 2", "4 1 0 2 0", "6 0 1 2 3 2 1", "6 2 1 0 1 2 3"}) {
+    const Cage cage = read("OFF\n4 2 0\n" + kFour + "3 0 1 2\n" + face + "\n");
+    EXPECT_EQ(cage.faces.size(), 1u) << face;
+  }
+  EXPECT_EQ(fault("OFF\n4 1 0\n" + kFour + "5 0 1 2 0 3\n"),
+            "7: a face has a vertex twice, not in a row");
+}
+
 TEST(ReadOff, WarnsOfColumnsThatTheHeaderDoesNotTell) {
   const Cage cage = read("OFF\n3 1 0\n0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n3 0 1 2\n");
   EXPECT_EQ(

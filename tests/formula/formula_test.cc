@@ -185,7 +185,7 @@ TEST(FormulaGrammar, AnyNumberOfVariablesHasAValue) {
   EXPECT_EQ(formula.evaluate(at), 321);
 }
 
-TEST(FormulaGrammar, ReadmeListsTheFunctions) {
+TEST(FormulaGrammar, IsListedInTheReference) {
   std::ifstream stream(std::filesystem::path(SURFMESH_SOURCE_DIR) / "libsurfmesh/REFERENCE.md");
   std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   std::ranges::replace(text, '\n', ' ');

@@ -181,8 +181,8 @@ VertexHandle NodeTriangulation::improve(FaceHandle fh) {
   const std::array<Uv, 3> triangle = corners(delaunay_.mesh(), fh, delaunay_.uv_handle());
   const MetricCircle circle = circumcircle(triangle, metric);
   if (!is_badly_shaped(triangle, metric, circle.squared_radius)) return VertexHandle();
-  // Rounding makes a triangle flat that is much longer than wide in its metric. In a sharp corner
-  // of the domain, as its metric has it, refinement does not end.
+  // Rounding may leave a triangle without area. Beside cells of other sizes, sides at the boundary
+  // of the domain are halved down to rounding.
   if (!std::isfinite(circle.squared_radius) || is_tiny(triangle)) return VertexHandle();
   const auto middle = [this](HalfedgeHandle heh) {
     const PolyMesh& mesh = delaunay_.mesh();

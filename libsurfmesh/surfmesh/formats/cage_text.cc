@@ -32,20 +32,31 @@ void drop_equal_neighbours(std::vector<int>& corners) {
   while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
 }
 
-/// True if the border of a face runs along each of its edges there and back: 0 1 0 2.
-bool has_no_inside(std::vector<int> corners) {
-  for (std::size_t i = 0; i < corners.size() && corners.size() > 2;) {
-    const std::size_t next = (i + 1) % corners.size(), after = (i + 2) % corners.size();
-    if (corners[i] != corners[after]) {
-      ++i;
-      continue;
+/// True if the border of a face runs along each of its edges there and back: 0 1 0 2. No two equal
+/// vertices may follow each other.
+bool has_no_inside(const std::vector<int>& corners) {
+  // What is left without the tips: a b a is a.
+  std::vector<int> open;
+  for (const int corner : corners) {
+    if (open.size() > 1 && open[open.size() - 2] == corner) {
+      open.pop_back();
+    } else {
+      open.push_back(corner);
     }
-    // Off with the tip, and one of the two that are now neighbours.
-    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(std::max(next, after)));
-    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(std::min(next, after)));
-    i = 0;
   }
-  return corners.size() < 3;
+  // A tip across the end has its two sides at the ends of the list.
+  std::size_t first = 0, end = open.size();
+  while (end - first > 2) {
+    if (open[end - 2] == open[first]) {
+      end -= 2;
+    } else if (open[end - 1] == open[first + 1]) {
+      ++first;
+      --end;
+    } else {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace

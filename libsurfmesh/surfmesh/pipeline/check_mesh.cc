@@ -230,7 +230,7 @@ class Lines {
   void add_self_intersections(const MeshFault& found) {
     if (found.count == 0) return add("", "no faces pass through each other");
     add("warning",
-        fmt::format("{} pairs of faces pass through each other, the first:", found.count));
+        fmt::format("pairs of faces that pass through each other: {}, the first:", found.count));
     add("", "  " + found.places.front());
   }
 
@@ -277,8 +277,8 @@ class Lines {
                       fit.distance.max_corner));
     }
     if (fit.distance.unjudged > 0) {
-      add("", fmt::format("{} faces could not be judged: the nearest points of their corners lie "
-                          "on another sheet of the surface",
+      add("", fmt::format("faces that look turned, but whose corners were not found on the surface "
+                          "by projection: {}",
                           fit.distance.unjudged));
     }
     if (!fit.is_by_stored_metric) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
+#include <cstddef>
 #include <vector>
 
 #include "surfmesh/core/mesh.hh"
@@ -22,6 +24,16 @@ inline std::vector<HalfedgeHandle> corners_of(const PolyMesh& mesh, FaceHandle f
     heh = mesh.next_halfedge_handle(heh);
   } while (heh != start);
   return corners;
+}
+
+/// Twice the area of a polygon, along its normal.
+inline Vec3 double_area_of(const PolyMesh& mesh, const std::vector<HalfedgeHandle>& corners) {
+  const Vec3 a = point_of(mesh, corners[0]);
+  Vec3 area = Vec3::Zero();
+  for (std::size_t k = 2; k < corners.size(); ++k) {
+    area += (point_of(mesh, corners[k - 1]) - a).cross(point_of(mesh, corners[k]) - a);
+  }
+  return area;
 }
 
 inline Vec3 middle_of(const PolyMesh& mesh, const std::vector<HalfedgeHandle>& corners) {

@@ -91,12 +91,10 @@ class DistanceMeter {
       corners.push_back({point_of(mesh_, heh), mesh_.property(uv_of_, heh)});
       normal += measure_corner(surface, corners.back(), fh);
     }
-    Vec3 area = Vec3::Zero();
     for (std::size_t k = 2; k < corners.size(); ++k) {
-      const Corner &a = corners[0], &b = corners[k - 1], &c = corners[k];
-      area += (b.point - a.point).cross(c.point - a.point);
-      measure_samples(surface, {a, b, c}, fh);
+      measure_samples(surface, {corners[0], corners[k - 1], corners[k]}, fh);
     }
+    const Vec3 area = detail::double_area_of(mesh_, corners_of(mesh_, fh));
     const double cosine = facing(area, normal);
     facing_[index(fh)] = cosine;
     const auto patch = static_cast<std::size_t>(mesh_.property(patch_of_, fh));
@@ -173,11 +171,7 @@ class DistanceMeter {
   /// the same place: where the surface is folded onto itself, projection takes either.
   bool faces_a_sheet(FaceHandle fh) const {
     const std::vector<HalfedgeHandle> corners = corners_of(mesh_, fh);
-    Vec3 area = Vec3::Zero();
-    for (std::size_t k = 2; k < corners.size(); ++k) {
-      const Vec3 a = point_of(mesh_, corners[0]);
-      area += (point_of(mesh_, corners[k - 1]) - a).cross(point_of(mesh_, corners[k]) - a);
-    }
+    const Vec3 area = detail::double_area_of(mesh_, corners);
     const std::vector<NearPoint> feet = search_.feet(detail::middle_of(mesh_, corners));
     const double reach = 2 * feet.front().distance + on_surface_;
     return std::any_of(feet.begin(), feet.end(), [&](const NearPoint& foot) {
