@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -19,12 +20,15 @@ class Curve {
   virtual Uv evaluate(double t) const = 0;
 };
 
-/// The straight segment from a (t = 0) to b (t = 1), exact at both ends.
+/// The straight segment from a (t = 0) to b (t = 1), exact at both ends. A coordinate that both
+/// ends have is that of all points, so that a segment on a side of a domain never leaves it.
 class SegmentCurve : public Curve {
  public:
   SegmentCurve(Uv a, Uv b) : a_(a), b_(b) {}
 
-  Uv evaluate(double t) const override { return lerp(a_, b_, t); }
+  Uv evaluate(double t) const override {
+    return {std::lerp(a_.u, b_.u, t), std::lerp(a_.v, b_.v, t)};
+  }
 
  private:
   Uv a_;
@@ -64,6 +68,24 @@ class CallableSpaceCurve : public SpaceCurve {
 
  private:
   std::function<Vec3(double)> function_;
+};
+
+/// The part of a curve, in the parameters of a patch or in space, between two of its t. Both ends
+/// are exact.
+template <class Whole>
+class CurvePart : public Whole {
+ public:
+  CurvePart(std::shared_ptr<const Whole> whole, double from, double to)
+      : whole_(std::move(whole)), from_(from), to_(to) {}
+
+  decltype(std::declval<const Whole&>().evaluate(0)) evaluate(double t) const override {
+    return whole_->evaluate(std::lerp(from_, to_, t));
+  }
+
+ private:
+  std::shared_ptr<const Whole> whole_;
+  double from_;
+  double to_;
 };
 
 /// A curve in the parameters of a surface, as a curve in space.

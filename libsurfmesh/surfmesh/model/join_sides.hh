@@ -54,9 +54,10 @@ struct ContourInput {
 /// patches whose loops name it; so is a side of another patch. If its (u,v) on a patch is not
 /// given, it is found by projection. Contours are not compared with sides or other contours: to
 /// join patches along one, use one name. A patch that has a contour twice (a seam) lists it twice
-/// in `on`, in the order of its loops. Contours that are one point in space (at a pole) are
-/// degenerate. The largest loop is the outer one. Some faults are corrected, with a warning: a loop
-/// that runs the wrong way round is reversed; a contour that no loop names is left out.
+/// in `on`, in the order of its loops. A contour with kinks inside becomes one between each two of
+/// them: `hole#0`, `hole#1`, ... Contours that are one point in space (at a pole) are degenerate.
+/// The largest loop is the outer one. Some faults are corrected, with a warning: a loop that runs
+/// the wrong way round is reversed; a contour that no loop names is left out.
 ///
 /// The end of a contour within 1e-9 of the diagonal of a vertex is that vertex. Ends that follow
 /// each other in a loop are joined up to 1e-6, which is also how far a contour may be from a patch.

@@ -23,6 +23,16 @@ PatchNumbers patch_numbers(const std::vector<PatchInput>& patches) {
   return numbers;
 }
 
+std::shared_ptr<const SpaceCurve> curve_in_space(const ContourInput& contour,
+                                                 const std::vector<PatchInput>& patches,
+                                                 const PatchNumbers& patch_numbers) {
+  if (contour.xyz) return contour.xyz;
+  const auto on = std::find_if(contour.on.begin(), contour.on.end(),
+                               [](const ContourInput::On& entry) { return entry.curve; });
+  const auto owner = static_cast<std::size_t>(patch_numbers.at(on->patch));
+  return std::make_shared<CurveOnSurface>(patches[owner].surface, on->curve);
+}
+
 NamedContours::NamedContours(Model& model, const std::vector<PatchInput>& patches,
                              const PatchNumbers& patch_numbers, const ContourLengths& lengths)
     : model_(model),
@@ -38,7 +48,7 @@ int NamedContours::contour_of(const ContourInput& input) {
   const auto [entry, is_new] =
       indices_.try_emplace(&input, static_cast<int>(model_.contours.size()));
   if (!is_new) return entry->second;
-  const std::shared_ptr<const SpaceCurve> xyz = curve_in_space(input);
+  const std::shared_ptr<const SpaceCurve> xyz = curve_in_space(input, patches_, patch_numbers_);
   Contour result;
   result.name = input.name;
   result.start = vertex_at(xyz->evaluate(0));
@@ -51,15 +61,6 @@ int NamedContours::contour_of(const ContourInput& input) {
   model_.contours.push_back(std::move(result));
   origins_.push_back({xyz, input.range});
   return entry->second;
-}
-
-/// The curve in space, or that of the first curve on a patch.
-std::shared_ptr<const SpaceCurve> NamedContours::curve_in_space(const ContourInput& input) const {
-  if (input.xyz) return input.xyz;
-  const auto on = std::find_if(input.on.begin(), input.on.end(),
-                               [](const ContourInput::On& entry) { return entry.curve; });
-  const auto owner = static_cast<std::size_t>(patch_numbers_.at(on->patch));
-  return std::make_shared<CurveOnSurface>(patches_[owner].surface, on->curve);
 }
 
 /// The vertex at a point, the first one if there are several; a new one if there is none.

@@ -25,6 +25,13 @@ using PatchNumbers = std::map<std::string, int, std::less<>>;
 
 PatchNumbers patch_numbers(const std::vector<PatchInput>& patches);
 
+/// The curve of a contour in space: its own, or that of the first curve on a patch.
+///
+/// Pre      the contour has a curve, and the patches that it names are there
+std::shared_ptr<const SpaceCurve> curve_in_space(const ContourInput& contour,
+                                                 const std::vector<PatchInput>& patches,
+                                                 const PatchNumbers& patch_numbers);
+
 /// Adds contours to a model, and finds their curves on the patches that use them.
 class NamedContours {
  public:
@@ -60,7 +67,6 @@ class NamedContours {
 
   Origin& origin(int contour) { return origins_[static_cast<std::size_t>(contour)]; }
   const Origin& origin(int contour) const { return origins_[static_cast<std::size_t>(contour)]; }
-  std::shared_ptr<const SpaceCurve> curve_in_space(const ContourInput& input) const;
   int vertex_at(const Vec3& point);
   std::shared_ptr<const Curve> project(int contour, int patch, const std::string& location) const;
   bool is_same_speed(int contour, const ContourUse& use) const;

@@ -11,6 +11,7 @@
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/model/close_loops.hh"
+#include "surfmesh/model/divide_contours.hh"
 #include "surfmesh/model/named_contours.hh"
 #include "surfmesh/model/open_contours.hh"
 #include "surfmesh/model/patch_sides.hh"
@@ -82,14 +83,19 @@ void check_length(const ContourInput& contour) {
                           kMostLength / 2));
 }
 
-using NamedInputs = std::map<std::string, const ContourInput*, std::less<>>;
+/// The parts of each contour between its kinks, by its name.
+using NamedParts = std::map<std::string, std::vector<ContourInput>, std::less<>>;
 
 /// Named contours are not compared with others, so tell where that was perhaps meant.
-void warn_of_neighbours(Model& model, const NamedInputs& inputs) {
+void warn_of_neighbours(Model& model, const NamedParts& parts) {
+  std::set<std::string_view> names;
+  for (const auto& [name, of_name] : parts) {
+    for (const ContourInput& part : of_name) names.insert(part.name);
+  }
   const std::vector<OpenContour> all = open_contours(model);
   std::vector<OpenContour> named, sides;
   for (const OpenContour& open : all) {
-    (inputs.contains(open.contour->name) ? named : sides).push_back(open);
+    (names.contains(open.contour->name) ? named : sides).push_back(open);
   }
   std::vector<ContourPair> pairs = contours_along(named, sides, kNearShare * model.diagonal);
   const auto more = contours_along(named, kNearShare * model.diagonal);
@@ -113,7 +119,8 @@ class Trimmer {
         patch_numbers_(patch_numbers(input.patches)),
         contours_(model, input.patches, patch_numbers_,
                   {input.join, kContourGap * model.diagonal}) {
-    for (const ContourInput& contour : input.contours) check_names(contour);
+    for (const ContourInput& contour : input.contours) add_parts(contour);
+    check_part_names();
   }
 
   void run() {
@@ -129,7 +136,7 @@ class Trimmer {
     }
     closer.unite_vertices();
     warn_of_unused();
-    warn_of_neighbours(model_, by_name_);
+    warn_of_neighbours(model_, parts_);
   }
 
  private:
@@ -137,7 +144,9 @@ class Trimmer {
     return input_.patches[static_cast<std::size_t>(index)];
   }
 
-  void check_names(const ContourInput& contour);
+  void check_names(const ContourInput& contour) const;
+  void add_parts(const ContourInput& contour);
+  void check_part_names() const;
   Chain chain_of(int patch, std::size_t loop);
   Chain chain_named(const std::string& name, int patch, std::size_t loop);
   Chain side_chain(const std::string& name, const Chain& side, int patch);
@@ -148,19 +157,19 @@ class Trimmer {
   const TrimInput& input_;
   PatchNumbers patch_numbers_;
   NamedContours contours_;
-  NamedInputs by_name_;
+  NamedParts parts_;
   std::map<std::pair<const ContourInput*, int>, std::size_t> mentions_;  ///< by patch
   std::set<std::pair<int, int>> used_;  ///< contour and use in some loop
 };
 
-void Trimmer::check_names(const ContourInput& contour) {
+void Trimmer::check_names(const ContourInput& contour) const {
   const auto refuse = [&](const std::string& reason) {
     throw Error(ErrorCode::InvalidInput, fmt::format("{}: {}", label(contour), reason));
   };
   const bool is_plain = !contour.name.empty() && contour.name[0] != '-' &&
                         contour.name.find(':') == std::string::npos;
   if (!is_plain) refuse("a name does not begin with - and has no colon");
-  if (!by_name_.try_emplace(contour.name, &contour).second) refuse("its name is used twice");
+  if (parts_.contains(contour.name)) refuse("its name is used twice");
   bool has_curve = contour.xyz != nullptr;
   for (const ContourInput::On& on : contour.on) {
     has_curve = has_curve || on.curve;
@@ -169,11 +178,32 @@ void Trimmer::check_names(const ContourInput& contour) {
     }
   }
   if (!has_curve) refuse("it needs a curve in space, or one on a patch");
+}
+
+void Trimmer::add_parts(const ContourInput& contour) {
+  check_names(contour);
   try {
     check_finite(contour);
     check_length(contour);
+    parts_[contour.name] = divide_at_kinks(contour, input_.patches, patch_numbers_);
   } catch (const Error& error) {
     throw Error(error.code(), fmt::format("{}: {}", label(contour), error.what()));
+  }
+}
+
+/// Fail if a part has the name of another contour.
+void Trimmer::check_part_names() const {
+  for (const ContourInput& contour : input_.contours) {
+    const std::vector<ContourInput>& parts = parts_.at(contour.name);
+    if (parts.size() == 1) continue;
+    for (const ContourInput& part : parts) {
+      if (!parts_.contains(part.name)) continue;
+      throw Error(
+          ErrorCode::InvalidInput,
+          fmt::format("{}: it has corners inside, and {}, the name of a part of it, is that "
+                      "of another contour",
+                      label(contour), part.name));
+    }
   }
 }
 
@@ -203,8 +233,12 @@ Chain Trimmer::chain_of(int index, std::size_t loop) {
 Chain Trimmer::chain_named(const std::string& name, int index, std::size_t loop) {
   const auto side = input_.chains.find(name);
   if (side != input_.chains.end()) return side_chain(name, side->second, index);
-  const auto named = by_name_.find(name);
-  if (named != by_name_.end()) return {contour_link(*named->second, index)};
+  const auto named = parts_.find(name);
+  if (named != parts_.end()) {
+    Chain chain;
+    for (const ContourInput& part : named->second) chain.push_back(contour_link(part, index));
+    return chain;
+  }
   fail_loop(ErrorCode::InvalidInput, patch(index), loop,
             fmt::format("there is no contour or side {}", name));
 }
@@ -249,7 +283,8 @@ ChainLink Trimmer::contour_link(const ContourInput& input, int index) {
 
 void Trimmer::warn_of_unused() {
   for (const ContourInput& input : input_.contours) {
-    if (!contours_.has(input)) {
+    const ContourInput& part = parts_.at(input.name).front();
+    if (!contours_.has(part)) {
       model_.notices.push_back(
           warning(NoticeKind::UnusedContour,
                   fmt::format("{}: no loop names it, it is left out", label(input))));
@@ -257,7 +292,7 @@ void Trimmer::warn_of_unused() {
     }
     for (const ContourInput::On& on : input.on) {
       const int index = patch_numbers_.at(on.patch);
-      if (mentions_.contains({&input, index})) continue;
+      if (mentions_.contains({&part, index})) continue;
       Notice notice =
           warning(NoticeKind::UnusedContour,
                   fmt::format("{}: no loop of patch {} names it", label(input), on.patch));

@@ -23,6 +23,7 @@
 #include "surfmesh/io/input_file.hh"
 #include "surfmesh/io/nearest_word.hh"
 #include "surfmesh/model/append_model.hh"
+#include "surfmesh/model/divide_contours.hh"
 #include "surfmesh/model/join_sides.hh"
 #include "surfmesh/model_file/read_model.hh"
 #include "surfmesh/pipeline/option_table.hh"
@@ -222,7 +223,7 @@ void add_group_sources(const ModelFile& file, const std::string& name, ModelInpu
   }
 }
 
-/// The uses of a side or a contour, by name, on one patch.
+/// The uses of a side or a contour and its parts, by name, on one patch.
 std::vector<std::shared_ptr<const Curve>> curves_on(const Model& model, const std::string& name,
                                                     int patch) {
   std::vector<std::shared_ptr<const Curve>> curves;
@@ -238,7 +239,7 @@ std::vector<std::shared_ptr<const Curve>> curves_on(const Model& model, const st
     return curves;
   }
   for (const Contour& contour : model.contours) {
-    if (contour.name == name) add(contour);
+    if (is_part_of(contour.name, name)) add(contour);
   }
   return curves;
 }
