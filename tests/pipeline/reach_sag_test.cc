@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -14,6 +15,7 @@
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 #include "surfmesh/pipeline/set_option.hh"
+#include "surfmesh/quality/contour_distance.hh"
 #include "surfmesh/quality/sag.hh"
 
 namespace surfmesh {
@@ -67,6 +69,39 @@ TEST(ReachSag, TakesTrianglesInInverseProportion) {
   const auto coarse = static_cast<double>(mesh_with_sag(model, 0.016).report.mesh.triangles);
   const auto fine = static_cast<double>(mesh_with_sag(model, 0.002).report.mesh.triangles);
   EXPECT_NEAR(fine / coarse, 8, 1.6);
+}
+
+double greatest_distance(const PolyMesh& mesh, const std::vector<SharpContour>& contours) {
+  double greatest = 0;
+  for (const ContourDistance& far : far_contour_points(mesh, contours, 0)) {
+    greatest = std::max(greatest, far.distance);
+  }
+  return greatest;
+}
+
+// No triangle of a plate is far from its plane, but its border may be.
+TEST(ReachSag, KeepsBordersNear) {
+  for (const double sag : {0.05, 0.01, 0.002}) {
+    const Model model = testing::square_with_hole(0.5);
+    const MeshResult result = mesh_with_sag(model, sag);
+    const auto contours = sharp_contours(model, 1e-6);
+    EXPECT_LE(greatest_distance(result.mesh, contours), sag);
+    EXPECT_TRUE(texts_of(result.report.notices, Severity::Shortfall).empty());
+  }
+}
+
+TEST(ReachSag, TellsOfABorderThatHminKeepsAway) {
+  PipelineOptions options = with_sag(0.001);
+  options.sizing.hmin = Length::units(0.6);
+  options.sizing.hmax = Length::units(1);
+  const Model model = testing::square_with_hole(0.5);
+  const MeshResult result = mesh_model(model, {}, options);
+  const auto contours = sharp_contours(model, 1e-6);
+  EXPECT_NEAR(*result.report.sag.reached, greatest_distance(result.mesh, contours), 1e-4);
+  const auto notices = texts_of(result.report.notices, Severity::Shortfall);
+  ASSERT_EQ(notices.size(), 1u);
+  EXPECT_NE(notices[0].find("on contour hole at"), std::string::npos) << notices[0];
+  EXPECT_NE(notices[0].find("hmin = 0.6 is in the way"), std::string::npos) << notices[0];
 }
 
 TEST(ReachSag, IsReportedAndSoAreTheSizesThatHold) {
@@ -200,11 +235,11 @@ TEST(ReachSag, HoldsOverANarrowCreaseAtAnyStretch) {
 }
 
 TEST(ReachSag, AdvisesAStretchThatHelps) {
-  const Report report = mesh_of_crease(0.02, 3e-4, 10).report;
+  const Report report = mesh_of_crease(0.1, 5e-4, 10).report;
   ASSERT_GT(*report.sag.reached, *report.sag.asked);
   ASSERT_FALSE(report.notices.empty());
   EXPECT_NE(report.notices.back().text.find("stretch = 2 helps"), std::string::npos);
-  const Report advised = mesh_of_crease(0.02, 3e-4, 2).report;
+  const Report advised = mesh_of_crease(0.1, 5e-4, 2).report;
   EXPECT_LE(*advised.sag.reached, *advised.sag.asked);
 }
 

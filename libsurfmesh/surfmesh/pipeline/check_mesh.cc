@@ -27,6 +27,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// How near chords between points of contours keep to these, as a share of the model's diagonal.
+constexpr double kContourTolerance = 1e-6;
+
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 /// True if every corner has its (u,v) and every face its patch.
@@ -57,7 +60,8 @@ MetricFit measure_metric(const PolyMesh& mesh) {
 /// The greatest distance as the report of a run has it.
 void add_sag(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search,
              const RunContext& context, SurfaceDistance& distance) {
-  const Sag sag = measure_sag(mesh, model, search, context);
+  const auto contours = sharp_contours(model, kContourTolerance * model.diagonal, context);
+  const Sag sag = measure_sag(mesh, model, search, context, {.contours = &contours});
   if (sag.max <= distance.max) return;
   const auto greatest = std::max_element(sag.of_faces.begin(), sag.of_faces.end());
   distance.max = sag.max;

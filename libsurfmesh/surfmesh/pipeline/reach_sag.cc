@@ -62,6 +62,10 @@ constexpr double kMostFollowedStretch = 2;
 /// 0.02 % has more triangles of poorer shape.
 constexpr double kMoreSegments = 1.2;
 
+/// Points of contours are so near to each other that chords keep this share of the sag: the
+/// greatest distance between them is at most 3 % greater.
+constexpr double kContourTolerance = 1.0 / 32;
+
 /// In all they become at most so many times as many: where that does not help, more would only make
 /// the triangles beside flat.
 constexpr double kMostSegments = 3;
@@ -72,6 +76,7 @@ class SagLoop {
       : task_(task),
         mesh_with_(mesh_with),
         search_(task.model),
+        contours_(sharp_contours(task.model, kContourTolerance * asked(), task.context)),
         more_segments_(task.model.contours.size(), 1) {}
 
   MeshResult run() {
@@ -179,12 +184,15 @@ class SagLoop {
   /// Measure the mesh, and keep it if it is the best.
   void measure() {
     const StageClock clock(seconds_[Stage::Assemble]);
-    sag_ = measure_sag(now_.mesh, task_.model, search_, task_.context, {asked(), &memory_});
+    sag_ = measure_sag(now_.mesh, task_.model, search_, task_.context,
+                       {asked(), &memory_, &contours_});
     now_.report.sag.asked = asked();
     now_.report.sag.reached = sag_.max;
     if (!is_better()) return;
     best_ = now_;
     worst_face_ = worst_face();
+    worst_at_ = sag_.max_at;
+    worst_contour_ = sag_.max_contour;
   }
 
   void tell_if_not_reached() {
@@ -196,10 +204,16 @@ class SagLoop {
                     "model units) allows",
                     reached, asked()));
     notice.patch = best_.mesh.property(require(best_.mesh, keys::face_patch), worst_face_);
-    notice.point = to_eigen(best_.mesh.calc_face_centroid(worst_face_));
-    notice.text += fmt::format(", in patch {} at {}: {}", task_.model.patch(notice.patch).name,
-                               point_text(*notice.point), cause());
+    notice.contour = worst_contour_;
+    notice.point = worst_at_;
+    notice.text += fmt::format(", in patch {}{} at {}: {}", task_.model.patch(notice.patch).name,
+                               at_contour(), point_text(*notice.point), cause());
     best_.report.notices.push_back(std::move(notice));
+  }
+
+  std::string at_contour() const {
+    if (worst_contour_ < 0) return {};
+    return fmt::format(" on contour {}", task_.model.contour(worst_contour_).name);
   }
 
   /// Why the worst face of the best mesh is too far, and what helps.
@@ -308,6 +322,7 @@ class SagLoop {
   const SagTask& task_;
   const MeshWith& mesh_with_;
   SurfaceSearch search_;
+  std::vector<SharpContour> contours_;
   SagMemory memory_;
   std::unique_ptr<ScaledSpaces> spaces_;
   std::vector<double> more_segments_;  ///< by contour
@@ -315,6 +330,8 @@ class SagLoop {
   Sag sag_;  ///< of the mesh now
   MeshResult best_;
   FaceHandle worst_face_;  ///< of the best mesh
+  Vec3 worst_at_ = Vec3::Zero();
+  int worst_contour_ = -1;  ///< that is farthest from the best mesh; -1 if a face is farther
   PerStage<double> seconds_;
 };
 

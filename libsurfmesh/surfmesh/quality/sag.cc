@@ -9,6 +9,7 @@
 
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/quality/contour_distance.hh"
 #include "surfmesh/quality/face_corners.hh"
 #include "surfmesh/quality/triangle_distance.hh"
 #include "surfmesh/quality/triangle_sag.hh"
@@ -75,6 +76,7 @@ class SagMeter {
     }
     result.max = greatest.sag;
     result.max_at = greatest.at;
+    if (demands_.contours) add_contours(result);
     return result;
   }
 
@@ -101,6 +103,20 @@ class SagMeter {
         visit(FaceHandle(static_cast<int>(f)));
       }
     });
+  }
+
+  /// Raise the faces that are the nearest ones to points of contours, and farther from these.
+  void add_contours(Sag& result) const {
+    const double least = std::min(result.max, demands_.asked);
+    for (const ContourDistance& far :
+         far_contour_points(mesh_, *demands_.contours, least, context_)) {
+      double& of_face = result.of_faces[index(far.face)];
+      of_face = std::max(of_face, far.distance);
+      if (far.distance <= result.max) continue;
+      result.max = far.distance;
+      result.max_at = far.point;
+      result.max_contour = far.contour;
+    }
   }
 
   /// True if a face and all around it are as they were.
