@@ -32,6 +32,17 @@ constexpr double kFinerPrecision = 0.6;
 constexpr int kFirstGridSide = 9;
 constexpr double kMostGridNodes = 1.1e6;
 
+/// Points at least that a grid is compared at, and the share of them that may miss the precision:
+/// half of what PrecisionSample takes for held.
+constexpr int kLeastGridPoints = 300;
+constexpr double kHeldMissing = 0.01;
+
+/// Where the share decreases by less than this factor from one grid to the next, the sizes have
+/// kinks, beside which it decreases as cells become shorter. If more than the last share would be
+/// missing at the finest grid, too, that is not made. Coarser grids than of this side do not tell.
+constexpr double kSlowDecrease = 0.4, kMostMissing = 0.02;
+constexpr int kFutileSide = 33;
+
 /// Points of the independent sample: as many as nodes, within bounds.
 int sample_count(std::size_t nodes) {
   return static_cast<int>(std::clamp<std::size_t>(nodes, 300, 100'000));
@@ -96,27 +107,49 @@ double area_by_nodes(const Surface& surface, const std::vector<ControlNode>& nod
          static_cast<double>(nodes.size());
 }
 
-/// True if a grid of control nodes holds the field to the precision at quasi-random points, or is
-/// finer there than the elements.
-bool holds(const ControlGrid& grid, const SizeField& field, double precision,
-           const RunContext& context) {
-  const Domain domain = field.surface().domain();
-  const Uv extent = grid.cell_extent(0);
-  const Uv u_step{extent.u, 0}, v_step{0, extent.v};
-  QueryHint hint;
-  for (int i = 1; i <= 2 * grid.node_count(); ++i) {
-    if (static_cast<std::size_t>(i) % kStepsBetweenCancellation == 0) context.throw_if_cancelled();
-    const Uv uv = quasirandom_point(domain, i);
-    if (!is_in(domain, uv)) continue;
-    const SizeField::Sample exact = field.at(uv);
-    const Metric metric = metric_from_size(exact.form, exact.size);
-    const double cell = std::max(squared_length(metric, u_step), squared_length(metric, v_step));
-    if (cell < kLeastCellLength * kLeastCellLength) continue;
-    const SizeTensor size = grid.size({uv, exact.point, exact.form}, hint);
-    if (!(log_conformity(exact.size, size) <= precision)) return false;
+/// Compares a grid of control nodes with the field at quasi-random points.
+class GridSample {
+ public:
+  GridSample(const ControlGrid& grid, const SizeField& field, double precision)
+      : grid_(grid),
+        field_(field),
+        precision_(precision),
+        u_step_{grid.cell_extent(0).u, 0},
+        v_step_{0, grid.cell_extent(0).v} {}
+
+  /// The share of points that miss the precision: of twice as many as nodes.
+  double missing_share(const RunContext& context) {
+    const int points = std::max(kLeastGridPoints, 2 * grid_.node_count());
+    int missing = 0;
+    for (int i = 1; i <= points; ++i) {
+      if (static_cast<std::size_t>(i) % kStepsBetweenCancellation == 0)
+        context.throw_if_cancelled();
+      missing += misses(i) ? 1 : 0;
+    }
+    return static_cast<double>(missing) / points;
   }
-  return true;
-}
+
+ private:
+  /// True if the grid misses the precision at a point where it is no finer than the elements.
+  bool misses(int i) {
+    const Domain domain = field_.surface().domain();
+    const Uv uv = quasirandom_point(domain, i);
+    if (!is_in(domain, uv)) return false;
+    const SizeField::Sample exact = field_.at(uv);
+    const Metric metric = metric_from_size(exact.form, exact.size);
+    const double cell = std::max(squared_length(metric, u_step_), squared_length(metric, v_step_));
+    if (cell < kLeastCellLength * kLeastCellLength) return false;
+    const SizeTensor size = grid_.size({uv, exact.point, exact.form}, hint_);
+    return !(log_conformity(exact.size, size) <= precision_);
+  }
+
+  const ControlGrid& grid_;
+  const SizeField& field_;
+  double precision_;
+  Uv u_step_;
+  Uv v_step_;
+  QueryHint hint_;
+};
 
 }  // namespace
 
@@ -151,15 +184,21 @@ ChosenNodes choose_accurate_nodes(const SizeField& field, const ControlNodeOptio
 ChosenNodes choose_grid_nodes(const SizeField& field, const ControlNodeOptions& options,
                               const RunContext& context) {
   if (options.regular > 0) return choose_control_nodes(field, options);
+  double missing_before = 1;
   for (int side = kFirstGridSide;; side = 2 * side - 1) {
     context.throw_if_cancelled();
     ChosenNodes chosen = choose_control_nodes(field, {.regular = side * side});
     const ControlGrid grid(field.surface().domain(), chosen.nodes, {});
-    if (holds(grid, field, options.precision, context)) return chosen;
-    const double next = 4.0 * side * side;
-    chosen.is_coarse =
-        next > std::min(kMostGridNodes, most_nodes(area_by_nodes(field.surface(), chosen.nodes)));
+    GridSample sample(grid, field, options.precision);
+    const double missing = sample.missing_share(context);
+    if (missing <= kHeldMissing) return chosen;
+    const double most =
+        std::min(kMostGridNodes, most_nodes(area_by_nodes(field.surface(), chosen.nodes)));
+    chosen.is_coarse = 4.0 * side * side > most ||
+                       (missing > kSlowDecrease * missing_before &&
+                        missing * side / std::sqrt(most) > kMostMissing && side >= kFutileSide);
     if (chosen.is_coarse) return chosen;
+    missing_before = missing;
   }
 }
 
