@@ -108,6 +108,23 @@ TEST(MeasureDistance, TellsHowManyFacesCannotBeJudged) {
   EXPECT_EQ(distance.unjudged, 1u);
 }
 
+// Klein's bottle: at its seam points have normals of either side, and the surface turns far across
+// few faces.
+TEST(MeasureDistance, CallsNoFaceTurnedAtTheSeamOfASurfaceWithOneSide) {
+  const Model model =
+      testing::model_of({make_callable_surface(Domain{0, 2 * kPi, 0, 2 * kPi}, [](auto u, auto v) {
+        const auto way = 4.0 + cos(u / 2.0) * sin(v) - sin(u / 2.0) * sin(2.0 * v);
+        return std::array{way * cos(u), way * sin(u),
+                          sin(u / 2.0) * sin(v) + cos(u / 2.0) * sin(2.0 * v)};
+      })});
+  const SurfaceSearch search(model);
+  for (const int count : {5, 6, 7, 8, 10, 12, 16, 24}) {
+    PolyMesh mesh = mesh_over(*model.patches[0].surface, count, count);
+    project_mesh(mesh, {}, model, search);
+    EXPECT_TRUE(measure_distance(mesh, model, search, true).faults.empty()) << count;
+  }
+}
+
 TEST(MeasureDistance, FindsTurnedFacesOfAProjectedMesh) {
   const Model model = testing::model_of({testing::rectangle(0, 0, 4, 4)});
   const SurfaceSearch search(model);

@@ -33,6 +33,22 @@ void ask_at(FaceHandle fh, const RunContext& context) {
 /// projected to the wrong side, whose normal is about perpendicular.
 constexpr double kClearlyTurned = 0.5;
 
+Vec3 sum_of(const std::vector<Vec3>& vectors) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& vector : vectors) sum += vector;
+  return sum;
+}
+
+/// True if two of the normals are more than 90° apart.
+bool are_opposed(const std::vector<Vec3>& normals) {
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (normals[i].dot(normals[j]) < 0) return true;
+    }
+  }
+  return false;
+}
+
 /// Measures the faces of a mesh one after the other.
 class DistanceMeter {
  public:
@@ -46,6 +62,7 @@ class DistanceMeter {
         uv_of_(require(mesh, keys::corner_uv)),
         facing_(mesh.n_faces(), 0),
         is_off_(mesh.n_faces(), 0),
+        is_coarse_(mesh.n_faces(), 0),
         side_of_(model.patches.size(), 0),
         on_surface_(surface_tolerance(mesh, model)) {}
 
@@ -86,17 +103,18 @@ class DistanceMeter {
   void measure(FaceHandle fh) {
     const Surface& surface = surface_of(fh);
     std::vector<Corner> corners;
-    Vec3 normal = Vec3::Zero();
+    std::vector<Vec3> normals;
     for (const HalfedgeHandle heh : corners_of(mesh_, fh)) {
       corners.push_back({point_of(mesh_, heh), mesh_.property(uv_of_, heh)});
-      normal += measure_corner(surface, corners.back(), fh);
+      normals.push_back(measure_corner(surface, corners.back(), fh));
     }
     for (std::size_t k = 2; k < corners.size(); ++k) {
       measure_samples(surface, {corners[0], corners[k - 1], corners[k]}, fh);
     }
     const Vec3 area = detail::double_area_of(mesh_, corners_of(mesh_, fh));
-    const double cosine = facing(area, normal);
+    const double cosine = facing(area, sum_of(normals));
     facing_[index(fh)] = cosine;
+    is_coarse_[index(fh)] = are_opposed(normals) ? 1 : 0;
     const auto patch = static_cast<std::size_t>(mesh_.property(patch_of_, fh));
     side_of_[patch] += cosine > 0 ? area.norm() : -area.norm();
   }
@@ -162,9 +180,9 @@ class DistanceMeter {
   }
 
   /// False if the projection has not found a corner of a face, although most corners of the mesh
-  /// lie on the surface.
+  /// lie on the surface, or if the normals at its corners do not tell its side.
   bool can_be_judged(FaceHandle fh) const {
-    return !is_off_[index(fh)] || 2 * corners_off_ > corners_;
+    return !is_coarse_[index(fh)] && (!is_off_[index(fh)] || 2 * corners_off_ > corners_);
   }
 
   /// True if a face is turned against one sheet of the surface, but not against another one in
@@ -189,6 +207,7 @@ class DistanceMeter {
   decltype(keys::corner_uv)::Handle uv_of_;
   std::vector<double> facing_;   ///< cosine of the angle between face and surface
   std::vector<char> is_off_;     ///< of faces, with a corner that is not on the surface
+  std::vector<char> is_coarse_;  ///< of faces, across which the surface turns by more than 90°
   std::vector<double> side_of_;  ///< of each patch, area along minus area against the normal
   double on_surface_;            ///< distances below are rounding
   SurfaceDistance result_;

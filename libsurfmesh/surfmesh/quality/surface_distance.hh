@@ -25,7 +25,8 @@ struct SurfaceDistance {
   /// diagonal from the surface at its (u,v), for a mesh with (u,v) of its own.
   std::vector<MeshFault> faults;
   /// Faces of a projected mesh that look turned, but whose corners are not all found on the
-  /// surface, as most of the mesh's are.
+  /// surface, as most of the mesh's are, or have normals that are more than 90° apart: across a
+  /// very large face, and at the seam of a surface with one side.
   std::size_t unjudged = 0;
 };
 
