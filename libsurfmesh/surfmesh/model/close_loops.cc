@@ -11,6 +11,7 @@
 
 #include "surfmesh/core/disjoint_sets.hh"
 #include "surfmesh/geometry/box_tree.hh"
+#include "surfmesh/model/free_seam.hh"
 #include "surfmesh/model/loop_region.hh"
 #include "surfmesh/model/open_contours.hh"
 #include "surfmesh/model/patch_sides.hh"
@@ -54,6 +55,18 @@ void check_holes(const PatchInput& patch, const std::vector<LoopCurves>& curves,
   }
 }
 
+/// How to move the seam of a closed surface out of the way of contours; sides are not among these.
+std::string seam_advice(const Surface& surface, const std::vector<LoopCurves>& loops) {
+  std::vector<UvPath> paths;
+  for (const LoopCurves& loop : loops) {
+    for (const LoopCurve& curve : loop) {
+      if (curve.name.find(':') == std::string::npos) paths.push_back(path_of(*curve.curve));
+    }
+  }
+  const std::optional<std::string> advice = free_seam_advice(surface, paths);
+  return advice ? "; " + *advice : std::string();
+}
+
 }  // namespace
 
 std::string loop_label(const PatchInput& patch, std::size_t loop) {
@@ -75,6 +88,12 @@ LoopCurves LoopCloser::curves_of(const Chain& chain) const {
   return result;
 }
 
+std::vector<LoopCurves> LoopCloser::curves_of_all(const std::vector<Chain>& loops) const {
+  std::vector<LoopCurves> result;
+  for (const Chain& loop : loops) result.push_back(curves_of(loop));
+  return result;
+}
+
 void LoopCloser::add_loops(int index, std::vector<Chain> loops) {
   const PatchInput& input = patch(index);
   std::vector<LoopCurves> curves;
@@ -82,7 +101,9 @@ void LoopCloser::add_loops(int index, std::vector<Chain> loops) {
   for (std::size_t l = 0; l < loops.size(); ++l) {
     curves.push_back(curves_of(loops[l]));
     if (const auto location = find_point_outside(curves[l], input.surface->domain())) {
-      fail_loop(ErrorCode::Geometry, input, l, "the loop leaves the domain: " + *location);
+      fail_loop(ErrorCode::Geometry, input, l,
+                fmt::format("the loop leaves the domain: {}{}", *location,
+                            seam_advice(*input.surface, curves_of_all(loops))));
     }
     close(input, l, loops[l]);
     check_extent(input, l, loops[l]);

@@ -41,6 +41,7 @@ class LoopCloser {
  private:
   const PatchInput& patch(int index) const { return patches_[static_cast<std::size_t>(index)]; }
   LoopCurves curves_of(const Chain& chain) const;
+  std::vector<LoopCurves> curves_of_all(const std::vector<Chain>& loops) const;
   void close(const PatchInput& patch, std::size_t loop, const Chain& chain);
   void check_extent(const PatchInput& patch, std::size_t loop, const Chain& chain) const;
   void warn_of_near_parts(int index, const PatchInput& patch,

@@ -42,6 +42,9 @@ class NamedContours {
   /// The contour of the model that an input makes; made when it is first asked for.
   int contour_of(const ContourInput& input);
 
+  /// A contour is nearer than this to its patches, model units.
+  double reach() const { return lengths_.reach; }
+
   bool has(const ContourInput& input) const { return indices_.contains(&input); }
 
   /// The range of a contour's parameter as the input gives it.

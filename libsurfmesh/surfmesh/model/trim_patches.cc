@@ -12,6 +12,7 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/model/close_loops.hh"
 #include "surfmesh/model/divide_contours.hh"
+#include "surfmesh/model/free_seam.hh"
 #include "surfmesh/model/named_contours.hh"
 #include "surfmesh/model/open_contours.hh"
 #include "surfmesh/model/patch_sides.hh"
@@ -150,6 +151,7 @@ class Trimmer {
   Chain chain_of(int patch, std::size_t loop);
   Chain chain_named(const std::string& name, int patch, std::size_t loop);
   Chain side_chain(const std::string& name, const Chain& side, int patch);
+  std::string seam_advice(const ContourInput& contour, int patch) const;
   ChainLink contour_link(const ContourInput& input, int patch);
   void warn_of_unused();
 
@@ -276,9 +278,32 @@ ChainLink Trimmer::contour_link(const ContourInput& input, int index) {
                 fmt::format("{}: the loops name it more often than it is given there", location));
   }
   const int c = contours_.contour_of(input);
-  const int added =
-      contours_.add_use(c, index, on.empty() ? nullptr : on[mention]->curve, location);
-  return {{c, added}, true};
+  try {
+    const int added =
+        contours_.add_use(c, index, on.empty() ? nullptr : on[mention]->curve, location);
+    return {{c, added}, true};
+  } catch (const Error& error) {
+    throw Error(error.code(), error.what() + seam_advice(input, index));
+  }
+}
+
+/// How to move the seam of a patch out of the way of its contours, if this one crosses it.
+std::string Trimmer::seam_advice(const ContourInput& contour, int index) const {
+  const Surface& surface = *patch(index).surface;
+  const auto in_space = curve_in_space(contour, input_.patches, patch_numbers_);
+  std::vector<UvPath> paths = {path_on(surface, *in_space)};
+  if (!lies_on(surface, *in_space, paths.front(), contours_.reach())) return {};
+  for (const std::vector<std::string>& loop : patch(index).loops) {
+    for (const std::string& mention : loop) {
+      const auto named = parts_.find(contour_name_of(mention));
+      if (named == parts_.end()) continue;
+      for (const ContourInput& part : named->second) {
+        paths.push_back(path_on(surface, *curve_in_space(part, input_.patches, patch_numbers_)));
+      }
+    }
+  }
+  const std::optional<std::string> advice = free_seam_advice(surface, paths);
+  return advice ? ", or move the seam: " + *advice : std::string();
 }
 
 void Trimmer::warn_of_unused() {
