@@ -106,9 +106,39 @@ TEST(ReadModel, ReadsPlacesInSpace) {
   const ModelFile file = read(model("", R"("constants": {"a": 2}, "sources": [
       {"near": [0, "a", 1], "size": 1},
       {"near": [[0, 0, 0], [1, 0, "a"]], "size": 1, "radius": 2}])"));
-  ASSERT_EQ(file.sources.near.size(), 2u);
-  EXPECT_EQ(file.sources.near[0].line.at(0), Vec3(0, 2, 1));
-  EXPECT_EQ(file.sources.near[1].line.at(1), Vec3(1, 0, 2));
+  ASSERT_EQ(file.space_sources.size(), 2u);
+  const auto near = [&](std::size_t i) { return std::get<NearSource>(file.space_sources[i].wish); };
+  EXPECT_EQ(near(0).line.at(0), Vec3(0, 2, 1));
+  EXPECT_EQ(near(1).line.at(1), Vec3(1, 0, 2));
+}
+
+TEST(ReadModel, ReadsBoxesAndBalls) {
+  const ModelFile file = read(model("", R"("constants": {"a": 2}, "sources": [
+      {"inside": {"box": [[1, 0, "a"], [0, 1, 0]]}, "size": 1, "radius": 0.5},
+      {"group": "p", "inside": {"ball": [0, 0, "a"], "radius": "3%"}, "size": 1}])"));
+  ASSERT_EQ(file.space_sources.size(), 2u);
+  const BoxSource& box = std::get<BoxSource>(file.space_sources[0].wish);
+  EXPECT_EQ(box.box.min(), Vec3(0, 0, 0));
+  EXPECT_EQ(box.box.max(), Vec3(1, 1, 2));
+  EXPECT_EQ(box.wish.radius.value, 0.5);
+  EXPECT_TRUE(file.space_sources[0].group.empty());
+  const NearSource& ball = std::get<NearSource>(file.space_sources[1].wish);
+  EXPECT_EQ(ball.line.at(0), Vec3(0, 0, 2));
+  EXPECT_TRUE(ball.wish.radius.is_relative);
+  EXPECT_EQ(file.space_sources[1].group, "p");
+}
+
+TEST(ReadModel, ReadsFieldsAndSizesOfTheWholeModel) {
+  const ModelFile file = read(model("", R"json("sources": [
+      {"field": {"size": "r+0.1", "where": {"r": "sqrt(x^2+y^2+z^2)"}}, "precision": 0.3},
+      {"everywhere": true, "size": 2},
+      {"group": "p", "field": {"size": "0.1+z^2"}}])json"));
+  ASSERT_EQ(file.space_sources.size(), 3u);
+  const FieldSource& field = std::get<FieldSource>(file.space_sources[0].wish);
+  EXPECT_DOUBLE_EQ(field.size({}, Vec3(1, 2, 2)), 3.1);
+  EXPECT_EQ(field.precision, 0.3);
+  EXPECT_EQ(std::get<Size>(file.space_sources[1].wish).along.value, 2);
+  EXPECT_EQ(file.space_sources[2].group, "p");
 }
 
 TEST(ReadModel, ReadsNamedFormulas) {
@@ -238,11 +268,12 @@ TEST(ReadModel, ReadsCagesBesideTheFile) {
 TEST(ReadModel, ReadsSourcesOfGroups) {
   const ModelFile file =
       read(model("", R"("sources": [{"group": "wing", "size": [0.2, "1%"], "angle": 90}])"));
-  ASSERT_EQ(file.groups.size(), 1u);
-  EXPECT_EQ(file.groups[0].group, "wing");
-  EXPECT_EQ(file.groups[0].size.along.value, 0.2);
-  EXPECT_TRUE(file.groups[0].size.across.is_relative);
-  EXPECT_EQ(file.groups[0].origin, "/sources/0/group");
+  ASSERT_EQ(file.space_sources.size(), 1u);
+  EXPECT_EQ(file.space_sources[0].group, "wing");
+  const Size& size = std::get<Size>(file.space_sources[0].wish);
+  EXPECT_EQ(size.along.value, 0.2);
+  EXPECT_TRUE(size.across.is_relative);
+  EXPECT_EQ(file.space_sources[0].origin, "/sources/0/group");
 }
 
 TEST(ReadModel, HandsOptionsOnAsText) {
@@ -427,11 +458,56 @@ TEST(ReadModelFaults, OfSourcesOfGroups) {
   const auto group = [](const std::string& keys) {
     return fault(model("", "\"sources\": [{" + keys + "}]"));
   };
-  EXPECT_EQ(group(R"("size": 1)"), " /sources/0: a source needs one of near, group");
+  EXPECT_EQ(group(R"("size": 1)"),
+            " /sources/0: a source needs one of near, inside, field, everywhere, group");
   EXPECT_EQ(group(R"("group": "a", "size": 0)"), " /sources/0/size: must be above 0");
   EXPECT_EQ(group(R"("group": "a")"), " /sources/0/size: this key is missing");
   EXPECT_EQ(group(R"("group": "a", "size": 1, "radius": 2)"),
-            " /sources/0/radius: a group has no radius");
+            " /sources/0/radius: a size everywhere has no radius");
+}
+
+TEST(ReadModelFaults, OfSourcesAtTheWrongLevel) {
+  const auto of_model = [](const std::string& keys) {
+    return fault(model("", "\"sources\": [{" + keys + ", \"size\": 1}]"));
+  };
+  EXPECT_EQ(of_model(R"("at": [0, 0])"), " /sources/0/at: at belongs in the sources of a patch");
+  EXPECT_EQ(of_model(R"("along": "p:v0")"),
+            " /sources/0/along: along belongs in the sources of a patch");
+  EXPECT_EQ(of_model(R"("table": "t.csv")"),
+            " /sources/0/table: table belongs in the sources of a patch");
+  EXPECT_EQ(
+      of_model(R"("inside": [[0, 0], [1, 0], [0, 1]])"),
+      " /sources/0/inside: a polygon is in the (u,v) of a patch, and belongs in the sources of "
+      "that; here it takes a box or a ball");
+  EXPECT_EQ(fault(model(R"("sources": [{"near": [0, 0, 0], "size": 1}])")),
+            " /patches/0/sources/0/near: near belongs in the sources of the model, beside patches");
+  EXPECT_EQ(fault(model(R"("sources": [{"group": "p", "size": 1}])")),
+            " /patches/0/sources/0/group: group belongs in the sources of the model, beside "
+            "patches");
+}
+
+TEST(ReadModelFaults, OfSourcesInSpace) {
+  const auto of_model = [](const std::string& keys) {
+    return fault(model("", "\"sources\": [{" + keys + "}]"));
+  };
+  EXPECT_EQ(of_model(R"("field": {"size": "1+u"})"),
+            " /sources/0/field: u and v are those of one patch: a field of them belongs in the "
+            "sources of that; here it takes x, y and z");
+  EXPECT_EQ(of_model(R"("field": {"size": "1+w"})").find(" /sources/0/field/size: "), 0u);
+  EXPECT_EQ(
+      of_model(R"("field": {"m11": "1", "m12": "0", "m22": "1"})"),
+      " /sources/0/field/m11: a metric is in the (u,v) of a patch, and belongs in the sources "
+      "of that");
+  EXPECT_EQ(of_model(R"("inside": {"box": [[0, 0, 0]]}, "size": 1)").find(" /sources/0/inside/box"),
+            0u);
+  EXPECT_EQ(of_model(R"("inside": {"ball": [0, 0, 0]}, "size": 1)"),
+            " /sources/0/inside/radius: this key is missing");
+  EXPECT_EQ(of_model(R"("inside": {}, "size": 1)"),
+            " /sources/0/inside: needs either a box or a ball");
+  EXPECT_EQ(of_model(R"("inside": {"ball": [0, 0, 0], "radius": 1}, "size": 1, "radius": 1)"),
+            " /sources/0/radius: the ball has its own radius");
+  EXPECT_EQ(of_model(R"("near": [0, 0, 0], "inside": {"box": [[0,0,0],[1,1,1]]}, "size": 1)"),
+            " /sources/0: a source cannot have both near and inside");
 }
 
 TEST(ReadModelFaults, OfFiles) {

@@ -296,6 +296,35 @@ TEST(LoadModel, NamesThePlaceOfABadCage) {
             std::string::npos);
 }
 
+/// Two unit squares, side by side.
+std::string two_squares(const std::string& sources) {
+  return R"({"patches": [
+      {"name": "left", "surface": {"z": "0"}, "domain": {"u": [0, 1], "v": [0, 1]}},
+      {"name": "right", "surface": {"z": "0"}, "domain": {"u": [1, 2], "v": [0, 1]}}],
+      "sources": )" +
+         sources + "}";
+}
+
+TEST(LoadModel, GivesSourcesOfTheModelToAllPatchesOrToThoseOfAGroup) {
+  const TestFolder folder;
+  write_text(folder / "a.json", two_squares(R"([
+      {"field": {"size": "1+x"}}, {"group": "right", "field": {"size": "2"}},
+      {"everywhere": true, "size": 3}, {"near": [0, 0, 0], "size": 1},
+      {"group": "right", "near": [0, 0, 0], "size": 1},
+      {"group": "left", "inside": {"box": [[0, 0, 0], [1, 1, 1]]}, "size": 1}])"));
+  const Sources sources = load_model(folder / "a.json").sources;
+  ASSERT_EQ(sources.fields.size(), 3u);
+  EXPECT_EQ(sources.fields[0].patch, 0);
+  EXPECT_EQ(sources.fields[1].patch, 1);
+  EXPECT_EQ(sources.fields[2].patch, 1);
+  EXPECT_EQ(sources.everywhere.size(), 2u);
+  ASSERT_EQ(sources.near.size(), 2u);
+  EXPECT_TRUE(sources.near[0].patches.empty());
+  EXPECT_EQ(sources.near[1].patches, (std::vector<int>{1}));
+  ASSERT_EQ(sources.boxes.size(), 1u);
+  EXPECT_EQ(sources.boxes[0].patches, (std::vector<int>{0}));
+}
+
 TEST(LoadModel, NamesThePlaceOfAnUnknownGroup) {
   const TestFolder folder;
   write_text(folder / "a.json",

@@ -112,6 +112,20 @@ TEST_P(SizesOn, HoldNearAPlaceInSpace) {
   EXPECT_NEAR(mean_near(sources, {0.3, 0.6}, 0.08), 0.02, kTolerance * 0.02);
 }
 
+TEST_P(SizesOn, HoldInsideABoxInSpace) {
+  Sources sources;
+  const Vec3 reach(0.2, 0.2, 0.1), centre = at({0.5, 0.5});
+  sources.boxes.push_back({{centre - reach, centre + reach}, {size_of(0.02)}});
+  EXPECT_NEAR(mean_near(sources, {0.5, 0.5}, 0.18), 0.02, kTolerance * 0.02);
+}
+
+TEST_P(SizesOn, HoldInABoxOnlyOnPatchesThatAreThere) {
+  Sources sources;
+  const Vec3 up(0, 0, 2), one = Vec3::Ones();
+  sources.boxes.push_back({{at({0.5, 0.5}) + up, at({0.5, 0.5}) + up + one}, {size_of(0.02)}});
+  EXPECT_GT(mean_near(sources, {0.5, 0.5}, 0.3), 0.15);
+}
+
 TEST_P(SizesOn, FollowAField) {
   Sources sources;
   sources.fields.push_back({0, [](Uv uv, const Vec3&) { return 0.02 + 0.05 * uv.u; }});

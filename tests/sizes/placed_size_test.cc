@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -44,6 +45,30 @@ TEST(PlacedSize, HoldsWithinItsRadius) {
   placed.radius = 1;
   expect_near(*size_around(placed, flat(0.6, 0.7), kNoGrowth), size_tensor(0.2, 0.1, 0.3), 1e-15);
   EXPECT_FALSE(size_around(placed, flat(0.8, 0.7), kNoGrowth));
+}
+
+TEST(PlacedSize, HoldsInsideABox) {
+  PlacedSize placed = at_origin(0.2, 0.1, 0.3);
+  placed.is_box = true;
+  placed.to = {1, 2, 3};
+  const SizeTensor size = size_tensor(0.2, 0.1, 0.3);
+  for (const auto& [x, y, z] : {std::array{0.5, 1.0, 1.5}, {0.0, 0.0, 0.0}, {1.0, 2.0, 3.0}}) {
+    expect_near(*size_around(placed, flat(x, y, z), kNoGrowth), size, 1e-15);
+  }
+  EXPECT_FALSE(size_around(placed, flat(1.01, 1, 1), kNoGrowth));
+  EXPECT_FALSE(size_around(placed, flat(0.5, 1, -0.01), kNoGrowth));
+  placed.radius = 0.5;  // around a corner
+  EXPECT_TRUE(size_around(placed, flat(1.3, 2.3), kNoGrowth));
+  EXPECT_FALSE(size_around(placed, flat(1.4, 2.4), kNoGrowth));
+}
+
+TEST(PlacedSize, GrowsWithTheDistanceFromABox) {
+  const double growth = std::log(1.5);
+  PlacedSize placed = at_origin(0.1, 0.1);
+  placed.is_box = true;
+  placed.to = {1, 1, 1};
+  expect_near(*size_around(placed, flat(3, 0.5), growth), isotropic(0.1 + 2 * growth), 1e-15);
+  expect_near(*size_around(placed, flat(4, 5), growth), isotropic(0.1 + 5 * growth), 1e-15);
 }
 
 TEST(PlacedSize, ChangesLinearlyToTheOuterOne) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "surfmesh/cage/cage_model.hh"
@@ -36,11 +37,12 @@ struct CageInput {
   std::string origin;  ///< JSON pointer
 };
 
-/// A source of sizes in all patches of a group.
-struct GroupSource {
-  std::string group;  ///< a group of a cage's file, a cage, or a patch
-  Size size;
+/// A source of sizes in all patches of the model, or in those of a group.
+struct SpaceSource {
+  std::string group;   ///< a group of a cage's file, a cage, or a patch; empty for all patches
   std::string origin;  ///< JSON pointer
+  /// A size everywhere, a field of x, y and z, a place or a box. Their patches are not set.
+  std::variant<Size, FieldSource, NearSource, BoxSource> wish;
 };
 
 /// A source of sizes along a contour or side, in the patch that names it.
@@ -66,7 +68,7 @@ struct ModelFile {
   std::vector<CageInput> cages;
   std::vector<std::filesystem::path> tables;  ///< their files
   Sources sources;                            ///< `patch` is an index into patches
-  std::vector<GroupSource> groups;            ///< sources for groups
+  std::vector<SpaceSource> space_sources;
   std::vector<AlongContour> along_contours;
   std::vector<FileOption> options;  ///< those of `sizing` first, not checked
 };

@@ -3,10 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "surfmesh/core/error.hh"
@@ -18,6 +22,19 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kPatchSources = {"everywhere", "at",    "along",
                                                            "inside",     "field", "table"};
+
+/// Those of a model. A group alone has its size everywhere.
+constexpr std::array<std::string_view, 5> kSpaceSources = {"near", "inside", "field", "everywhere",
+                                                           "group"};
+
+/// The kind of a source of a model; a group comes beside another kind, or alone.
+std::string kind_in_space(const JsonNode& node) {
+  const std::span kinds(kSpaceSources);
+  const std::span others = kinds.first(kinds.size() - 1);
+  const bool is_alone = std::none_of(others.begin(), others.end(),
+                                     [&](std::string_view key) { return node.has(key); });
+  return kind_of(node, is_alone ? kinds : others);
+}
 
 /// Refuse keys that a kind of source has no use for.
 void refuse(const JsonNode& node, std::string_view subject,
@@ -82,25 +99,25 @@ void read_along(const JsonNode& node, const PatchScope& patch, ModelFile& model)
   model.sources.along.push_back(std::move(source));
 }
 
-void read_field(const JsonNode& node, const PatchScope& patch, Sources& sources) {
+/// A field, as formulas of these variables; its patch is not set.
+FieldSource read_field(const JsonNode& node, const std::vector<std::string>& variables,
+                       const Constants& constants) {
   refuse(node, "a field", {"size", "angle", "radius", "outer"});
   const JsonNode field = node.at("field");
   field.expect_keys({"size", "m11", "m12", "m22", "where"});
-  FormulaNode formula(field, formula_field_variables(), patch.constants);
+  FormulaNode formula(field, variables, constants);
   FieldSource source;
   if (field.has("size")) {
     refuse(field, "a field of one size", {"m11", "m12", "m22"});
     const std::string size = formula.text("size");
-    source = at_node(field, [&] { return formula_field(size, patch.constants, formula.where()); });
+    source = at_node(field, [&] { return formula_field(size, constants, formula.where()); });
   } else {
     const std::array<std::string, 3> metric = {formula.text("m11"), formula.text("m12"),
                                                formula.text("m22")};
-    source =
-        at_node(field, [&] { return formula_field(metric, patch.constants, formula.where()); });
+    source = at_node(field, [&] { return formula_field(metric, constants, formula.where()); });
   }
-  source.patch = patch.index;
   source.precision = read_precision(node);
-  sources.fields.push_back(std::move(source));
+  return source;
 }
 
 void read_table_source(const JsonNode& node, const PatchScope& patch, ModelFile& model) {
@@ -129,8 +146,7 @@ Vec3 read_point(const JsonNode& node, const Constants& constants) {
   return point;
 }
 
-void read_near(const JsonNode& node, const Constants& constants, Sources& sources) {
-  refuse(node, "a source near a place", {"precision"});
+NearSource read_near(const JsonNode& node, const Constants& constants) {
   const JsonNode near = node.at("near");
   const std::vector<JsonNode> elements = near.elements();
   NearSource source{{}, read_wish(node)};
@@ -139,17 +155,96 @@ void read_near(const JsonNode& node, const Constants& constants, Sources& source
   } else {
     source.line.push_back(read_point(near, constants));
   }
-  sources.near.push_back(std::move(source));
+  return source;
+}
+
+/// A ball is a point with a radius.
+NearSource read_ball(const JsonNode& node, const JsonNode& inside, const Constants& constants) {
+  if (node.has("radius")) node.at("radius").fail("the ball has its own radius");
+  NearSource source{{read_point(inside.at("ball"), constants)}, read_wish(node)};
+  source.wish.radius = read_length(inside.at("radius"));
+  return source;
+}
+
+BoxSource read_box(const JsonNode& node, const JsonNode& box, const Constants& constants) {
+  const std::vector<JsonNode> corners = box.elements(2);
+  const Vec3 a = read_point(corners[0], constants), b = read_point(corners[1], constants);
+  return {Eigen::AlignedBox3d(a.cwiseMin(b), a.cwiseMax(b)), read_wish(node)};
+}
+
+void read_inside_space(const JsonNode& node, const Constants& constants, SpaceSource& source) {
+  const JsonNode inside = node.at("inside");
+  if (inside.json().is_array()) {
+    inside.fail(
+        "a polygon is in the (u,v) of a patch, and belongs in the sources of that; here it "
+        "takes a box or a ball");
+  }
+  inside.expect_keys({"box", "ball", "radius"});
+  if (inside.has("box") == inside.has("ball")) inside.fail("needs either a box or a ball");
+  if (inside.has("ball")) {
+    source.wish = read_ball(node, inside, constants);
+  } else {
+    refuse(inside, "a box", {"radius"});
+    source.wish = read_box(node, inside.at("box"), constants);
+  }
+}
+
+/// Read a source that is no field.
+void read_space_size(const JsonNode& node, const std::string& kind, const Constants& constants,
+                     SpaceSource& source) {
+  if (kind == "near") {
+    source.wish = read_near(node, constants);
+  } else if (kind == "inside") {
+    read_inside_space(node, constants, source);
+  } else {
+    refuse(node, "a size everywhere", {"radius", "outer"});
+    if (kind == "everywhere" && !node.at(kind).boolean()) node.at(kind).fail("must be true");
+    source.wish = read_size(node);
+  }
+}
+
+/// Refuse what is in the (u,v) of one patch.
+FieldSource read_space_field(const JsonNode& node, const Constants& constants) {
+  const JsonNode field = node.at("field");
+  for (const std::string_view key : {"m11", "m12", "m22"}) {
+    if (field.has(key)) {
+      field.at(key).fail("a metric is in the (u,v) of a patch, and belongs in the sources of that");
+    }
+  }
+  const FieldSource source = read_field(node, formula_field_variables(), constants);
+  try {
+    read_field(node, {"x", "y", "z"}, constants);
+  } catch (const Error&) {
+    field.fail(
+        "u and v are those of one patch: a field of them belongs in the sources of that; "
+        "here it takes x, y and z");
+  }
+  return source;
+}
+
+/// Tell where a source belongs that stands at the wrong level.
+void refuse_elsewhere(const JsonNode& node, std::initializer_list<std::string_view> keys,
+                      std::string_view where) {
+  for (const std::string_view key : keys) {
+    if (node.has(key))
+      node.at(key).fail(fmt::format("{} belongs in the sources of {}", key, where));
+  }
 }
 
 }  // namespace
 
 void read_patch_source(const JsonNode& node, const PatchScope& patch, ModelFile& model) {
+  refuse_elsewhere(node, {"near", "group"}, "the model, beside patches");
   node.expect_keys({"everywhere", "at", "along", "inside", "field", "table", "size", "angle",
                     "radius", "outer", "precision"});
   Sources& sources = model.sources;
   const std::string kind = kind_of(node, kPatchSources);
-  if (kind == "field") return read_field(node, patch, sources);
+  if (kind == "field") {
+    FieldSource field = read_field(node, formula_field_variables(), patch.constants);
+    field.patch = patch.index;
+    sources.fields.push_back(std::move(field));
+    return;
+  }
   if (kind == "table") return read_table_source(node, patch, model);
   refuse(node, "a size that is not of a field or table", {"precision"});
   if (kind == "everywhere") {
@@ -169,12 +264,23 @@ void read_patch_source(const JsonNode& node, const PatchScope& patch, ModelFile&
 }
 
 void read_space_source(const JsonNode& node, const Constants& constants, ModelFile& model) {
-  node.expect_keys({"near", "group", "size", "angle", "radius", "outer", "precision"});
-  const std::string kind = kind_of(node, std::array<std::string_view, 2>{"near", "group"});
-  if (kind == "near") return read_near(node, constants, model.sources);
-  refuse(node, "a group", {"radius", "outer", "precision"});
-  const JsonNode group = node.at("group");
-  model.groups.push_back({group.text(), read_size(node), group.pointer()});
+  refuse_elsewhere(node, {"at", "along", "table"}, "a patch");
+  node.expect_keys({"group", "everywhere", "near", "inside", "field", "size", "angle", "radius",
+                    "outer", "precision"});
+  SpaceSource source;
+  source.origin = node.pointer();
+  if (const auto group = node.find("group")) {
+    source.group = group->text();
+    source.origin = group->pointer();
+  }
+  const std::string kind = kind_in_space(node);
+  if (kind == "field") {
+    source.wish = read_space_field(node, constants);
+  } else {
+    refuse(node, "a size that is not of a field", {"precision"});
+    read_space_size(node, kind, constants, source);
+  }
+  model.space_sources.push_back(std::move(source));
 }
 
 }  // namespace surfmesh

@@ -23,7 +23,7 @@ struct PatchScope {
 /// Read a source of a patch.
 void read_patch_source(const JsonNode& node, const PatchScope& patch, ModelFile& model);
 
-/// Read a source that belongs to no one patch.
+/// Read a source of the model: it applies to all patches, or to those of a group.
 void read_space_source(const JsonNode& node, const Constants& constants, ModelFile& model);
 
 }  // namespace surfmesh

@@ -281,9 +281,10 @@ class Lines {
                       fit.distance.max_corner));
     }
     if (fit.distance.unjudged > 0) {
-      add("", fmt::format("faces that look turned, but whose side the points found at their corners "
-                          "do not tell: {}",
-                          fit.distance.unjudged));
+      add("",
+          fmt::format("faces that look turned, but whose side the points found at their corners "
+                      "do not tell: {}",
+                      fit.distance.unjudged));
     }
     if (!fit.is_by_stored_metric) {
       add("metric", "the exact sizes of the model");

@@ -109,17 +109,6 @@ void tell_unsearched(const Model& model, const std::vector<ControlInput>& inputs
   }
 }
 
-/// The sources of the user by patch, without what follows from boundaries.
-std::vector<PatchSources> user_sources(const Model& model, const Sources& sources,
-                                       const ResolvedSizing& sizing) {
-  std::vector<PatchSources> result = sources_by_patch(sources, model.patches.size());
-  const auto near = near_tree(sources, sizing);
-  for (PatchSources& patch : result) {
-    if (near) patch.trees.push_back(near);
-  }
-  return result;
-}
-
 /// Sizes that would surely need too many triangles are refused before any work is done for them:
 /// boundaries would be searched for gaps down to hmin, and control spaces would have millions of
 /// nodes.
@@ -128,7 +117,7 @@ void refuse_hopeless_sizes(const Model& model, const Sources& sources, const Res
   const auto most = static_cast<double>(context.max_elements());
   if (most_triangles(model, sizing.bounds.hmin) <= most) return;
   const CoarseEstimate estimate =
-      estimate_coarsely(model, user_sources(model, sources, sizing), sizing);
+      estimate_coarsely(model, sources_by_patch(sources, sizing, model.patches.size()), sizing);
   if (is_surely_above(estimate.least, context)) {
     throw_too_many(estimate.likely, sizing.bounds.hmax, context);
   }

@@ -5,10 +5,12 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "surfmesh/cage/creases.hh"
@@ -211,15 +213,61 @@ std::string suggestion(const ModelFile& file, const Model& model, const std::str
   return meant ? fmt::format(", did you mean {}?", *meant) : "";
 }
 
-void add_group_sources(const ModelFile& file, const std::string& name, ModelInput& input) {
-  for (const GroupSource& source : file.groups) {
-    const std::set<int> patches = patches_of(input.model, source.group);
-    if (patches.empty()) {
-      throw Error(ErrorCode::InvalidInput,
-                  fmt::format("{}: {}: there is no group or patch {}{}", name, source.origin,
-                              source.group, suggestion(file, input.model, source.group)));
+/// The patches where a source of the model applies, or of its group.
+std::vector<int> patches_of(const SpaceSource& source, const ModelFile& file,
+                            const std::string& name, const Model& model) {
+  if (source.group.empty()) {
+    std::vector<int> all(model.patches.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+  const std::set<int> patches = patches_of(model, source.group);
+  if (patches.empty()) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("{}: {}: there is no group or patch {}{}", name, source.origin,
+                            source.group, suggestion(file, model, source.group)));
+  }
+  return {patches.begin(), patches.end()};
+}
+
+/// Adds a source of the model to those of the patches where it applies.
+class SpaceSourceAdder {
+ public:
+  SpaceSourceAdder(std::vector<int> patches, bool is_everywhere, Sources& sources)
+      : patches_(std::move(patches)), is_everywhere_(is_everywhere), sources_(sources) {}
+
+  void operator()(const Size& size) const {
+    for (const int patch : patches_) sources_.everywhere.push_back({patch, size});
+  }
+
+  void operator()(FieldSource field) const {
+    for (const int patch : patches_) {
+      field.patch = patch;
+      sources_.fields.push_back(field);
     }
-    for (const int patch : patches) input.sources.everywhere.push_back({patch, source.size});
+  }
+
+  void operator()(NearSource near) const {
+    if (!is_everywhere_) near.patches = patches_;
+    sources_.near.push_back(std::move(near));
+  }
+
+  void operator()(BoxSource box) const {
+    if (!is_everywhere_) box.patches = patches_;
+    sources_.boxes.push_back(std::move(box));
+  }
+
+ private:
+  std::vector<int> patches_;
+  bool is_everywhere_;
+  Sources& sources_;
+};
+
+void add_space_sources(const ModelFile& file, const std::string& name, ModelInput& input) {
+  for (const SpaceSource& source : file.space_sources) {
+    const SpaceSourceAdder add(patches_of(source, file, name, input.model), source.group.empty(),
+                               input.sources);
+    std::visit(add, source.wish);
   }
 }
 
@@ -273,7 +321,7 @@ ModelInput load_model_file(const std::filesystem::path& path, const CageOptions&
   input.sources = file.sources;
   for (const CageInput& cage : file.cages) input.files.push_back(cage.file);
   input.files.insert(input.files.end(), file.tables.begin(), file.tables.end());
-  add_group_sources(file, name, input);
+  add_space_sources(file, name, input);
   add_along_sources(file, name, input);
   return input;
 }

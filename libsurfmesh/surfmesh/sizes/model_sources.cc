@@ -69,14 +69,12 @@ std::vector<std::vector<PlacedSize>> boundary_sizes(const Model& model,
 std::vector<PatchSources> model_sources(const Model& model, const Sources& sources,
                                         const ResolvedSizing& sizing) {
   auto boundary = boundary_sizes(model, sizing);
-  const auto near = near_tree(sources, sizing);
   auto fans = wide_fans(model);
-  std::vector<PatchSources> result = sources_by_patch(sources, model.patches.size());
+  std::vector<PatchSources> result = sources_by_patch(sources, sizing, model.patches.size());
   for (std::size_t p = 0; p < result.size(); ++p) {
     PatchSources& patch = result[p];
     patch.fans = std::move(fans[p]);
     patch.rings = short_rings(model, static_cast<int>(p), greatest_ring(sizing));
-    if (near) patch.trees.push_back(near);
     if (boundary[p].empty()) continue;
     patch.trees.push_back(std::make_shared<SourceTree>(std::move(boundary[p]), sizing.grade));
   }

@@ -17,7 +17,7 @@ namespace surfmesh {
 /// The last three come from contours that are not smooth (true boundaries, creases, trims) and
 /// apply to all patches that share the contour.
 /// Cost     about 0.1 ms per contour that is not smooth, and proximity_sizes
-/// Throws   InvalidInput for an invalid size or radius of `near`
+/// Throws   InvalidInput for an invalid size or radius of a source in space
 std::vector<PatchSources> model_sources(const Model& model, const Sources& sources,
                                         const ResolvedSizing& sizing);
 

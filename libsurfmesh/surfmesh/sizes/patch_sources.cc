@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/sizes/place_sources.hh"
@@ -42,6 +44,40 @@ class ClampCounter {
   std::size_t count_ = 0;
 };
 
+/// Without gradation, a size near a place reaches as far as its radius.
+void check_radius(const NearSource& source, const PlacedSize& placed) {
+  if (reach(placed) > 0) return;
+  const Vec3& p = source.line.front();
+  throw Error(ErrorCode::InvalidInput,
+              fmt::format("the source near ({}, {}, {}) needs a radius, as grade is off", p.x(),
+                          p.y(), p.z()));
+}
+
+/// Sizes near places and in boxes, by the patches where they apply; none of these for all.
+using SizesInSpace = std::map<std::vector<int>, std::vector<PlacedSize>>;
+
+SizesInSpace sizes_in_space(const Sources& sources, const ResolvedSizing& sizing) {
+  SizesInSpace sizes;
+  for (const NearSource& source : sources.near) {
+    std::vector<PlacedSize>& own = sizes[source.patches];
+    add_near(source, sizing.bounds, own);
+    if (sizing.grade == 0) check_radius(source, own.back());
+  }
+  for (const BoxSource& source : sources.boxes) {
+    add_box(source, sizing.bounds, sizes[source.patches]);
+  }
+  return sizes;
+}
+
+void give_trees(SizesInSpace all, double grade, std::vector<PatchSources>& patches) {
+  for (auto& [where, sizes] : all) {
+    const auto tree = std::make_shared<const SourceTree>(std::move(sizes), grade);
+    for (const int p : where) patches.at(static_cast<std::size_t>(p)).trees.push_back(tree);
+    if (!where.empty()) continue;
+    for (PatchSources& patch : patches) patch.trees.push_back(tree);
+  }
+}
+
 /// The sizes of whole patches, each once.
 std::vector<Size> different_sizes(const std::vector<EverywhereSource>& sources) {
   std::set<std::tuple<double, bool, double, bool, double>> known;
@@ -68,7 +104,8 @@ std::optional<double> PatchSources::precision() const {
   return least;
 }
 
-std::vector<PatchSources> sources_by_patch(const Sources& sources, std::size_t patches) {
+std::vector<PatchSources> sources_by_patch(const Sources& sources, const ResolvedSizing& sizing,
+                                           std::size_t patches) {
   std::vector<PatchSources> result(patches);
   give(sources.everywhere, &PatchSources::everywhere, result);
   give(sources.at, &PatchSources::at, result);
@@ -76,22 +113,8 @@ std::vector<PatchSources> sources_by_patch(const Sources& sources, std::size_t p
   give(sources.inside, &PatchSources::inside, result);
   give(sources.fields, &PatchSources::fields, result);
   give(sources.tables, &PatchSources::tables, result);
+  give_trees(sizes_in_space(sources, sizing), sizing.grade, result);
   return result;
-}
-
-std::shared_ptr<const SourceTree> near_tree(const Sources& sources, const ResolvedSizing& sizing) {
-  if (sources.near.empty()) return nullptr;
-  std::vector<PlacedSize> sizes;
-  for (const NearSource& source : sources.near) {
-    add_near(source, sizing.bounds, sizes);
-    if (sizing.grade == 0 && !(reach(sizes.back()) > 0)) {
-      const Vec3& p = source.line.front();
-      throw Error(ErrorCode::InvalidInput,
-                  fmt::format("the source near ({}, {}, {}) needs a radius, as grade is off", p.x(),
-                              p.y(), p.z()));
-    }
-  }
-  return std::make_shared<SourceTree>(std::move(sizes), sizing.grade);
 }
 
 std::size_t count_clamped(const Sources& sources, const SizeBounds& bounds) {
@@ -104,6 +127,7 @@ std::size_t count_clamped(const Sources& sources, const SizeBounds& bounds) {
   for (const AlongSource& source : sources.along) counter.add(source.wish);
   for (const InsideSource& source : sources.inside) counter.add(source.wish);
   for (const NearSource& source : sources.near) counter.add(source.wish);
+  for (const BoxSource& source : sources.boxes) counter.add(source.wish);
   return counter.count();
 }
 

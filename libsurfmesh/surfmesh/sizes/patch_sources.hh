@@ -32,18 +32,16 @@ struct PatchSources {
   std::optional<double> precision() const;
 };
 
-/// The sources that belong to each of so many patches of a model. `near` belongs to all patches and
-/// is not among them.
+/// The sources that belong to each of so many patches of a model. Sizes near places and in boxes
+/// that apply to the same patches share a tree.
 ///
-/// Pre      each source names one of these patches
-/// Cost     O(n) for n sources and patches
-std::vector<PatchSources> sources_by_patch(const Sources& sources, std::size_t patches);
-
-/// The sizes of `near`, for all patches; null if there are none.
-///
-/// Throws   InvalidInput for an invalid size or radius, a line without points, or no radius while
-///          gradation is off
-std::shared_ptr<const SourceTree> near_tree(const Sources& sources, const ResolvedSizing& sizing);
+/// Pre      each source names these patches only
+/// Cost     O(n log² n) for n sources, and O(n) for patches
+/// Throws   InvalidInput for an invalid size or radius of `near` or a box, a line without points,
+/// no
+///          radius while gradation is off, or an empty box
+std::vector<PatchSources> sources_by_patch(const Sources& sources, const ResolvedSizing& sizing,
+                                           std::size_t patches);
 
 /// The number of user-requested sizes outside hmin and hmax, without those of fields and tables.
 ///

@@ -119,6 +119,16 @@ void add_near(const NearSource& source, const SizeBounds& bounds, std::vector<Pl
   }
 }
 
+void add_box(const BoxSource& source, const SizeBounds& bounds, std::vector<PlacedSize>& sizes) {
+  const Vec3 &low = source.box.min(), &high = source.box.max();
+  if (!(low.allFinite() && high.allFinite() && (low.array() <= high.array()).all())) {
+    throw Error(ErrorCode::InvalidInput, "a source is inside a box that is empty or not finite");
+  }
+  PlacedSize placed = wish_of(source.wish, bounds);
+  placed.is_box = true;
+  add_segment(placed, low, high, sizes);
+}
+
 bool contains(const std::vector<Uv>& polygon, Uv uv) {
   bool is_inside = false;
   for (std::size_t i = 0, last = polygon.size() - 1; i < polygon.size(); last = i++) {

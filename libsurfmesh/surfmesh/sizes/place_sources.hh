@@ -34,6 +34,9 @@ void add_border(const InsideSource& source, const Surface& surface, const SizeBo
 /// Throws   InvalidInput for no points, or one that is not finite
 void add_near(const NearSource& source, const SizeBounds& bounds, std::vector<PlacedSize>& sizes);
 
+/// Throws   InvalidInput for a box that is empty or not finite
+void add_box(const BoxSource& source, const SizeBounds& bounds, std::vector<PlacedSize>& sizes);
+
 /// True if a point lies in a polygon; within rounding of its border, either result is possible.
 bool contains(const std::vector<Uv>& polygon, Uv uv);
 

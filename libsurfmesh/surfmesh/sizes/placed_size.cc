@@ -58,8 +58,10 @@ TangentFrame tangent_frame(const Jet& jet) {
 
 std::optional<SizeTensor> size_around(const PlacedSize& placed, const TangentFrame& frame,
                                       double growth) {
-  const double share = nearest_share(placed.from, placed.to, frame.point);
-  const Vec3 step = frame.point - ((1 - share) * placed.from + share * placed.to);
+  const double share = placed.is_box ? 0 : nearest_share(placed.from, placed.to, frame.point);
+  const Vec3 nearest = placed.is_box ? Vec3(frame.point.cwiseMax(placed.from).cwiseMin(placed.to))
+                                     : Vec3((1 - share) * placed.from + share * placed.to);
+  const Vec3 step = frame.point - nearest;
   const double distance = step.norm();
   const double rest = distance - reach(placed);
   if (rest > 0 && std::isinf(growth)) return std::nullopt;

@@ -20,13 +20,13 @@ struct TangentFrame {
 /// is any perpendicular one; if both vanish, the axes are those of x and y.
 TangentFrame tangent_frame(const Jet& jet);
 
-/// Sizes wanted around a point or a segment in space, in closed form.
+/// Sizes wanted around a point, a segment or a box in space, in closed form.
 ///
-/// Let d be the distance from the segment. Up to `radius`, the sizes are those of the segment,
-/// which change linearly along it. With `outer`, they then change linearly in H to the outer sizes,
-/// over the outer radius. Beyond that, H grows by the grade: H (1 + ln g · l), where l is the
-/// metric length of the rest of the way. The part of the way that leaves the tangent plane counts
-/// with the larger size.
+/// Let d be the distance from the segment or the box; inside a box it is 0. Up to `radius`, the
+/// sizes are those of the segment, which change linearly along it. With `outer`, they then change
+/// linearly in H to the outer sizes, over the outer radius. Beyond that, H grows by the grade: H (1
+/// + ln g · l), where l is the metric length of the rest of the way. The part of the way that
+/// leaves the tangent plane counts with the larger size.
 ///
 /// Sizes that follow their segment grow by ln g per unit of distance in both lengths:
 /// H + ln g · d · I. The gradation of the control space, which comes last, lowers that to the law
@@ -49,6 +49,8 @@ struct PlacedSize {
   /// True if the first length is along the segment, as seen in the tangent plane; `angle` then has
   /// no effect.
   bool follows_segment = false;
+  /// True for the box whose least and greatest corner are `from` and `to`; its size is `at_from`.
+  bool is_box = false;
   double radius = 0;  ///< model units
   std::optional<OuterSize> outer = {};
 };

@@ -109,10 +109,18 @@ struct InsideSource {
   LocalSize wish;
 };
 
-/// A size near a point or a polyline in space, on every patch.
+/// A size near a point or a polyline in space. With a radius, a point is a ball.
 struct NearSource {
   std::vector<Vec3> line;  ///< one point or more
   LocalSize wish;
+  std::vector<int> patches = {};  ///< where it applies; empty for every patch
+};
+
+/// A size inside a box in space, its faces included.
+struct BoxSource {
+  Eigen::AlignedBox3d box;
+  LocalSize wish;
+  std::vector<int> patches = {};  ///< where it applies; empty for every patch
 };
 
 /// Bounds of the entries of a metric.
@@ -161,6 +169,7 @@ struct Sources {
   std::vector<AlongSource> along = {};
   std::vector<InsideSource> inside = {};
   std::vector<NearSource> near = {};
+  std::vector<BoxSource> boxes = {};
   std::vector<FieldSource> fields = {};
   std::vector<TableSource> tables = {};
 };
