@@ -33,7 +33,7 @@ constexpr const char* kFooter =
 
 ModelInput read_model_with(const std::string& path, Scheme scheme, const Settings& settings,
                            Progress& progress) {
-  ModelInput input = load_model(path, cage_options(scheme, settings), &progress);
+  ModelInput input = load_model(path, load_options(scheme, settings), &progress);
   for (const auto& [name, value] : settings) set_option(input.options, name, value);
   return input;
 }

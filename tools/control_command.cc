@@ -63,7 +63,7 @@ int ControlCommand::write_control_meshes(Progress& progress) const {
   check_not_overwritten(std::array{std::filesystem::path(input_)}, output_);
   Settings settings = named_;
   settings.insert(settings.end(), set_.begin(), set_.end());
-  ModelInput input = load_model(input_, cage_options(scheme_, settings), &progress);
+  ModelInput input = load_model(input_, load_options(scheme_, settings), &progress);
   check_not_overwritten(input.files, output_);
   for (const auto& [name, value] : settings) set_option(input.options, name, value);
   ControlSpaces control;

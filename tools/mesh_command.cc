@@ -50,12 +50,12 @@ int status_of(const Report& report) { return has_shortfall(report.notices) ? kFe
 /// One run of the command, with the clocks of reading and writing.
 class MeshRun {
  public:
-  MeshRun(const CageOptions& cage_options, const Settings& settings)
-      : cage_options_(cage_options), settings_(settings) {}
+  MeshRun(const LoadOptions& load_options, const Settings& settings)
+      : load_options_(load_options), settings_(settings) {}
 
   void read(const std::string& path, Progress& progress) {
     const double start = processor_seconds();
-    input_ = load_model(path, cage_options_, &progress);
+    input_ = load_model(path, load_options_, &progress);
     given_ = options_of_file(input_.options);
     for (const auto& [name, value] : settings_) {
       set_option(input_.options, name, value);
@@ -137,7 +137,7 @@ class MeshRun {
   }
 
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  CageOptions cage_options_;
+  LoadOptions load_options_;
   const Settings& settings_;
   ModelInput input_;
   std::vector<GivenOption> given_;
@@ -208,7 +208,7 @@ int MeshCommand::run() const {
   try {
     const std::string output = is_dry_run_ ? std::string() : output_;
     check_paths(input_, output, report_);
-    MeshRun run(cage_options(scheme_, settings), settings);
+    MeshRun run(load_options(scheme_, settings), settings);
     run.read(input_, progress);
     run.check_outputs(output, report_);
     if (is_dry_run_) {

@@ -52,7 +52,7 @@ const char* heading(OptionGroup group) {
     case OptionGroup::Meshing:
       return "Meshing";
     case OptionGroup::Cages:
-      return "Cages";
+      return "Cages and patches";
   }
   return "";
 }
@@ -205,14 +205,15 @@ std::vector<std::string> with_switch_values(std::vector<std::string> arguments) 
   return arguments;
 }
 
-CageOptions cage_options(Scheme scheme, const Settings& settings) {
+LoadOptions load_options(Scheme scheme, const Settings& settings) {
   PipelineOptions options;
   for (const auto& [name, value] : settings) set_option(options, name, value);
-  return {.scheme = scheme,
-          .patches = options.patches,
-          .weld = options.weld,
-          .orient = options.orient,
-          .crease_angle = options.crease_angle};
+  return {.cages = {.scheme = scheme,
+                    .patches = options.patches,
+                    .weld = options.weld,
+                    .orient = options.orient,
+                    .crease_angle = options.crease_angle},
+          .joining = options.joining};
 }
 
 void add_scheme(CLI::App& command, Scheme& scheme) {

@@ -30,7 +30,7 @@ std::vector<CLI::Option*> add_flags(CLI::App& command, Settings& settings,
 std::vector<std::string> with_switch_values(std::vector<std::string> arguments);
 
 /// What the command line asks for that a cage has to be loaded with.
-CageOptions cage_options(Scheme scheme, const Settings& settings);
+LoadOptions load_options(Scheme scheme, const Settings& settings);
 
 /// Add --scheme to a command.
 void add_scheme(CLI::App& command, Scheme& scheme);

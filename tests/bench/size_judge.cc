@@ -39,7 +39,7 @@ void set_options(PipelineOptions& options, const std::vector<std::string>& setti
 Judgement judge(const Arguments& arguments) {
   PipelineOptions of_cage;
   set_options(of_cage, arguments.settings);
-  ModelInput input = load_model(arguments.model, {.patches = of_cage.patches});
+  ModelInput input = load_model(arguments.model, {.cages = {.patches = of_cage.patches}});
   set_options(input.options, arguments.settings);
   MeshFile file = read_mesh(arguments.mesh);
   return judge_mesh(file.mesh, input, arguments.options);

@@ -23,7 +23,7 @@ std::string model(const std::string& in_root) {
 }
 
 std::string fault(const std::filesystem::path& path, const CageOptions& options = {}) {
-  return error_of([&] { load_model(path, options); });
+  return error_of([&] { load_model(path, {.cages = options}); });
 }
 
 TEST(LoadModel, ReadsCages) {
@@ -188,7 +188,8 @@ TEST(LoadModel, HasNoKindOfPatchesInTheOptionsOfFilesWithoutCages) {
 }
 
 TEST(LoadModel, TellsThePatchesOfACageInItsOptions) {
-  const ModelInput input = load_model(own_model("cube.obj"), {.patches = PatchKind::Faces});
+  const ModelInput input =
+      load_model(own_model("cube.obj"), {.cages = {.patches = PatchKind::Faces}});
   EXPECT_EQ(input.options.patches, PatchKind::Faces);
 }
 
@@ -202,7 +203,7 @@ std::string cages(const std::string& scheme, const std::string& in_root = "") {
 TEST(LoadModel, ReadsSeveralCages) {
   const TestFolder folder;
   write_text(folder / "a.json", cages("bilinear"));
-  const Model model = load_model(folder / "a.json", {.patches = PatchKind::Faces}).model;
+  const Model model = load_model(folder / "a.json", {.cages = {.patches = PatchKind::Faces}}).model;
   EXPECT_EQ(model.patches.size(), 12u);
   EXPECT_EQ(model.patches[6].name, "b:f0");
   EXPECT_EQ(model.contours[12].uses[0].patch, 6);
@@ -217,7 +218,7 @@ TEST(LoadModel, ReadsSeveralCages) {
 TEST(LoadModel, ReplacesTheSchemeOfCages) {
   const TestFolder folder;
   write_text(folder / "a.json", cages("catmark"));
-  const Model model = load_model(folder / "a.json", {.scheme = Scheme::Bilinear}).model;
+  const Model model = load_model(folder / "a.json", {.cages = {.scheme = Scheme::Bilinear}}).model;
   EXPECT_EQ(model.vertices.front().position.cwiseAbs(), Vec3(1, 1, 1));
 }
 
@@ -228,7 +229,7 @@ std::size_t torus_patches(const std::string& key, const std::string& option,
   write_text(folder / "a.json", R"({"cages": [{"name": "a", "file": ")" +
                                     own_model("torus.obj").string() + "\"" + key +
                                     R"(}], "options": {)" + option + "}}");
-  return load_model(folder / "a.json", {.patches = given}).model.patches.size();
+  return load_model(folder / "a.json", {.cages = {.patches = given}}).model.patches.size();
 }
 
 TEST(LoadModel, TakesBlocksOfCagesForPatches) {
@@ -253,7 +254,7 @@ std::vector<NoticeKind> kinds_of_turned_face(const std::string& key, const std::
                                     (source / "tests/pipeline/turned_face.obj").string() + "\"" +
                                     key + R"(}], "options": {)" + option + "}}");
   std::vector<NoticeKind> kinds;
-  for (const Notice& notice : load_model(folder / "a.json", given).model.notices) {
+  for (const Notice& notice : load_model(folder / "a.json", {.cages = given}).model.notices) {
     kinds.push_back(notice.kind);
   }
   return kinds;
@@ -293,6 +294,30 @@ TEST(LoadModel, NamesThePlaceOfABadCage) {
                                           (folder / "no.obj").string() + ": it does not exist");
   write_text(folder / "a.json", R"({"cages": [{"name": "a", "file": "a.json"}]})");
   EXPECT_NE(fault(folder / "a.json").find("the ending of a cage is .obj or .off"),
+            std::string::npos);
+}
+
+TEST(LoadModel, JoinsSidesWithinTheJoiningOfTheFileOrThatGiven) {
+  const TestFolder folder;
+  const auto contours = [&](const std::string& option, const LoadOptions& given = {}) {
+    write_text(folder / "a.json", R"({"patches": [
+        {"name": "left", "surface": {"z": "0"}, "domain": {"u": [0, 1], "v": [0, 1]}},
+        {"name": "right", "surface": {"x": "u+1e-6", "y": "v", "z": "0"},
+         "domain": {"u": [1, 2], "v": [0, 1]}}], "options": {)" +
+                                      option + "}}");
+    return load_model(folder / "a.json", given).model.contours.size();
+  };
+  EXPECT_EQ(contours(""), 8u);
+  EXPECT_EQ(contours(R"("joining": 1e-5)"), 7u);
+  EXPECT_EQ(contours("", {.joining = Length::units(1e-5)}), 7u);
+  EXPECT_EQ(contours(R"("joining": 1e-5)", {.joining = Length::units(1e-8)}), 8u);
+  EXPECT_NE(error_of([&] {
+              contours(R"("joining": "2%")");
+            }).find("joining = 2% must not be above 1 % of the diagonal"),
+            std::string::npos);
+  EXPECT_NE(error_of([&] {
+              load_model(own_model("cube.obj"), {.joining = Length::units(1e-5)});
+            }).find("only patches of model files have sides to join"),
             std::string::npos);
 }
 

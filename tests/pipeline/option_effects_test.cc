@@ -60,6 +60,7 @@ const std::map<std::string_view, Case> kCases = {
     {"repairs", {"off"}},
     {"patches", {"faces", "torus.obj"}},
     {"weld", {"15%", "torus.obj"}},
+    {"joining", {"1e-5", "../tests/pipeline/near_sides.json"}},
     {"orient", {"on", "../tests/pipeline/turned_face.obj"}},
     {"crease_angle", {"30", "cube.obj"}},
     {"quads", {"on"}},
@@ -74,10 +75,11 @@ std::string outcome(const Case& example, const Settings& settings) {
     PipelineOptions asked;
     for (const auto& [name, value] : settings) set_option(asked, name, value);
     const auto path = std::filesystem::path(SURFMESH_SOURCE_DIR) / "models" / example.model;
-    ModelInput input = load_model(path, {.patches = asked.patches,
-                                         .weld = asked.weld,
-                                         .orient = asked.orient,
-                                         .crease_angle = asked.crease_angle});
+    ModelInput input = load_model(path, {.cages = {.patches = asked.patches,
+                                                   .weld = asked.weld,
+                                                   .orient = asked.orient,
+                                                   .crease_angle = asked.crease_angle},
+                                         .joining = asked.joining});
     for (const auto& [name, value] : settings) set_option(input.options, name, value);
     const auto meshed = mesh_model(input.model, input.sources, input.options);
     for (const auto face : meshed.mesh.faces()) {

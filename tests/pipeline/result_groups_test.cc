@@ -22,7 +22,7 @@ ModelInput two_cubes(const TestFolder& folder) {
   write_text(folder / "a.json", R"({"cages": [
       {"name": "one", "file": "cube.obj", "scheme": "bilinear"},
       {"name": "two", "file": "cube.obj", "scheme": "bilinear"}]})");
-  return load_model(folder / "a.json", {.patches = PatchKind::Faces});
+  return load_model(folder / "a.json", {.cages = {.patches = PatchKind::Faces}});
 }
 
 const std::vector<Group> kGroups = {

@@ -156,13 +156,14 @@ SideAddress find_side(const Model& model, std::string_view side_name) {
 }  // namespace
 
 Model model_from_patches(const std::vector<PatchInput>& patches,
-                         const std::vector<ContourInput>& contours) {
+                         const std::vector<ContourInput>& contours, const JoinOptions& options) {
+  check_option(ranges::kJoining, options.joining);
   check_patches(patches);
   Model model;
   model.box = measure_patches(patches);
   model.diagonal = model.box.diagonal().norm();
   Parts parts{bounding_sides(patches), {}, {}};
-  const JoinLengths lengths = join_lengths(model.box);
+  const JoinLengths lengths = join_lengths(model.box, options.joining);
   parts.split = split_sides(parts.sides, lengths.join);
   parts.curves = match_pieces(parts.sides, parts.split.pieces, lengths.join);
   model.vertices.reserve(parts.split.vertices.size());

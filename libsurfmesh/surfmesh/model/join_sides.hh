@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "surfmesh/core/length.hh"
 #include "surfmesh/geometry/curve.hh"
 #include "surfmesh/model/model.hh"
 
@@ -37,18 +38,31 @@ struct ContourInput {
   std::string origin = {};  ///< where it is defined (a JSON pointer), for messages; may be empty
 };
 
+/// Which places of sides are one place.
+struct JoinOptions {
+  /// Sides nearer than this are joined; above 0, at most 1 % of the diagonal. Where coordinates are
+  /// rounded to more, it is that.
+  Length joining = Length::share(1e-9);
+};
+
+namespace ranges {
+
+inline constexpr LengthRange kJoining = {"joining"};
+
+}  // namespace ranges
+
 /// Make a model of patches: find which of their sides coincide in space, and trim them by loops.
 ///
 /// The sides of a patch are `<patch>:v0`, `:u1`, `:v1`, `:u0`, each in the direction of the growing
-/// parameter. Sides, and parts of sides, that coincide to 1e-9 of the model's diagonal become one
-/// contour. They may be parametrised at any speed, run in either direction, belong to one patch (a
-/// seam) or to any number of patches. A side is divided where an end of another side lies on it. A
-/// side that is a single point in space becomes one vertex and a degenerate contour of its own.
-/// A contour has the direction of its first use, in the order of the patches and, within a patch,
-/// of the sides as listed above. Its name is that of the first whole side among its uses, otherwise
-/// that of its first use with the number of the part: `left:u1#0`.
-/// Sides that come within 1e-4 of the diagonal but do not coincide are not joined; Model::notices
-/// states their gap.
+/// parameter. Sides, and parts of sides, that coincide up to `joining` become one contour. They may
+/// be parametrised at any speed, run in either direction, belong to one patch (a seam) or to any
+/// number of patches. A side is divided where an end of another side lies on it. A side that is a
+/// single point in space becomes one vertex and a degenerate contour of its own. A contour has the
+/// direction of its first use, in the order of the patches and, within a patch, of the sides as
+/// listed above. Its name is that of the first whole side among its uses, otherwise that of its
+/// first use with the number of the part: `left:u1#0`. Sides of two patches, or of a seam, that
+/// come within 1e-4 of the diagonal but do not coincide are not joined: Model::notices has a
+/// shortfall with their gap, and with the `joining` that joins them.
 ///
 /// A patch with loops has the sides and contours that its loops name. A contour is shared by all
 /// patches whose loops name it; so is a side of another patch. If its (u,v) on a patch is not
@@ -67,14 +81,16 @@ struct ContourInput {
 ///          coordinates
 /// Cost     O(n log n) for n sides of bounded length, about 1,000 evaluations per patch, 1,300
 ///          where speeds differ, some thousands more for a near miss
-/// Throws   InvalidInput for no patches, a name used twice, a missing surface, a domain that is not
+/// Throws   InvalidOption; InvalidInput for no patches, a name used twice, a missing surface, a
+/// domain that is not
 ///          a rectangle, a loop that names an unknown contour or the same use twice; Geometry for a
 ///          patch that is a point or a line, a contour that is off its patch or differs between
 ///          patches, a loop that does not close, leaves the domain, crosses itself or another, or
 ///          is where no hole can be. All name the patch or the contour, and gaps and (u,v) if there
 ///          are any
 Model model_from_patches(const std::vector<PatchInput>& patches,
-                         const std::vector<ContourInput>& contours = {});
+                         const std::vector<ContourInput>& contours = {},
+                         const JoinOptions& options = {});
 
 /// The contour uses that make up a side, in the direction of its growing parameter.
 ///

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "surfmesh/geometry/box_tree.hh"
@@ -70,8 +72,24 @@ double length(const SampledLine& curve, const Stretch& stretch) {
   return result;
 }
 
-/// Greatest distance of a stretch of `a` that runs along `b`, or nothing.
-std::optional<double> gap(const SampledLine& a, const SampledLine& b, const JoinLengths& lengths) {
+/// How a curve runs along another one.
+struct Gap {
+  double greatest = 0;    ///< distance
+  bool is_whole = false;  ///< all the way
+};
+
+/// True if two curves of one patch have only a narrow piece of it between them.
+bool bound_a_strip(const SampledLine& a, const SampledLine& b, std::size_t sample, double gap) {
+  if (a.line.patch != b.line.patch) return false;
+  const double t = sample_parameters(kLineSamples)[sample];
+  const Vec3& point = a.points[sample];
+  const double foot = b.line.project(point, sample_parameters(kLineSamples)[b.nearest(point)]);
+  const Uv middle = lerp(a.line.at_uv(t), b.line.at_uv(foot), 0.5);
+  return (a.line.surface->evaluate(middle, Order::Position).point - point).norm() <= gap;
+}
+
+/// How a stretch of `a` runs along `b`, or nothing.
+std::optional<Gap> gap(const SampledLine& a, const SampledLine& b, const JoinLengths& lengths) {
   const std::size_t count = a.points.size();
   const Stretch rough = longest_run(
       count, [&](std::size_t i) { return least_distance(a.points[i], b) <= lengths.near; });
@@ -88,7 +106,8 @@ std::optional<double> gap(const SampledLine& a, const SampledLine& b, const Join
   const double result = *std::max_element(begin + static_cast<std::ptrdiff_t>(run.first),
                                           begin + static_cast<std::ptrdiff_t>(run.last));
   if (result <= lengths.join || length(a, run) < kLengthPerGap * result) return std::nullopt;
-  return result;
+  if (bound_a_strip(a, b, (run.first + run.last) / 2, result)) return std::nullopt;
+  return Gap{result, run.last - run.first == count};
 }
 
 using Pair = std::pair<std::size_t, std::size_t>;
@@ -106,6 +125,21 @@ std::vector<Pair> meeting_pairs(const std::vector<Box3>& boxes, double margin) {
   return result;
 }
 
+/// The least length of one digit that is some tenths greater than a gap.
+double joining_for(double gap) {
+  const double wanted = 1.3 * gap;
+  const double digit = std::pow(10, std::floor(std::log10(wanted)));
+  return std::ceil(wanted / digit) * digit;
+}
+
+std::string text_of(const ContourShape& a, const ContourShape& b, const Gap& gap, double join) {
+  const std::string advice =
+      gap.is_whole ? fmt::format("; joining = {:.1g} joins them", joining_for(gap.greatest)) : "";
+  return fmt::format(
+      "contours {} and {} are not joined: the gap between them is {:.3g}, more than {:.3g}{}",
+      a.name, b.name, gap.greatest, join, advice);
+}
+
 }  // namespace
 
 Notices near_miss_notices(const std::vector<ContourShape>& contours, const JoinLengths& lengths) {
@@ -117,18 +151,14 @@ Notices near_miss_notices(const std::vector<ContourShape>& contours, const JoinL
     const ContourShape& a = contours[i];
     const ContourShape& b = contours[j];
     if (a.is_shared && b.is_shared) continue;
-    std::optional<double> found = gap(a.curve, b.curve, lengths);
+    std::optional<Gap> found = gap(a.curve, b.curve, lengths);
     if (!found) found = gap(b.curve, a.curve, lengths);
     if (!found) continue;
     if (result.size() == kMostNotices) {
       ++result.back().count;
       continue;
     }
-    result.push_back(warning(
-        NoticeKind::UnjoinedSides,
-        fmt::format(
-            "contours {} and {} are not joined: the gap between them is {:.3g}, more than {:.3g}",
-            a.name, b.name, *found, lengths.join)));
+    result.push_back(shortfall(NoticeKind::UnjoinedSides, text_of(a, b, *found, lengths.join)));
     result.back().contour = a.contour;
   }
   return result;

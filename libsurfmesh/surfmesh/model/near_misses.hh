@@ -17,15 +17,16 @@ struct ContourShape {
   bool is_shared = false;  ///< has several uses
 };
 
-/// Warn of contours that run along each other and yet are not one.
+/// Tell of contours that run along each other and yet are not one.
 ///
 /// A quarter of one has to be within JoinLengths::near of the other, and farther than
 /// JoinLengths::join somewhere. The stretch has to be some times longer than the gap, so that small
 /// contours are not taken for near misses of their neighbours. Pairs that are both shared have
-/// found their partners and are left out.
+/// found their partners and are left out, as are the two sides of a narrow patch.
 ///
-/// Returns  a warning a pair, with the names and the greatest gap in model units; the last one
-///          counts the pairs beyond twenty
+/// Returns  a shortfall a pair, with the names, the greatest gap in model units, and if one runs
+///          along the other all the way, the joining that joins them; the last one counts the pairs
+///          beyond twenty
 /// Cost     O(n log n) for n contours that are short against the model
 Notices near_miss_notices(const std::vector<ContourShape>& contours, const JoinLengths& lengths);
 

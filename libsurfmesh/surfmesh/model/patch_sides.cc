@@ -22,6 +22,9 @@ constexpr double kJoinShare = 1e-9;
 /// Share of the diagonal within which sides that are not joined were perhaps meant to be.
 constexpr double kNearShare = 1e-4;
 
+/// The greatest joining, in diagonals.
+constexpr double kMostJoining = 0.01;
+
 /// Samples of a side among which the places of other sides' ends are looked for.
 constexpr int kSideSamples = 64;
 
@@ -195,11 +198,17 @@ double rounding_at(const Vec3& point) {
   return 16 * std::numeric_limits<double>::epsilon() * point.lpNorm<Eigen::Infinity>();
 }
 
-JoinLengths join_lengths(const Box3& box) {
+JoinLengths join_lengths(const Box3& box, const Length& joining) {
   const double diagonal = box.diagonal().norm();
+  const double asked = joining.in_units(diagonal);
+  if (asked > kMostJoining * diagonal) {
+    throw Error(ErrorCode::InvalidOption,
+                fmt::format("joining = {} must not be above {} % of the diagonal, which is {:.6g}",
+                            to_text(joining), 100 * kMostJoining, diagonal));
+  }
   // The rounding is more than the share where a model is far from the origin.
   const double rounding = std::max(rounding_at(box.min()), rounding_at(box.max()));
-  return {std::max(kJoinShare * diagonal, rounding), kNearShare * diagonal};
+  return {std::max(asked, rounding), kNearShare * diagonal};
 }
 
 std::vector<PatchSide> sides_of(const std::vector<PatchInput>& patches) {

@@ -85,7 +85,9 @@ Box3 measure_patches(const std::vector<PatchInput>& patches);
 double rounding_at(const Vec3& point);
 
 /// The tolerances for a model of this box.
-JoinLengths join_lengths(const Box3& box);
+///
+/// Throws   InvalidOption for `joining` above 1 % of its diagonal: short sides would become points
+JoinLengths join_lengths(const Box3& box, const Length& joining);
 
 /// All sides, four a patch in the order of kSideNames, without is_degenerate.
 std::vector<PatchSide> sides_of(const std::vector<PatchInput>& patches);

@@ -102,7 +102,7 @@ void warn_of_neighbours(Model& model, const NamedParts& parts) {
   const auto more = contours_along(named, kNearShare * model.diagonal);
   pairs.insert(pairs.end(), more.begin(), more.end());
   for (const ContourPair& pair : pairs) {
-    model.notices.push_back(warning(
+    model.notices.push_back(shortfall(
         NoticeKind::UnjoinedSides,
         fmt::format("contours {} and {} run along each other, at most {:.3g} apart, but are not "
                     "joined: give them one name",

@@ -55,16 +55,23 @@ Model model_of(const Cage& cage, const std::filesystem::path& path, const CageOp
   return model;
 }
 
-ModelInput load_cage(const std::filesystem::path& path, const CageOptions& cage_options,
+ModelInput load_cage(const std::filesystem::path& path, const LoadOptions& options,
                      const RunContext& context) {
+  if (options.joining) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("{}: only patches of model files have sides to join; {} makes vertices "
+                            "of a cage one",
+                            path.string(), ranges::kWeld.name));
+  }
+  const CageOptions& cages = options.cages;
   const Cage cage = read_cage(path);
   context.throw_if_cancelled();
   ModelInput input;
-  input.model = model_of(cage, path, cage_options);
-  input.options.patches = cage_options.patches;
-  input.options.weld = cage_options.weld;
-  input.options.orient = cage_options.orient;
-  input.options.crease_angle = cage_options.crease_angle;
+  input.model = model_of(cage, path, cages);
+  input.options.patches = cages.patches;
+  input.options.weld = cages.weld;
+  input.options.orient = cages.orient;
+  input.options.crease_angle = cages.crease_angle;
   return input;
 }
 
@@ -306,18 +313,20 @@ void add_along_sources(const ModelFile& file, const std::string& name, ModelInpu
   }
 }
 
-ModelInput load_model_file(const std::filesystem::path& path, const CageOptions& cage_options,
+ModelInput load_model_file(const std::filesystem::path& path, const LoadOptions& given,
                            const RunContext& context) {
   const std::string name = path.string();
   const ModelFile file = read_model(path);
   ModelInput input;
   input.options = file_options(file, name);
-  if (file.cages.empty()) check_without_cages(file, name, cage_options);
+  if (file.cages.empty()) check_without_cages(file, name, given.cages);
+  if (given.joining) input.options.joining = given.joining;
   if (!file.patches.empty()) {
-    at_file(name, [&] { input.model = model_from_patches(file.patches, file.contours); });
+    const JoinOptions join{input.options.joining.value_or(JoinOptions().joining)};
+    at_file(name, [&] { input.model = model_from_patches(file.patches, file.contours, join); });
     for (Notice& notice : input.model.notices) notice.text.insert(0, name + ": ");
   }
-  append_cages(file, name, cage_options, context, input);
+  append_cages(file, name, given.cages, context, input);
   input.sources = file.sources;
   for (const CageInput& cage : file.cages) input.files.push_back(cage.file);
   input.files.insert(input.files.end(), file.tables.begin(), file.tables.end());
@@ -327,23 +336,23 @@ ModelInput load_model_file(const std::filesystem::path& path, const CageOptions&
 }
 
 /// By the ending, see load_model.
-ModelInput load(const std::filesystem::path& path, const CageOptions& cage_options,
+ModelInput load(const std::filesystem::path& path, const LoadOptions& options,
                 const RunContext& context) {
-  if (has_cage_ending(path)) return load_cage(path, cage_options, context);
+  if (has_cage_ending(path)) return load_cage(path, options, context);
   if (lower_case_ending(path) != ".json") {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("{}: the ending of a cage is {}, that of a model file .json",
                             path.string(), cage_endings()));
   }
-  return load_model_file(path, cage_options, context);
+  return load_model_file(path, options, context);
 }
 
 }  // namespace
 
-ModelInput load_model(const std::filesystem::path& path, const CageOptions& cage_options,
+ModelInput load_model(const std::filesystem::path& path, const LoadOptions& options,
                       Observer* observer) {
   const RunContext context(observer);
-  ModelInput input = tell_out_of_memory([&] { return load(path, cage_options, context); },
+  ModelInput input = tell_out_of_memory([&] { return load(path, options, context); },
                                         [&] { return "while reading " + path.string(); });
   context.throw_if_cancelled();
   at_file(path.string(), [&] { check(input.model); });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "surfmesh/cage/cage_model.hh"
@@ -20,19 +21,26 @@ struct ModelInput {
   std::vector<std::filesystem::path> files;  ///< all that were read: with cages and tables
 };
 
+/// What decides how files become a model.
+struct LoadOptions {
+  CageOptions cages = {};
+  std::optional<Length> joining = {};  ///< see JoinOptions; unset: that of the file
+};
+
 /// Read a control cage (.obj, .off) or a model file (.json), chosen by the ending in upper or lower
 /// case.
 ///
 /// The model of a model file has the formula patches first, then those of its cages, named
 /// <cage>:<patch>; each cage is also a group. Contours are shared within a cage and among formula
 /// patches, but not between them. A scheme or kind of patches other than Auto replaces that of all
-/// cages. In the file, the kind given with a cage overrides the option.
+/// cages. In the file, the kind given with a cage overrides the option. A `joining` replaces that
+/// of the file.
 ///
 /// Throws   Io if a file cannot be read; InvalidInput for an unknown ending, an error in a file
 ///          (naming it and the location) or a scheme for a model file without cages; Geometry;
 ///          Limit if memory runs out; Cancelled by the observer, which may be null and is asked
 ///          between the steps of each cage
-ModelInput load_model(const std::filesystem::path& path, const CageOptions& cage_options = {},
+ModelInput load_model(const std::filesystem::path& path, const LoadOptions& options = {},
                       Observer* observer = nullptr);
 
 }  // namespace surfmesh

@@ -56,6 +56,13 @@ constexpr LengthAccess kWeld = {&ranges::kWeld,
                                   options.weld = value.value_or(Length());
                                 }};
 
+constexpr LengthAccess kJoining = {
+    &ranges::kJoining,
+    [](const Options& options) -> std::optional<Length> {
+      return options.joining.value_or(JoinOptions().joining);
+    },
+    [](Options& options, const std::optional<Length>& value) { options.joining = value; }};
+
 constexpr NumberAccess kOrient = {
     &ranges::kOrient,
     [](const Options& options) { return options.orient.value_or(false) ? 1.0 : 0.0; },
@@ -161,6 +168,8 @@ constexpr auto kTable = std::to_array<Option>({
      number(
          ranges::kPatches, [](auto& o) -> auto& { return o.patches; })},
     {kCages, true, kLengthUnit, "distance within which vertices of a cage become one", kWeld},
+    {kCages, false, kLengthUnit, "distance within which sides of formula patches become one",
+     kJoining},
     {kCages, true, "", "faces of a cage turned to agree with their neighbours", kOrient},
     {kCages, true, "degrees", "creases of a cage where its faces meet at more than this angle",
      kCreaseAngle},

@@ -23,6 +23,8 @@ struct PipelineOptions {
   std::optional<Length> weld = {};  ///< likewise; see CageOptions
   std::optional<bool> orient = {};  ///< likewise
   std::optional<double> crease_angle = {};  ///< likewise, degrees
+  /// Likewise, of formula patches; see JoinOptions. Unset is its default.
+  std::optional<Length> joining = {};
   int threads = 0;  ///< from 1 to 256; 0 is one per core. The mesh is always the same
   std::size_t max_elements = 50'000'000;  ///< more triangles end the run with an error. Above 0
 };
