@@ -28,6 +28,11 @@ class FormulaCurve : public Curve {
   /// Throws   Geometry if the result is not finite, naming t in its range
   Uv evaluate(double t) const override;
 
+  /// The coordinates as a program of t in the range of the curve.
+  const FormulaProgram& program() const { return program_; }
+
+  const CurveRange& range() const { return range_; }
+
  private:
   CurveRange range_;
   FormulaProgram program_;
@@ -50,6 +55,11 @@ class FormulaSpaceCurve : public SpaceCurve {
 
   /// Throws   as FormulaCurve
   Vec3 evaluate(double t) const override;
+
+  /// The coordinates as a program of t in the range of the curve.
+  const FormulaProgram& program() const { return program_; }
+
+  const CurveRange& range() const { return range_; }
 
  private:
   CurveRange range_;

@@ -30,6 +30,9 @@ class FormulaSurface : public Surface {
 
   Domain domain() const override { return domain_; }
 
+  /// The coordinates as a program of u and v.
+  const FormulaProgram& program() const { return program_; }
+
  private:
   template <int order>
   Jet evaluate_to(Uv uv) const;
