@@ -93,7 +93,7 @@ int CheckCommand::check(Progress& progress) const {
     tell(fmt::format("surfmesh: fault: {}: {}, the first: {}\n", fault.kind, fault.count,
                      fault.places.front()));
   }
-  return check.faults.empty() ? kDone : kFellShort;
+  return check.faults.empty() && !has_shortfall(check.notices) ? kDone : kFellShort;
 }
 
 int CheckCommand::run() const {

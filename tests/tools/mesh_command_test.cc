@@ -277,6 +277,46 @@ TEST_F(MeshProgram, ReachesTheSag) {
   EXPECT_NE(out_.find("sag"), std::string::npos);
 }
 
+/// A model file of a graph over the unit square.
+std::string graph(const std::string& z) {
+  return R"({"patches": [{"name": "a", "surface": {"z": ")" + z +
+         R"("}, "domain": {"u": [0, 1], "v": [0, 1]}}]})";
+}
+
+TEST_F(MeshProgram, EndsWithStatus3WhereTheSurfaceJumps) {
+  write_text(folder_ / "cliff.json", graph("if(u<0.37,0,1)"));
+  const std::string line =
+      "not reached: cliff.json: /patches/0: patch a: its surface jumps by 1 at "
+      "(u,v) = (0.37, ";
+  for (const char* command :
+       {"mesh cliff.json -o out.obj --report report.json", "mesh cliff.json -o out.obj --dry-run",
+        "mesh cliff.json -o out.obj --sag 1%", "control cliff.json -o out.vtu",
+        "check out.obj --model cliff.json"}) {
+    EXPECT_EQ(run(command), 3) << command;
+    EXPECT_NE(err_.find(line), std::string::npos) << command << err_;
+  }
+  const Json notices = report()["notices"];
+  ASSERT_EQ(notices.size(), 1U);
+  EXPECT_EQ(notices[0]["kind"], "surface_jump");
+  EXPECT_EQ(notices[0]["severity"], "shortfall");
+  EXPECT_EQ(notices[0]["patch"], "a");
+}
+
+/// The sag there is not for want of smaller or flatter triangles.
+TEST_F(MeshProgram, TellsThatAJumpKeepsTheSag) {
+  write_text(folder_ / "cliff.json", graph("floor(2*u+0.5)"));
+  EXPECT_EQ(run("mesh cliff.json -o out.obj --sag 1%"), 3);
+  EXPECT_NE(err_.find("the surface jumps in this patch"), std::string::npos) << err_;
+}
+
+TEST_F(MeshProgram, RefusesASurfaceThatRunsToInfinity) {
+  write_text(folder_ / "pole.json", graph("1/(u-0.3)"));
+  for (const char* command : {"mesh pole.json -o out.obj", "mesh pole.json -o out.obj --dry-run",
+                              "control pole.json -o out.vtu"}) {
+    expect_error(run(command), "runs to infinity at (u,v) = (0.3, ", 1);
+  }
+}
+
 TEST_F(MeshProgram, EndsWithStatus3WhereTheSagIsNotReached) {
   EXPECT_EQ(mesh("torus.obj", "--sag 0.01% --hmin 5% --quiet"), 3);
   EXPECT_TRUE(err_.starts_with("surfmesh: not reached: ")) << err_;

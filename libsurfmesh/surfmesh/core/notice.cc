@@ -71,6 +71,8 @@ std::string_view name(NoticeKind kind) {
       return "unused_option";
     case NoticeKind::SurfaceGap:
       return "surface_gap";
+    case NoticeKind::SurfaceJump:
+      return "surface_jump";
     case NoticeKind::ClampedSizes:
       return "clamped_sizes";
     case NoticeKind::RoundedPositions:

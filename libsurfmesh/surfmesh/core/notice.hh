@@ -26,6 +26,7 @@ enum class NoticeKind {
   UnusedContour,     ///< no loop names a contour
   UnusedOption,      ///< an option has no effect beside another one
   SurfaceGap,        ///< surfaces of neighbouring faces do not quite meet
+  SurfaceJump,       ///< the formulas of a surface jump inside a patch
   ClampedSizes,      ///< sizes of sources are brought into the bounds
   RoundedPositions,  ///< a file holds fewer digits of positions than its mesh
   CutEdges,          ///< edges are left open, as a half-edge mesh cannot be so
@@ -40,7 +41,7 @@ enum class NoticeKind {
   BrokenPromise,     ///< the mesh is not as the model promises
 };
 
-inline constexpr std::size_t kNoticeKinds = 24;
+inline constexpr std::size_t kNoticeKinds = 25;
 
 /// The name of a kind in reports: "ignored_input", "turned_triangles", ...
 std::string_view name(NoticeKind kind);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/model/check_breaks.hh"
 #include "surfmesh/model/contour_smoothness.hh"
 #include "surfmesh/model/match_pieces.hh"
 #include "surfmesh/model/near_misses.hh"
@@ -180,6 +181,7 @@ Model model_from_patches(const std::vector<PatchInput>& patches,
     if (patch.loops.empty()) result.loops.push_back(whole_loop(patch.name, chains));
   }
   trim_patches(model, {patches, contours, chains, lengths.join});
+  check_breaks(patches, model);
   set_smoothness(model);
   return model;
 }

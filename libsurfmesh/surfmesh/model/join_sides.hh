@@ -73,6 +73,9 @@ inline constexpr LengthRange kJoining = {"joining"};
 /// The largest loop is the outer one. Some faults are corrected, with a warning: a loop that runs
 /// the wrong way round is reversed; a contour that no loop names is left out.
 ///
+/// Formula surfaces are searched for jumps, each of which adds a notice, and for points where they
+/// run to infinity (check_breaks). Other surfaces are not.
+///
 /// The end of a contour within 1e-9 of the diagonal of a vertex is that vertex. Ends that follow
 /// each other in a loop are joined up to 1e-6, which is also how far a contour may be from a patch.
 ///
@@ -84,10 +87,10 @@ inline constexpr LengthRange kJoining = {"joining"};
 /// Throws   InvalidOption; InvalidInput for no patches, a name used twice, a missing surface, a
 /// domain that is not
 ///          a rectangle, a loop that names an unknown contour or the same use twice; Geometry for a
-///          patch that is a point or a line, a contour that is off its patch or differs between
-///          patches, a loop that does not close, leaves the domain, crosses itself or another, or
-///          is where no hole can be. All name the patch or the contour, and gaps and (u,v) if there
-///          are any
+///          patch that is a point or a line or runs to infinity, a contour that jumps, is off its
+///          patch or differs between patches, a loop that does not close, leaves the domain,
+///          crosses itself or another, or is where no hole can be. All name the patch or the
+///          contour, and gaps and (u,v) if there are any
 Model model_from_patches(const std::vector<PatchInput>& patches,
                          const std::vector<ContourInput>& contours = {},
                          const JoinOptions& options = {});

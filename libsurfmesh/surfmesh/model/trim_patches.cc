@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/model/check_breaks.hh"
 #include "surfmesh/model/close_loops.hh"
 #include "surfmesh/model/divide_contours.hh"
 #include "surfmesh/model/free_seam.hh"
@@ -187,6 +188,7 @@ void Trimmer::add_parts(const ContourInput& contour) {
   try {
     check_finite(contour);
     check_length(contour);
+    check_breaks(contour);
     parts_[contour.name] = divide_at_kinks(contour, input_.patches, patch_numbers_);
   } catch (const Error& error) {
     throw Error(error.code(), fmt::format("{}: {}", label(contour), error.what()));

@@ -207,7 +207,7 @@ class SagLoop {
     notice.contour = worst_contour_;
     notice.point = worst_at_;
     notice.text += fmt::format(", in patch {}{} at {}: {}", task_.model.patch(notice.patch).name,
-                               at_contour(), point_text(*notice.point), cause());
+                               at_contour(), point_text(*notice.point), cause(notice.patch));
     best_.report.notices.push_back(std::move(notice));
   }
 
@@ -216,8 +216,16 @@ class SagLoop {
     return fmt::format(" on contour {}", task_.model.contour(worst_contour_).name);
   }
 
-  /// Why the worst face of the best mesh is too far, and what helps.
-  std::string cause() const {
+  /// True if a patch is known to jump, beside which nothing else counts.
+  bool has_jump(int patch) const {
+    return std::ranges::any_of(task_.model.notices, [patch](const Notice& notice) {
+      return notice.kind == NoticeKind::SurfaceJump && notice.patch == patch;
+    });
+  }
+
+  /// Why the worst face of the best mesh, which is in this patch, is too far, and what helps.
+  std::string cause(int patch) const {
+    if (has_jump(patch)) return "the surface jumps in this patch, which no triangle can follow";
     if (is_held(best_.mesh, worst_face_)) {
       const SizeBounds& bounds = task_.sizing.bounds;
       return fmt::format("{} = {:.6g} is in the way, a smaller one helps",
