@@ -24,6 +24,12 @@ bool has(const Mesh& mesh, const Key& key) {
   return find(mesh, key).is_valid();
 }
 
+double rounding_of(const OpenMesh::Vec3d& point) {
+  // Not in OpenMesh's vectors: GCC 12 takes a conversion to float and back for nothing there.
+  const Vec3 exact = to_eigen(point);
+  return (exact.cast<float>().cast<double>() - exact).norm();
+}
+
 bool has_contours(const PolyMesh& mesh) {
   const auto contour_of = find(mesh, keys::edge_contour);
   if (!contour_of.is_valid()) return false;
@@ -100,6 +106,22 @@ std::vector<std::string> lost_patches_and_properties(const PolyMesh& mesh, const
   if (!names.groups.empty()) lost.insert(lost.begin(), "the groups of the patches");
   lost.insert(lost.begin(), "the patches of the faces");
   return lost;
+}
+
+Rounding rounding_to_single(const PolyMesh& mesh) {
+  Rounding result;
+  for (const VertexHandle vh : mesh.vertices()) {
+    result.greatest_move = std::max(result.greatest_move, rounding_of(mesh.point(vh)));
+  }
+  for (const EdgeHandle eh : mesh.edges()) {
+    const HalfedgeHandle heh = mesh.halfedge_handle(eh, 0);
+    const OpenMesh::Vec3d& a = mesh.point(mesh.from_vertex_handle(heh));
+    const OpenMesh::Vec3d& b = mesh.point(mesh.to_vertex_handle(heh));
+    const double move = std::max(rounding_of(a), rounding_of(b));
+    const double length = (b - a).norm();
+    if (length > 0 && move > result.share * length) result.share = move / length;
+  }
+  return result;
 }
 
 }  // namespace surfmesh

@@ -11,6 +11,7 @@
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/core/mesh_names.hh"
 #include "surfmesh/formats/read_mesh.hh"
+#include "surfmesh/formats/write_mesh.hh"
 #include "surfmesh/io/output_file.hh"
 
 namespace surfmesh {
@@ -55,5 +56,8 @@ std::vector<std::string> lost_properties(const PolyMesh& mesh);
 
 /// The same for formats without patches and groups.
 std::vector<std::string> lost_patches_and_properties(const PolyMesh& mesh, const MeshNames& names);
+
+/// How far positions move in single precision.
+Rounding rounding_to_single(const PolyMesh& mesh);
 
 }  // namespace surfmesh

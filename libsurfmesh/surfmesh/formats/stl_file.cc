@@ -289,7 +289,7 @@ std::size_t count_polygons(const PolyMesh& mesh) {
 
 std::vector<std::string> lost_in_stl(const PolyMesh& mesh, const MeshNames& names) {
   std::vector<std::string> lost;
-  if (const double move = rounding_of(mesh, "a.stl").greatest_move; move > 0) {
+  if (const double move = rounding_to_single(mesh).greatest_move; move > 0) {
     lost.push_back(fmt::format(
         "the digits of positions beyond single precision: vertices move by up to {:.3g}", move));
   }
