@@ -35,6 +35,10 @@ void ConvertCommand::add_to(CLI::App& app) {
   command->add_option("OUT", output_, fmt::format("mesh to write: {}", endings))
       ->required()
       ->type_name("");
+  command->add_flag("--normals", options_.normals,
+                    fmt::format("write the normals of the corners, which an .om file may have ({})",
+                                corner_value_endings()));
+  command->add_flag("--uv", options_.uv, "write the parameters (u,v) of the corners, likewise");
   command->add_flag("--quiet", is_quiet_, "print warnings and errors only");
 }
 
@@ -44,7 +48,7 @@ int ConvertCommand::convert() const {
   check_not_overwritten(std::array{std::filesystem::path(input_)}, output_);
   const MeshFile file = read_mesh(input_);
   Outputs outputs;
-  write_mesh(file.mesh, outputs.add(output_), file.names);
+  write_mesh(file.mesh, outputs.add(output_), file.names, options_);
   outputs.commit(kDone);
   int status = kDone;
   if (!is_quiet_) {
@@ -53,7 +57,11 @@ int ConvertCommand::convert() const {
                            status);
   }
   print_notices(file.notices);
-  for (const std::string& lost : what_is_lost(file.mesh, output_, file.names)) {
+  print_notices(unused_options(file.mesh, output_, options_));
+  for (const std::string& unread : file.unread) {
+    tell(fmt::format("surfmesh: warning: the {} of {} are left out\n", unread, input_));
+  }
+  for (const std::string& lost : what_is_lost(file.mesh, output_, file.names, options_)) {
     tell(fmt::format("surfmesh: warning: {} does not hold {}\n", output_, lost));
   }
   return status;

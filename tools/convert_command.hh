@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "surfmesh/formats/output_options.hh"
+
 namespace surfmesh {
 
 /// `surfmesh convert`: read a mesh in one format and write it in another.
@@ -20,6 +22,7 @@ class ConvertCommand {
 
   std::string input_;
   std::string output_;
+  OutputOptions options_;
   bool is_quiet_ = false;
 };
 

@@ -103,6 +103,8 @@ class MeshRun {
     Outputs outputs;
     const double start = processor_seconds();
     tell_rounding(result, mesh_path);
+    append(unused_options(result.mesh, mesh_path, result.report.options.output),
+           result.report.notices);
     OutputFile& mesh_file = outputs.add(mesh_path);
     write_mesh(result, mesh_file);
     mesh_file.finish();

@@ -71,6 +71,16 @@ void expect_same_properties(const PolyMesh& source, const Mesh& target) {
   expect_same_bytes(source, target, keys::corner_metric);
 }
 
+TEST(CopyResult, CopiesNormalsThatAreThere) {
+  PolyMesh source = result();
+  DoublePolyMesh target;
+  copy_result(source, target);
+  EXPECT_FALSE(find(target, keys::corner_normal).is_valid());
+  attach(source, keys::corner_normal, Normal{0, 0.6, -0.8});
+  copy_result(source, target);
+  expect_same_bytes(source, target, keys::corner_normal);
+}
+
 TEST(CopyResult, IsExactInDoubleMeshes) {
   const PolyMesh source = result();
   DoublePolyMesh target;

@@ -23,9 +23,11 @@ PolyMesh example() {
   }
   const auto uv = attach(mesh, keys::corner_uv);
   const auto metric = attach(mesh, keys::corner_metric);
+  const auto normal = attach(mesh, keys::corner_normal);
   for (const HalfedgeHandle heh : mesh.halfedges()) {
     mesh.property(uv, heh) = {1.0 * heh.idx(), 0};
     mesh.property(metric, heh) = {1.0 * heh.idx(), 0, 1};
+    mesh.property(normal, heh) = {1.0 * heh.idx(), 0, 1};
   }
   return mesh;
 }
@@ -60,6 +62,7 @@ TEST(MeshArrays, GiveEachCornerTheSideAfterItAndTheValuesAtIt) {
       EXPECT_EQ(arrays.contours[corner], mesh.property(contour, mesh.edge_handle(after)));
       EXPECT_EQ(arrays.uvs[corner].u, before.idx());
       EXPECT_EQ(arrays.metrics[corner].m11, before.idx());
+      EXPECT_EQ(arrays.normals[corner].x, before.idx());
     }
   }
 }
@@ -67,7 +70,8 @@ TEST(MeshArrays, GiveEachCornerTheSideAfterItAndTheValuesAtIt) {
 TEST(MeshArrays, LeaveOutWhatTheMeshDoesNotHaveOrNobodyAsksFor) {
   const MeshArrays faces = mesh_arrays(example(), {}, ArrayParts::Faces);
   EXPECT_EQ(faces.patches.size(), 2u);
-  EXPECT_TRUE(faces.contours.empty() && faces.uvs.empty() && faces.metrics.empty());
+  EXPECT_TRUE(faces.contours.empty() && faces.uvs.empty() && faces.metrics.empty() &&
+              faces.normals.empty());
   PolyMesh bare;
   bare.add_vertex({0, 0, 0});
   const MeshArrays arrays = mesh_arrays(bare);

@@ -70,6 +70,14 @@ TEST(OmFile, KeepsThePropertiesOfControlMeshes) {
   EXPECT_FALSE(find(read, keys::face_patch).is_valid());
 }
 
+TEST(OmFile, KeepsNormals) {
+  const TestFolder folder;
+  PolyMesh mesh = example();
+  attach(mesh, keys::corner_normal, Normal{1.0 / 3, -0.0, 1});
+  write_mesh(mesh, folder / "a.om");
+  EXPECT_TRUE(is_same_property(mesh, read_mesh(folder / "a.om").mesh, keys::corner_normal));
+}
+
 TEST(OmFile, IsTheSameWhenWrittenAgain) {
   const TestFolder folder;
   write_mesh(example(), folder / "a.om");

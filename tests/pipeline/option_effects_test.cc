@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/errors.hh"
+#include "support/folders.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 #include "surfmesh/pipeline/option_table.hh"
@@ -63,14 +64,16 @@ const std::map<std::string_view, Case> kCases = {
     {"joining", {"1e-5", "../tests/pipeline/near_sides.json"}},
     {"orient", {"on", "../tests/pipeline/turned_face.obj"}},
     {"crease_angle", {"30", "cube.obj"}},
+    {"normals", {"on"}},
+    {"uv", {"on"}},
     {"quads", {"on"}},
     {"threads", {"1"}},
     {"max_elements", {"10"}},
 };
 
-/// Where all triangles are, or the error.
+/// The file of the mesh, or the error.
 std::string outcome(const Case& example, const Settings& settings) {
-  std::vector<double> result;
+  const TestFolder folder;
   const std::string error = error_of([&] {
     PipelineOptions asked;
     for (const auto& [name, value] : settings) set_option(asked, name, value);
@@ -81,16 +84,9 @@ std::string outcome(const Case& example, const Settings& settings) {
                                                    .crease_angle = asked.crease_angle},
                                          .joining = asked.joining});
     for (const auto& [name, value] : settings) set_option(input.options, name, value);
-    const auto meshed = mesh_model(input.model, input.sources, input.options);
-    for (const auto face : meshed.mesh.faces()) {
-      for (const auto vertex : face.vertices()) {
-        const auto& point = meshed.mesh.point(vertex);
-        result.insert(result.end(), {point[0], point[1], point[2]});
-      }
-    }
+    write_mesh(mesh_model(input.model, input.sources, input.options), folder / "a.obj");
   });
-  return error +
-         std::string(reinterpret_cast<const char*>(result.data()), result.size() * sizeof(double));
+  return error + read_text(folder / "a.obj");
 }
 
 class OptionEffect : public ::testing::TestWithParam<std::string> {};

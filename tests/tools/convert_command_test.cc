@@ -44,6 +44,36 @@ TEST_F(ConvertProgram, WarnsOfWhatIsLost) {
   EXPECT_TRUE(says("a.off does not hold the metric of the corners")) << err_;
 }
 
+TEST_F(ConvertProgram, WritesNormalsAndParametersThatAFileHas) {
+  const std::string mesh = "mesh '" + own_model("sphere.json") + "' --normals --uv --quiet -o ";
+  EXPECT_EQ(run(mesh + "a.obj"), 0) << err_;
+  EXPECT_EQ(run(mesh + "a.om"), 0) << err_;
+  EXPECT_EQ(run("convert a.om b.obj --normals --uv"), 0);
+  EXPECT_EQ(read_text(folder_ / "a.obj"), read_text(folder_ / "b.obj"));
+  EXPECT_FALSE(says("(u,v)")) << err_;
+  EXPECT_EQ(run("convert a.om b.obj"), 0);
+  EXPECT_TRUE(says("b.obj does not hold the normals of the corners")) << err_;
+  EXPECT_TRUE(says("b.obj does not hold the parameters (u,v) of the corners")) << err_;
+}
+
+TEST_F(ConvertProgram, TellsThatNormalsAndTexturesOfObjFilesAreLeftOut) {
+  write_text(folder_ / "a.obj",
+             "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n");
+  EXPECT_EQ(run("convert a.obj b.obj"), 0);
+  EXPECT_TRUE(says("warning: the normals (vn) of a.obj are left out")) << err_;
+  EXPECT_TRUE(says("warning: the texture coordinates (vt) of a.obj are left out")) << err_;
+  EXPECT_EQ(read_text(folder_ / "b.obj"), "# surfmesh\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+  EXPECT_EQ(run("convert a.obj c.obj --normals --uv"), 0);
+  EXPECT_TRUE(says("warning: normals has no effect: the mesh has no normals")) << err_;
+  EXPECT_TRUE(says("warning: uv has no effect: the mesh has no parameters (u,v)")) << err_;
+}
+
+TEST_F(ConvertProgram, TellsHowFarVerticesMoveFarFromTheOrigin) {
+  write_text(folder_ / "a.obj", "v 400000 0 0\nv 400001.01 0 0\nv 400000 2 0\nf 1 2 3\n");
+  EXPECT_EQ(run("convert a.obj a.stl"), 0);
+  EXPECT_TRUE(says("beyond single precision: vertices move by up to 0.01")) << err_;
+}
+
 TEST_F(ConvertProgram, WarnsOfWhatIsMended) {
   write_text(folder_ / "a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 1 0 1\nf 1 2 3\nf 1 2 4\n");
   EXPECT_EQ(run("convert a.obj a.off"), 0);

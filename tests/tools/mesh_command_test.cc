@@ -184,6 +184,26 @@ TEST_F(MeshProgram, GroupsItsOptions) {
   EXPECT_NE(out_.find("Examples:\n  surfmesh mesh "), std::string::npos) << out_;
 }
 
+TEST_F(MeshProgram, WritesNormalsAndParametersThatCheckReads) {
+  EXPECT_EQ(mesh("sphere.json", "--normals --uv"), 0) << err_;
+  const std::string with = read_text(folder_ / "out.obj");
+  EXPECT_NE(with.find("\nvt "), std::string::npos);
+  EXPECT_NE(with.find("\nvn "), std::string::npos);
+  EXPECT_EQ(run("check out.obj --model '" + own_model("sphere.json") + "'"), 0) << out_ << err_;
+  EXPECT_EQ(err_, "");
+  EXPECT_EQ(mesh("sphere.json"), 0) << err_;
+  EXPECT_EQ(read_text(folder_ / "out.obj").find("\nvn "), std::string::npos);
+}
+
+TEST_F(MeshProgram, TellsWhereNormalsHaveNoPlace) {
+  EXPECT_EQ(run("mesh '" + own_model("cube.obj") + "' -o a.stl --normals --report a.json"), 0);
+  EXPECT_TRUE(
+      says("warning: normals has no effect on a.stl: normals of the corners are written to "
+           ".obj or .om"))
+      << err_;
+  EXPECT_EQ(Json::parse(read_text(folder_ / "a.json"))["notices"][0]["kind"], "unused_option");
+}
+
 TEST_F(MeshProgram, TellsItsVersion) {
   EXPECT_EQ(run("--version"), 0);
   EXPECT_EQ(out_, "surfmesh " SURFMESH_VERSION "\n");

@@ -124,7 +124,8 @@ void update_normals(Mesh& target) {
 /// target's elements are replaced. Its own properties stay, but their values are those of new
 /// elements.
 ///
-/// Reads    surf:patch (face), surf:contour (edge), surf:uv and surf:metric (halfedge)
+/// Reads    surf:patch (face), surf:contour (edge), surf:uv and surf:metric (halfedge); surf:normal
+///          (halfedge) if it is there
 /// Writes   the same, and what the target has requested: texture coordinates of halfedges, from
 ///          surf:uv, 0 on the boundary's; normals of faces, vertices and halfedges, of the
 ///          triangles
@@ -149,6 +150,9 @@ void copy_result(const PolyMesh& result, Mesh& target) {
   detail::copy_property(result, target, keys::edge_contour);
   detail::copy_property(result, target, keys::corner_uv);
   detail::copy_property(result, target, keys::corner_metric);
+  if (find(result, keys::corner_normal).is_valid()) {
+    detail::copy_property(result, target, keys::corner_normal);
+  }
   if (target.has_halfedge_texcoords2D()) detail::copy_texture_coordinates(result, target);
   detail::update_normals(target);
 }

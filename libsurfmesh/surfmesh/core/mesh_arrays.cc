@@ -19,6 +19,16 @@ std::vector<Value> corner_values(const PolyMesh& mesh, std::size_t count, ValueO
   return values;
 }
 
+/// The values of a property of the corners; none if the mesh does not have it.
+template <class Value>
+void add_values(const PolyMesh& mesh, const PropertyKey<HalfedgeHandle, Value>& key,
+                std::size_t count, std::vector<Value>& values) {
+  const auto handle = find(mesh, key);
+  if (!handle.is_valid()) return;
+  values = corner_values<Value>(mesh, count,
+                                [&](HalfedgeHandle heh) { return mesh.property(handle, heh); });
+}
+
 void add_corners(const PolyMesh& mesh, MeshArrays& arrays) {
   const std::size_t count = arrays.faces.corner_count();
   if (const auto contour_of = find(mesh, keys::edge_contour); contour_of.is_valid()) {
@@ -26,14 +36,9 @@ void add_corners(const PolyMesh& mesh, MeshArrays& arrays) {
       return mesh.property(contour_of, mesh.edge_handle(mesh.next_halfedge_handle(heh)));
     });
   }
-  if (const auto uv_of = find(mesh, keys::corner_uv); uv_of.is_valid()) {
-    arrays.uvs = corner_values<Uv>(mesh, count,
-                                   [&](HalfedgeHandle heh) { return mesh.property(uv_of, heh); });
-  }
-  if (const auto metric_of = find(mesh, keys::corner_metric); metric_of.is_valid()) {
-    arrays.metrics = corner_values<Metric>(
-        mesh, count, [&](HalfedgeHandle heh) { return mesh.property(metric_of, heh); });
-  }
+  add_values(mesh, keys::corner_uv, count, arrays.uvs);
+  add_values(mesh, keys::corner_metric, count, arrays.metrics);
+  add_values(mesh, keys::corner_normal, count, arrays.normals);
 }
 
 }  // namespace

@@ -140,6 +140,8 @@ inline constexpr OptionRange kPatches = {"patches", words::kPatches};
 inline constexpr OptionRange kOrient = {"orient", words::kSwitch};
 inline constexpr OptionRange kCreaseAngle = {"crease_angle", words::kOff, 0, 180, true};
 inline constexpr OptionRange kQuads = {"quads", words::kOffYet};
+inline constexpr OptionRange kNormals = {"normals", words::kSwitch};
+inline constexpr OptionRange kUv = {"uv", words::kSwitch};
 inline constexpr OptionRange kThreads = {"threads", words::kAll, 1, kMostThreads, false, true};
 inline constexpr OptionRange kMaxElements = {"max_elements", {}, 1, kMostElements, false, true};
 

@@ -56,6 +56,9 @@ inline constexpr PropertyKey<EdgeHandle, int> edge_contour{"surf:contour", "patc
 inline constexpr PropertyKey<HalfedgeHandle, Uv> corner_uv{"surf:uv", "assemble"};
 /// Metric of a corner of the result, at the tip of the halfedge, in the patch of its face.
 inline constexpr PropertyKey<HalfedgeHandle, Metric> corner_metric{"surf:metric", "assemble"};
+/// Normal of the surface at a corner of the result, at the tip of the halfedge, on the side from
+/// which the face goes around counter-clockwise. Made on wish.
+inline constexpr PropertyKey<HalfedgeHandle, Normal> corner_normal{"surf:normal", "assemble"};
 
 /// Names of patches and groups in .om files, a property of the mesh as a whole there.
 inline constexpr std::string_view mesh_names = "surf:names";

@@ -22,6 +22,8 @@ template <>
 inline constexpr const char* stored_name<Metric> = "surfmesh::Metric";
 template <>
 inline constexpr const char* stored_name<SizeTensor> = "surfmesh::SizeTensor";
+template <>
+inline constexpr const char* stored_name<Normal> = "surfmesh::Normal";
 
 }  // namespace surfmesh::detail
 

@@ -50,6 +50,15 @@ struct SizeTensor {
   friend bool operator==(const SizeTensor&, const SizeTensor&) = default;
 };
 
+/// A unit vector perpendicular to a surface. NaN until it is set.
+struct Normal {
+  double x = kUnset;
+  double y = kUnset;
+  double z = kUnset;
+
+  friend bool operator==(const Normal&, const Normal&) = default;
+};
+
 /// M_p of eq. (2): the lower triangular factor of the first fundamental form, M_p M_pᵀ = I.
 /// M_pᵀ takes a parameter step to the tangent frame. Where p_u vanishes the first axis of the
 /// frame is along p_v: l11 = l22 = 0, l21 = |p_v|.

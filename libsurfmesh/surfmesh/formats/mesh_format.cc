@@ -82,6 +82,10 @@ std::string cage_endings() {
   return endings_of([](const MeshFormat& format) { return format.parse_cage != nullptr; });
 }
 
+std::string corner_value_endings() {
+  return endings_of([](const MeshFormat& format) { return format.has_corner_values; });
+}
+
 bool has_cage_ending(const std::filesystem::path& path) {
   const MeshFormat* format = find_format(path);
   return format != nullptr && format->parse_cage != nullptr;
@@ -89,9 +93,14 @@ bool has_cage_ending(const std::filesystem::path& path) {
 
 void check_mesh_ending(const std::filesystem::path& path) { format_of(path); }
 
-std::vector<std::string> lost_properties(const PolyMesh& mesh) {
+std::vector<std::string> lost_properties(const PolyMesh& mesh, const OutputOptions& written) {
   std::vector<std::string> lost;
-  if (has(mesh, keys::corner_uv)) lost.push_back("the parameters (u,v) of the corners");
+  if (!written.normals && has(mesh, keys::corner_normal)) {
+    lost.push_back("the normals of the corners");
+  }
+  if (!written.uv && has(mesh, keys::corner_uv)) {
+    lost.push_back("the parameters (u,v) of the corners");
+  }
   if (has(mesh, keys::corner_metric)) lost.push_back("the metric of the corners");
   if (has_contours(mesh)) lost.push_back("the contours of the edges");
   if (has(mesh, keys::vertex_uv)) lost.push_back("the parameters (u,v) of the vertices");

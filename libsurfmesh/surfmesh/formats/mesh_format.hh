@@ -10,6 +10,7 @@
 #include "surfmesh/cage/cage.hh"
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/core/mesh_names.hh"
+#include "surfmesh/formats/output_options.hh"
 #include "surfmesh/formats/read_mesh.hh"
 #include "surfmesh/formats/write_mesh.hh"
 #include "surfmesh/io/output_file.hh"
@@ -35,12 +36,15 @@ struct MeshFormat {
   Cage (*parse_cage)(std::string_view text, const std::string& name) = nullptr;
 
   /// Never null.
-  void (*write)(const PolyMesh& mesh, const MeshNames& names, OutputFile& file) = nullptr;
+  void (*write)(const PolyMesh& mesh, const MeshNames& names, const OutputOptions& options,
+                OutputFile& file) = nullptr;
 
   bool is_single_precision = false;  ///< positions are written so
+  bool has_corner_values = false;    ///< there is a place for normals and parameters of corners
 
   /// Never null. As what_is_lost of write_mesh.hh.
-  std::vector<std::string> (*what_is_lost)(const PolyMesh& mesh, const MeshNames& names) = nullptr;
+  std::vector<std::string> (*what_is_lost)(const PolyMesh& mesh, const MeshNames& names,
+                                           const OutputOptions& options) = nullptr;
 };
 
 std::span<const MeshFormat> mesh_formats();
@@ -51,8 +55,8 @@ const MeshFormat* find_format(const std::filesystem::path& path);
 /// Throws   InvalidInput, naming the path and the endings
 const MeshFormat& format_of(const std::filesystem::path& path);
 
-/// What only .om files hold, of this mesh.
-std::vector<std::string> lost_properties(const PolyMesh& mesh);
+/// What of this mesh only .om files hold, but for the values of corners that are `written`.
+std::vector<std::string> lost_properties(const PolyMesh& mesh, const OutputOptions& written = {});
 
 /// The same for formats without patches and groups.
 std::vector<std::string> lost_patches_and_properties(const PolyMesh& mesh, const MeshNames& names);

@@ -11,6 +11,7 @@
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/formats/cage_text.hh"
+#include "surfmesh/formats/obj_corners.hh"
 #include "surfmesh/formats/obj_labels.hh"
 #include "surfmesh/formats/obj_tags.hh"
 #include "surfmesh/formats/read_cage.hh"
@@ -34,6 +35,9 @@ class ObjReader {
 
   const ObjLabels& labels() const { return labels_; }
 
+  /// What the file has at its corners, which is not read.
+  std::vector<std::string> unread() const;
+
  private:
   void read_statement(std::string_view keyword);
   void read_vertex();
@@ -50,6 +54,8 @@ class ObjReader {
   std::vector<int> corners_;  ///< of the face that is being read
   std::vector<LaterReference> later_vertices_;
   ObjTags tags_{text_, later_vertices_};
+  bool has_normals_ = false;
+  bool has_texture_ = false;
 };
 
 Cage ObjReader::read() {
@@ -64,6 +70,13 @@ Cage ObjReader::read() {
   return text_.finish();
 }
 
+std::vector<std::string> ObjReader::unread() const {
+  std::vector<std::string> words;
+  if (has_normals_) words.push_back("normals (vn)");
+  if (has_texture_) words.push_back("texture coordinates (vt)");
+  return words;
+}
+
 void ObjReader::read_statement(std::string_view keyword) {
   if (keyword == "v") return read_vertex();
   if (keyword == "f") return read_face();
@@ -71,6 +84,8 @@ void ObjReader::read_statement(std::string_view keyword) {
   if (keyword == "o") return labels_.set_object(read_name());
   if (keyword == "usemtl") return labels_.set_material(read_name());
   if (keyword == "t") return tags_.read();
+  has_normals_ |= keyword == "vn";
+  has_texture_ |= keyword == "vt";
   if (std::find(kIgnoredKeywords.begin(), kIgnoredKeywords.end(), keyword) !=
       kIgnoredKeywords.end()) {
     return;
@@ -159,6 +174,7 @@ MeshArraysFile parse_obj_mesh(std::string text, const std::string& name) {
   ObjReader reader(text, name, ReadFor::Mesh);
   MeshArraysFile file = arrays_of(reader.read());
   file.mesh.patches = reader.labels().patches(file.mesh.names);
+  file.unread = reader.unread();
   return file;
 }
 
@@ -257,15 +273,26 @@ class GroupWriter {
   bool has_faces_ = false;
 };
 
-void write_obj(const PolyMesh& mesh, const MeshNames& names, OutputFile& file) {
+void write_obj(const PolyMesh& mesh, const MeshNames& names, const OutputOptions& options,
+               OutputFile& file) {
   FileWriter writer(file);
   writer.text("# surfmesh");
   write_points(mesh, "v", writer);
+  CornerWriter uvs(mesh, keys::corner_uv, options.uv);
+  CornerWriter normals(mesh, keys::corner_normal, options.normals);
+  uvs.write_values("\nvt", writer);
+  normals.write_values("\nvn", writer);
   GroupWriter groups(mesh, names, writer);
   for (const FaceHandle fh : mesh.faces()) {
     groups.begin_face(fh);
     writer.text("\nf");
-    for_each_vertex_of(mesh, fh, [&writer](int vertex) { writer.number(' ', vertex + 1); });
+    for_each_corner(mesh, fh, [&](HalfedgeHandle heh) {
+      writer.number(' ', mesh.to_vertex_handle(heh).idx() + 1);
+      if (uvs.has_values()) writer.number('/', uvs.number(heh));
+      if (!normals.has_values()) return;
+      if (!uvs.has_values()) writer.text("/");
+      writer.number('/', normals.number(heh));
+    });
   }
   writer.text("\n");
   writer.flush();
@@ -284,8 +311,9 @@ std::size_t count_changed_names(const MeshNames& names) {
   return count;
 }
 
-std::vector<std::string> lost_in_obj(const PolyMesh& mesh, const MeshNames& names) {
-  std::vector<std::string> lost = lost_properties(mesh);
+std::vector<std::string> lost_in_obj(const PolyMesh& mesh, const MeshNames& names,
+                                     const OutputOptions& options) {
+  std::vector<std::string> lost = lost_properties(mesh, options);
   const std::size_t count =
       find(mesh, keys::face_patch).is_valid() ? count_changed_names(names) : 0;
   if (count > 0) {
@@ -310,6 +338,7 @@ MeshFormat obj_format() {
           .parse = parse_obj_mesh,
           .parse_cage = parse_obj,
           .write = write_obj,
+          .has_corner_values = true,
           .what_is_lost = lost_in_obj};
 }
 

@@ -194,7 +194,7 @@ MeshArraysFile parse_off_mesh(std::string text, const std::string& name) {
   return arrays_of(read_off(text, name, ReadFor::Mesh));
 }
 
-void write_off(const PolyMesh& mesh, const MeshNames&, OutputFile& file) {
+void write_off(const PolyMesh& mesh, const MeshNames&, const OutputOptions&, OutputFile& file) {
   FileWriter writer(file);
   writer.text("OFF");
   writer.number('\n', mesh.n_vertices());
@@ -209,6 +209,11 @@ void write_off(const PolyMesh& mesh, const MeshNames&, OutputFile& file) {
   writer.flush();
 }
 
+std::vector<std::string> lost_in_off(const PolyMesh& mesh, const MeshNames& names,
+                                     const OutputOptions&) {
+  return lost_patches_and_properties(mesh, names);
+}
+
 }  // namespace
 
 Cage parse_off(std::string_view text, const std::string& name) {
@@ -220,7 +225,7 @@ MeshFormat off_format() {
           .parse = parse_off_mesh,
           .parse_cage = parse_off,
           .write = write_off,
-          .what_is_lost = lost_patches_and_properties};
+          .what_is_lost = lost_in_off};
 }
 
 }  // namespace surfmesh

@@ -27,6 +27,7 @@
 OM_REGISTER_PROPERTY_TYPE(surfmesh::Uv)
 OM_REGISTER_PROPERTY_TYPE(surfmesh::Metric)
 OM_REGISTER_PROPERTY_TYPE(surfmesh::SizeTensor)
+OM_REGISTER_PROPERTY_TYPE(surfmesh::Normal)
 
 namespace surfmesh {
 namespace {
@@ -371,7 +372,8 @@ void make_persistent(Iterator begin, Iterator end) {
   }
 }
 
-void write_om(const PolyMesh& mesh, const MeshNames& names, OutputFile& file) {
+void write_om(const PolyMesh& mesh, const MeshNames& names, const OutputOptions&,
+              OutputFile& file) {
   FileWriter writer(file);
   {
     const Silence silence;
@@ -419,7 +421,9 @@ MeshArraysFile parse_om_faces(std::string bytes, const std::string& name) {
   return {mesh_arrays(file.mesh, file.names, ArrayParts::Faces), file.notices, {}};
 }
 
-std::vector<std::string> lost_in_om(const PolyMesh&, const MeshNames&) { return {}; }
+std::vector<std::string> lost_in_om(const PolyMesh&, const MeshNames&, const OutputOptions&) {
+  return {};
+}
 
 }  // namespace
 
@@ -443,6 +447,7 @@ MeshFormat om_format() {
           .parse = parse_om_faces,
           .parse_mesh = parse_om,
           .write = write_om,
+          .has_corner_values = true,
           .what_is_lost = lost_in_om};
 }
 

@@ -388,7 +388,8 @@ void write_runs(const std::vector<int>& patches, FileWriter& writer) {
 }
 
 /// ASCII, for Gmsh reads binary files with positions in single precision only.
-void write_ply(const PolyMesh& mesh, const MeshNames& names, OutputFile& file) {
+void write_ply(const PolyMesh& mesh, const MeshNames& names, const OutputOptions&,
+               OutputFile& file) {
   const auto patch_of = find(mesh, keys::face_patch);
   const FaceSizes sizes = face_sizes(mesh);
   const bool are_patches_values = patch_of.is_valid() && sizes.least >= sizes.most;
@@ -416,7 +417,8 @@ void write_ply(const PolyMesh& mesh, const MeshNames& names, OutputFile& file) {
   writer.flush();
 }
 
-std::vector<std::string> lost_in_ply(const PolyMesh& mesh, const MeshNames& names) {
+std::vector<std::string> lost_in_ply(const PolyMesh& mesh, const MeshNames& names,
+                                     const OutputOptions&) {
   std::vector<std::string> lost = lost_properties(mesh);
   if (!find(mesh, keys::face_patch).is_valid()) return lost;
   const auto is_changed = [](const std::string& name) { return !can_be_held(name); };

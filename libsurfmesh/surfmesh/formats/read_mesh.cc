@@ -25,7 +25,7 @@ void check_faces(const MeshArraysFile& file, const std::string& name) {
 }  // namespace
 
 MeshFile mesh_from(MeshArraysFile file, const std::string& name) {
-  MeshFile result{{}, std::move(file.mesh.names), std::move(file.notices)};
+  MeshFile result{{}, std::move(file.mesh.names), std::move(file.notices), std::move(file.unread)};
   const MeshArrays& set = file.mesh;
   const Separation separation =
       build_faces(result.mesh, set.points.size(), set.faces, FirstSide::ToFirstCorner);

@@ -19,13 +19,16 @@ struct MeshArraysFile {
   /// Faces of an .stl file that are left out of the mesh because two of their corners are one
   /// point, counted from 0 in the file.
   std::vector<std::size_t> degenerate_faces;
+  /// What the file has besides and is not read, in plain English: "normals (vn)".
+  std::vector<std::string> unread = {};
 };
 
 /// A mesh read from a file.
 struct MeshFile {
-  PolyMesh mesh;    ///< with surf:patch (face) if the file has patches
-  MeshNames names;  ///< of its patches; empty if the format has none
-  Notices notices;  ///< with file and line
+  PolyMesh mesh;                         ///< with surf:patch (face) if the file has patches
+  MeshNames names;                       ///< of its patches; empty if the format has none
+  Notices notices;                       ///< with file and line
+  std::vector<std::string> unread = {};  ///< as in MeshArraysFile
 };
 
 /// Read the faces of a mesh. The ending, in upper or lower case, selects the format.
@@ -33,7 +36,9 @@ struct MeshFile {
 /// .obj   positions, faces; faces with the same words of `g`, `o` and `usemtl` are one patch. It is
 ///        named after the last word of `g` (but "default" alone is no name), otherwise after the
 ///        material, otherwise after the object. The other names are groups, and so is a name that
-///        several patches would have. Patches are in the order in which the file names them
+///        several patches would have. Patches are in the order in which the file names them.
+///        Normals and texture coordinates are told in `unread`: the latter, from other programs,
+///        need not be the (u,v) of a patch
 /// .off   positions, faces
 /// .ply   ASCII or binary in either byte order, with numbers of any type: x, y, z of `vertex`,
 ///        vertex_indices (or vertex_index) and `patch` of `face`. The comments that write_mesh

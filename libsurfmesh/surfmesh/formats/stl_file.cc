@@ -256,7 +256,7 @@ void check_single(const PolyMesh& mesh) {
 
 /// Faces of more than three corners are split: quads at their shorter diagonal, others into the fan
 /// of their first corner.
-void write_stl(const PolyMesh& mesh, const MeshNames&, OutputFile& file) {
+void write_stl(const PolyMesh& mesh, const MeshNames&, const OutputOptions&, OutputFile& file) {
   check_single(mesh);
   const Triangles triangles = triangles_of(mesh);
   FileWriter writer(file);
@@ -287,7 +287,8 @@ std::size_t count_polygons(const PolyMesh& mesh) {
   return count;
 }
 
-std::vector<std::string> lost_in_stl(const PolyMesh& mesh, const MeshNames& names) {
+std::vector<std::string> lost_in_stl(const PolyMesh& mesh, const MeshNames& names,
+                                     const OutputOptions&) {
   std::vector<std::string> lost;
   if (const double move = rounding_to_single(mesh).greatest_move; move > 0) {
     lost.push_back(fmt::format(

@@ -1,27 +1,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/formats/write_mesh.hh"
 
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "surfmesh/core/option_range.hh"
+#include "surfmesh/core/properties.hh"
 #include "surfmesh/formats/mesh_format.hh"
 
 namespace surfmesh {
+namespace {
+
+/// Warn that what an option asks for is not in the file; `values` are what it writes.
+Notice unused(std::string_view option, std::string_view values, const std::filesystem::path& path,
+              bool has_place) {
+  const std::string cause = has_place ? fmt::format("has no effect: the mesh has no {}", values)
+                                      : fmt::format("has no effect on {}: {} are written to {}",
+                                                    path.string(), values, corner_value_endings());
+  return warning(NoticeKind::UnusedOption, fmt::format("{} {}", option, cause));
+}
+
+}  // namespace
 
 Rounding rounding_of(const PolyMesh& mesh, const std::filesystem::path& path) {
   return format_of(path).is_single_precision ? rounding_to_single(mesh) : Rounding();
 }
 
 std::vector<std::string> what_is_lost(const PolyMesh& mesh, const std::filesystem::path& path,
-                                      const MeshNames& names) {
-  return format_of(path).what_is_lost(mesh, names);
+                                      const MeshNames& names, const OutputOptions& options) {
+  return format_of(path).what_is_lost(mesh, names, options);
 }
 
-void write_mesh(const PolyMesh& mesh, OutputFile& file, const MeshNames& names) {
-  format_of(file.path()).write(mesh, names, file);
+Notices unused_options(const PolyMesh& mesh, const std::filesystem::path& path,
+                       const OutputOptions& options) {
+  const bool has_place = format_of(path).has_corner_values;
+  Notices notices;
+  if (options.normals && !(has_place && find(mesh, keys::corner_normal).is_valid())) {
+    notices.push_back(unused(ranges::kNormals.name, "normals of the corners", path, has_place));
+  }
+  if (options.uv && !(has_place && find(mesh, keys::corner_uv).is_valid())) {
+    notices.push_back(unused(ranges::kUv.name, "parameters (u,v) of the corners", path, has_place));
+  }
+  return notices;
 }
 
-void write_mesh(const PolyMesh& mesh, const std::filesystem::path& path, const MeshNames& names) {
+void write_mesh(const PolyMesh& mesh, OutputFile& file, const MeshNames& names,
+                const OutputOptions& options) {
+  format_of(file.path()).write(mesh, names, options, file);
+}
+
+void write_mesh(const PolyMesh& mesh, const std::filesystem::path& path, const MeshNames& names,
+                const OutputOptions& options) {
   format_of(path);  // an unknown ending is told before a file is made
   OutputFile file(path);
-  write_mesh(mesh, file, names);
+  write_mesh(mesh, file, names, options);
   file.commit();
 }
 

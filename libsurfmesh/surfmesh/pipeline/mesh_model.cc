@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "surfmesh/assemble/assemble.hh"
+#include "surfmesh/assemble/corner_normals.hh"
 #include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/boundary/patch_boundary.hh"
 #include "surfmesh/control/surface_metric_field.hh"
@@ -420,6 +421,14 @@ void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOpt
   result.report.sag.evaluations = counted.evaluations();
 }
 
+/// The normals of the surface, if they are wanted in the file.
+void add_normals(const Model& model, const PipelineOptions& options, const RunContext& context,
+                 MeshResult& result) {
+  if (!options.output.normals) return;
+  const StageClock clock(result.report.seconds[Stage::Assemble]);
+  attach_corner_normals(result.mesh, model, context);
+}
+
 /// Of a cancelled run no other error counts, for which patch was at work then is a matter of
 /// chance.
 template <class Work>
@@ -451,7 +460,10 @@ MeshResult mesh_model(const Model& model, const Sources& sources, const Pipeline
   const RunContext context(observer, options.max_elements);
   MeshResult result;  // OpenMesh's meshes cannot be moved, only copied
   with_threads(options.threads, [&] {
-    do_or_cancel(context, [&] { mesh_as_asked(model, sources, options, context, result); });
+    do_or_cancel(context, [&] {
+      mesh_as_asked(model, sources, options, context, result);
+      add_normals(model, options, context, result);
+    });
   });
   result.names = mesh_names(model);
   result.report.patches = measure_patches(result.mesh, result.names);

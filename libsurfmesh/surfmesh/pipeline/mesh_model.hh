@@ -28,7 +28,8 @@ struct MeshResult {
 /// Threads share contours and patches; an error is that of the first patch that has one. The
 /// observer is not owned and may be null; any thread calls it, one at a time.
 ///
-/// Writes   of the result: surf:patch (face), surf:contour (edge), surf:uv, surf:metric (halfedge)
+/// Writes   of the result: surf:patch (face), surf:contour (edge), surf:uv, surf:metric (halfedge),
+///          and surf:normal (halfedge) if it is asked for
 /// Cost     about 2 µs per triangle. Sizes that ask for more than max_elements are refused before
 ///          the mesh is begun, mostly within milliseconds
 /// Throws   InvalidOption, InvalidInput, Geometry, Limit, Cancelled
@@ -45,12 +46,13 @@ MeshResult mesh_model(const Model& model, const Sources& sources = {},
 Report estimate_mesh(const Model& model, const Sources& sources = {},
                      const PipelineOptions& options = {}, Observer* observer = nullptr);
 
-/// Write the mesh of a result with the names of its patches and groups; see write_mesh.hh.
+/// Write the mesh of a result with the names of its patches and groups, and what its options ask
+/// for; see write_mesh.hh.
 inline void write_mesh(const MeshResult& result, const std::filesystem::path& path) {
-  write_mesh(result.mesh, path, result.names);
+  write_mesh(result.mesh, path, result.names, result.report.options.output);
 }
 inline void write_mesh(const MeshResult& result, OutputFile& file) {
-  write_mesh(result.mesh, file, result.names);
+  write_mesh(result.mesh, file, result.names, result.report.options.output);
 }
 
 }  // namespace surfmesh

@@ -174,6 +174,12 @@ constexpr auto kTable = std::to_array<Option>({
     {kCages, true, "degrees", "creases of a cage where its faces meet at more than this angle",
      kCreaseAngle},
     {kMeshing, false, "", "quads in place of triangles, not built yet", kQuads},
+    {kMeshing, true, "", "normals of the surface in .obj and .om files (vn)",
+     number(
+         ranges::kNormals, [](auto& o) -> auto& { return o.output.normals; })},
+    {kMeshing, true, "", "parameters (u,v) of the corners in .obj files (vt)",
+     number(
+         ranges::kUv, [](auto& o) -> auto& { return o.output.uv; })},
     {kMeshing, true, "threads",
      "threads; all is one for each core, and the mesh is always the same",
      number(

@@ -5,6 +5,7 @@
 
 #include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/core/length.hh"
+#include "surfmesh/formats/output_options.hh"
 #include "surfmesh/improve/improve.hh"
 #include "surfmesh/refine/refine.hh"
 #include "surfmesh/sampling/make_control.hh"
@@ -18,6 +19,7 @@ struct PipelineOptions {
   ControlOptions control = {};
   RefineOptions refine = {};
   ImproveOptions improve = {};
+  OutputOptions output = {};
   PatchKind patches =
       PatchKind::Auto;              ///< of cages, used when a model is loaded; not used in meshing
   std::optional<Length> weld = {};  ///< likewise; see CageOptions

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "surfmesh/core/error.hh"
+#include "surfmesh/core/mesh.hh"
+#include "surfmesh/core/properties.hh"
+#include "surfmesh/io/file_writer.hh"
+
+/// The lines vt and vn of OBJ files.
+namespace surfmesh {
+
+inline Vec3 numbers_of(const Normal& normal) { return {normal.x, normal.y, normal.z}; }
+inline Eigen::Vector2d numbers_of(Uv uv) { return {uv.u, uv.v}; }
+
+/// Writes the values of a property of the corners, one a line, and their numbers at the corners.
+/// Equal values at a vertex are one.
+template <class Value>
+class CornerWriter {
+ public:
+  CornerWriter(const PolyMesh& mesh, const PropertyKey<HalfedgeHandle, Value>& key,
+               bool is_asked_for)
+      : mesh_(mesh), key_(key), values_(find(mesh, key)) {
+    if (is_asked_for && values_.is_valid()) numbers_.resize(mesh.n_halfedges(), 0);
+  }
+
+  bool has_values() const { return !numbers_.empty(); }
+
+  /// Throws   Geometry for a value that is not finite
+  void write_values(std::string_view keyword, FileWriter& writer) {
+    if (!has_values()) return;
+    for (const VertexHandle vh : mesh_.vertices()) {
+      const int before = count_;
+      for (const HalfedgeHandle heh : mesh_.vih_range(vh)) {
+        if (mesh_.is_boundary(heh)) continue;
+        const int number = number_among(before, mesh_.property(values_, heh));
+        numbers_[index(heh)] = number > 0 ? number : write_value(heh, keyword, writer);
+      }
+      of_vertex_.clear();
+    }
+  }
+
+  /// The number at a corner, from 1.
+  int number(HalfedgeHandle heh) const { return numbers_[index(heh)]; }
+
+ private:
+  /// The number of a value among those of this vertex, which come after `before`; 0 if it is new.
+  int number_among(int before, const Value& value) const {
+    const auto found = std::find(of_vertex_.begin(), of_vertex_.end(), value);
+    return found == of_vertex_.end() ? 0
+                                     : before + 1 + static_cast<int>(found - of_vertex_.begin());
+  }
+
+  int write_value(HalfedgeHandle heh, std::string_view keyword, FileWriter& writer) {
+    const Value& value = mesh_.property(values_, heh);
+    const auto numbers = numbers_of(value);
+    if (!numbers.allFinite()) {
+      throw Error(
+          ErrorCode::Geometry,
+          fmt::format("a corner of face {} at vertex {} has no finite {}",
+                      mesh_.face_handle(heh).idx(), mesh_.to_vertex_handle(heh).idx(), key_.name));
+    }
+    writer.text(keyword);
+    for (const double x : numbers) writer.number(' ', x);
+    of_vertex_.push_back(value);
+    return ++count_;
+  }
+
+  const PolyMesh& mesh_;
+  const PropertyKey<HalfedgeHandle, Value>& key_;
+  typename PropertyKey<HalfedgeHandle, Value>::Handle values_;
+  std::vector<int> numbers_;      ///< by halfedge; empty if none are written
+  std::vector<Value> of_vertex_;  ///< those of the vertex that is being written
+  int count_ = 0;
+};
+
+}  // namespace surfmesh

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surfmesh/core/language_standard.hh"
+
+namespace surfmesh {
+
+/// What a file of a mesh has besides positions, faces and patches, if its format has a place for it
+/// and the mesh has it.
+struct OutputOptions {
+  bool normals = false;  ///< the normals of the corners
+  bool uv = false;       ///< the parameters (u,v) of the corners, as they are
+};
+
+}  // namespace surfmesh
