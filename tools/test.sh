@@ -1,13 +1,18 @@
 #!/usr/bin/env bash
 # Build everything in build/release and run the tests. Exit status 0 if all of them pass.
 # --all adds those that take long: the library installed shared and as part of another project, each
-# public header alone, and most stages under the address and undefined-behaviour sanitizers.
+# public header alone, and most stages under the address and undefined-behaviour sanitizers. It also
+# installs the programs by which written files are judged.
 set -euo pipefail
 
 tests=release
+setup=()
 case "$#:${1-}" in
   0:) ;;
-  1:--all) tests=all ;;
+  1:--all)
+    tests=all
+    setup=(--readers)
+    ;;
   *)
     echo "usage: $0 [--all]" >&2
     exit 2
@@ -18,7 +23,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}"
 export CTEST_PARALLEL_LEVEL="${CTEST_PARALLEL_LEVEL:-$CMAKE_BUILD_PARALLEL_LEVEL}"
 
-tools/setup.sh
+tools/setup.sh "${setup[@]}"
 cmake --preset release
 cmake --build --preset release
 exec ctest --preset "$tests"
