@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "surfmesh/cage/cage_model.hh"
+#include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/option_table.hh"
 
 namespace surfmesh {

@@ -34,7 +34,7 @@ PolyMesh meshed(const Model& model, double size = 0.3) {
 
 PolyMesh meshed(const std::string& name, const CageOptions& cage = {}) {
   const std::filesystem::path path = std::filesystem::path(SURFMESH_SOURCE_DIR) / "models" / name;
-  ModelInput input = load_model(path, cage);
+  ModelInput input = load_model(path, {.cages = cage});
   input.options.output.normals = true;
   return mesh_model(input.model, input.sources, input.options).mesh;
 }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "support/analytic.hh"
+#include "support/errors.hh"
 #include "support/notices.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/geometry/callable_surface.hh"
@@ -349,7 +350,7 @@ TEST(JoinSides, UsesTheSeamOfAMobiusBandTwiceInOneSense) {
   EXPECT_EQ(euler(model), 0);
 }
 
-TEST(JoinSides, WarnsOfNearMissesAndTellsTheGap) {
+TEST(JoinSides, TellsNearMissesAndTheirGap) {
   const Model model = join({rectangle(0, 0, 1, 1), rectangle(1 + 1e-6, 0, 2, 1)});
   EXPECT_EQ(model.vertices.size(), 8U);
   EXPECT_EQ(count_shared(model), 0);
@@ -357,23 +358,63 @@ TEST(JoinSides, WarnsOfNearMissesAndTellsTheGap) {
   const Notice& notice = model.notices[0];
   EXPECT_NE(notice.text.find("p0:u1 and p1:u0"), std::string::npos) << notice.text;
   EXPECT_NE(notice.text.find("1e-06"), std::string::npos) << notice.text;
+  EXPECT_EQ(notice.severity, Severity::Shortfall);
   EXPECT_EQ(model.contour(notice.contour).name, "p0:u1");
 }
 
-TEST(JoinSides, WarnsOfASeamThatDoesNotClose) {
+/// The joining that a notice advises.
+double advised_joining(const Notice& notice) {
+  const std::string words = "joining = ";
+  const std::size_t at = notice.text.find(words);
+  EXPECT_NE(at, std::string::npos) << notice.text;
+  return at == std::string::npos ? 0 : std::stod(notice.text.substr(at + words.size()));
+}
+
+TEST(JoinSides, AdvisesAJoiningThatJoins) {
+  for (const double gap : {1e-8, 3.7e-7, 9.9e-6, 7.6e-5}) {
+    const std::vector<PatchInput> patches = {{"a", rectangle(0, 0, 1, 1)},
+                                             {"b", rectangle(1 + gap, 0, 2, 1)}};
+    const Model apart = model_from_patches(patches);
+    ASSERT_EQ(apart.notices.size(), 1u) << gap;
+    const double joining = advised_joining(apart.notices[0]);
+    EXPECT_LT(joining, 3 * gap);
+    const Model joined = model_from_patches(patches, {}, {Length::units(joining)});
+    EXPECT_EQ(count_shared(joined), 1) << gap;
+    EXPECT_TRUE(joined.notices.empty());
+    EXPECT_NO_THROW(check(joined));
+  }
+}
+
+TEST(JoinSides, DoesNotTellOfTheSidesOfANarrowPatch) {
+  EXPECT_TRUE(join({rectangle(0, 0, 1, 3e-5)}).notices.empty());
+}
+
+TEST(JoinSides, RefusesAJoiningThatWouldMakePointsOfSides) {
+  const std::vector<PatchInput> patches = {{"a", rectangle(0, 0, 1, 1)}};
+  EXPECT_NE(surfmesh::error_of([&] {
+              model_from_patches(patches, {}, {Length::share(0.02)});
+            }).find("must not be above 1 % of the diagonal"),
+            std::string::npos);
+  EXPECT_NE(surfmesh::error_of([&] {
+              model_from_patches(patches, {}, {Length::units(0)});
+            }).find("joining"),
+            std::string::npos);
+}
+
+TEST(JoinSides, TellsASeamThatDoesNotClose) {
   const Model model = join({cylinder(0, 2 * pi - 1e-5)});
   EXPECT_EQ(count_shared(model), 0);
   ASSERT_EQ(texts_of(model.notices).size(), 1U);
 }
 
-TEST(JoinSides, WarnsOfAThirdPatchBesideAJoin) {
+TEST(JoinSides, TellsAThirdPatchBesideAJoin) {
   const Model model = join(
       {rectangle(0, 0, 1, 1), rectangle(0, 0, 1, -1), plane({0, 0, 1e-6}, {1, 0, 0}, {0, 0, 1})});
   EXPECT_EQ(count_shared(model), 1);
   EXPECT_EQ(texts_of(model.notices).size(), 1U);
 }
 
-TEST(JoinSides, WarnsOfNearMissesOverAPart) {
+TEST(JoinSides, TellsNearMissesOverAPart) {
   const Model model = join({rectangle(0, 0, 2, 1), rectangle(1, 1 + 1e-6, 3, 2)});
   EXPECT_EQ(texts_of(model.notices).size(), 1U);
 }
@@ -386,7 +427,7 @@ TEST(JoinSides, CountsNearMissesInsteadOfListingThousands) {
   EXPECT_EQ(model.notices.back().count, 10U);
 }
 
-TEST(JoinSides, DoesNotWarnOfThinOrFarSides) {
+TEST(JoinSides, DoesNotTellOfThinOrFarSides) {
   EXPECT_TRUE(texts_of(join({rectangle(0, 0, 1, 1), rectangle(1.001, 0, 2, 1)}).notices).empty());
   EXPECT_TRUE(
       texts_of(join({rectangle(0, 0, 1, 1), rectangle(1, 0, 1 + 5e-5, 5e-5)}).notices).empty());

@@ -210,6 +210,19 @@ INSTANTIATE_TEST_SUITE_P(
                  "a.json: /contours/0: contour a: the curve at t = 0 is not finite"}),
     fact_of);
 
+// A warning was lost among others, and the mesh had a crack.
+TEST_F(Program, TellsSidesThatNearlyMeetAndWhatJoinsThem) {
+  write_text(folder_ / "a.json", R"({"patches": [
+      {"name": "p", "surface": {"z": "0"}, "domain": {"u": [0, 1], "v": [0, 1]}},
+      {"name": "q", "surface": {"z": "0"}, "domain": {"u": [1.00001, 2], "v": [0, 1]}}]})");
+  EXPECT_EQ(run("mesh a.json -o out.obj --quiet"), 3);
+  EXPECT_EQ(err_,
+            "surfmesh: not reached: a.json: contours p:u1 and q:u0 are not joined: the gap between "
+            "them is 1e-05, more than 2.24e-09; joining = 2e-05 joins them\n");
+  EXPECT_EQ(run("mesh a.json -o out.obj --quiet --joining 2e-5"), 0);
+  EXPECT_EQ(err_, "");
+}
+
 /// What can be meshed with a sensible reading is meshed, with a warning.
 class OddInputs : public Program, public ::testing::WithParamInterface<BadInput> {};
 
@@ -231,14 +244,6 @@ INSTANTIATE_TEST_SUITE_P(
                  "a.obj:6: unknown keyword 'foo' is ignored"},
         BadInput{"LinesTooMany", "a.off", kOff + "4 0 1 2 3\n3 0 1 2\n",
                  "a.off:8: the lines after the last face are ignored"},
-        BadInput{"SidesThatNearlyMeet", "a.json",
-                 R"({"patches": [
-                     {"name": "p", "surface": {"z": "0"},
-                      "domain": {"u": [0, 1], "v": [0, 1]}},
-                     {"name": "q", "surface": {"z": "0"},
-                      "domain": {"u": [1.00001, 2], "v": [0, 1]}}]})",
-                 "a.json: contours p:u1 and q:u0 are not joined: the gap between them is 1e-05, "
-                 "more than 2.24e-09"},
         BadInput{
             "LoopsThatNearlyMeet", "a.json",
             square(R"(, ["-a"])", contour("a", "0.49999+0.5*cos(t)", "0.5*sin(t)")),

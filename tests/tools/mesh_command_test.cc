@@ -175,7 +175,7 @@ TEST_F(MeshProgram, GroupsItsOptions) {
   EXPECT_EQ(run("mesh --help"), 0);
   std::size_t last = 0;
   for (const char* text : {"Options:", "--output", "Sizes", "--hmax", "Meshing:", "--threads",
-                           "Cages:", "--scheme", "Examples:"}) {
+                           "Cages and patches:", "--scheme", "Examples:"}) {
     const std::size_t place = out_.find(text, last);
     ASSERT_NE(place, std::string::npos) << text << " after " << out_.substr(0, last);
     last = place;

@@ -38,11 +38,15 @@ struct ContourInput {
   std::string origin = {};  ///< where it is defined (a JSON pointer), for messages; may be empty
 };
 
+/// Sides that are meant to coincide do so up to the rounding of formulas: it is far above that, and
+/// far below any element.
+inline constexpr double kJoiningShare = 1e-9;  ///< of the diagonal
+
 /// Which places of sides are one place.
 struct JoinOptions {
   /// Sides nearer than this are joined; above 0, at most 1 % of the diagonal. Where coordinates are
   /// rounded to more, it is that.
-  Length joining = Length::share(1e-9);
+  Length joining = Length::share(kJoiningShare);
 };
 
 namespace ranges {

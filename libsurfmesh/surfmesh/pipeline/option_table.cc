@@ -11,6 +11,7 @@
 #include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/io/nearest_word.hh"
+#include "surfmesh/model/join_sides.hh"
 #include "surfmesh/pipeline/set_option.hh"
 
 namespace surfmesh {
