@@ -58,7 +58,10 @@ std::string usage_fault(const CLI::App& app, const CLI::ParseError& error) {
     return unknown_command(app, unknown.front());
   if (option != unknown.end()) return unknown_option(command, *option);
   if (has_no_command) return unknown_command(app, unknown.front());
-  return error.what();
+  const std::string fault = error.what();
+  const std::size_t repeated = fault.find(": At Most 1 required");
+  if (repeated != std::string::npos) return fault.substr(0, repeated) + ": it is given twice";
+  return fault;
 }
 
 std::string one_dash_fault(const CLI::App& app, const std::vector<std::string>& arguments) {

@@ -339,7 +339,7 @@ TEST(ReadModelFaults, OfUnknownKeysWithASuggestion) {
 }
 
 TEST(ReadModelFaults, OfMissingKeys) {
-  EXPECT_EQ(fault("{}"), " /patches: this key is missing");
+  EXPECT_EQ(fault("{}"), " a model needs patches or cages");
   EXPECT_EQ(fault(R"({"patches": []})"), " /patches: the model has no patches");
   EXPECT_EQ(fault(R"({"patches": [{}]})"), " /patches/0/name: this key is missing");
   EXPECT_EQ(fault(R"({"patches": [{"name": "p"}]})"), " /patches/0/surface: this key is missing");
@@ -517,7 +517,7 @@ TEST(ReadModelFaults, OfFiles) {
   write_text(folder / "a.json", "{}");
   const std::string path = (folder / "a.json").string();
   EXPECT_EQ(error_of([&] { read_model(path); }),
-            "invalid input: " + path + ": /patches: this key is missing");
+            "invalid input: " + path + ": a model needs patches or cages");
 }
 
 TEST(SharedModels, AreRead) {

@@ -135,13 +135,14 @@ TEST(LoadModel, TellsFaultsOfTheSizingAsAllOthers) {
   const std::string length =
       " is outside its range: a length above 0 in model units, or a share of the diagonal up to "
       "100%";
+  const std::string unread = " cannot be read, it is" + length.substr(22);
   const std::vector<std::pair<std::string, std::string>> cases = {
       {R"("hmin": 0)", "hmin: hmin = 0" + length},
-      {R"("hmin": true)", "hmin: hmin = true" + length},
-      {R"("hmin": [1])", "hmin: hmin = [1]" + length},
-      {R"("hmax": "1")", "hmax: hmax = \"1\"" + length},
+      {R"("hmin": true)", "hmin: hmin = true" + unread},
+      {R"("hmin": [1])", "hmin: hmin = [1]" + unread},
+      {R"("hmax": "1")", "hmax: hmax = \"1\"" + unread},
       {R"("hmax": "500%")", "hmax: hmax = 500%" + length},
-      {R"("hmax": "x%")", "hmax: hmax = x%" + length},
+      {R"("hmax": "x%")", "hmax: hmax = x%" + unread},
       {R"("sag": -1)", "sag: sag = -1 is outside its range: off, " + length.substr(23)},
       {R"("grade": 0.5)",
        "grade: grade = 0.5 is outside its range: off, or a number from 1 to 1000000"},

@@ -120,10 +120,10 @@ TEST(OddSizes, AreRefusedByName) {
       fault(Length::units(kUnset), Length::units(1)),
       "invalid option: hmin = nan is outside its range: a length above 0 in model units, or a "
       "share of the diagonal up to 100%");
-  EXPECT_EQ(
-      fault(Length::share(1), Length::units(0.5)),
-      "invalid option: hmin = 100% must not be above hmax = 0.5, which are lengths of 1.41421 "
-      "and 0.5");
+  EXPECT_EQ(fault(Length::share(1), Length::units(0.5)),
+            "invalid option: hmin = 100% must not be above hmax = 0.5, set both: they are lengths "
+            "of 1.41421 "
+            "and 0.5");
 }
 
 TEST(OddModel, WithoutExtentIsRefused) {

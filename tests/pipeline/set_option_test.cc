@@ -161,7 +161,7 @@ TEST(SetOption, SetsHowControlSpacesAreMadeAndAsked) {
 TEST(SetOption, RefusesValuesOutOfTheirRange) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"curvature", "-1"},   {"curvature", "nan"}, {"curvature", "1x"}, {"curvature", ""},
-      {"hmin", "0"},         {"hmin", "-1%"},      {"hmax", "inf"},     {"stretch", "0.9"},
+      {"hmin", "0"},         {"hmin", "-1%"},      {"hmax", "101%"},    {"stretch", "0.9"},
       {"grade", "0.5"},      {"nodes", "3"},       {"nodes", "4.5"},    {"precision", "0"},
       {"placement", "best"}, {"kernel", "Cavity"}, {"smoothing", "-1"}, {"threads", "0"},
       {"max_elements", "0"}, {"quads", "yes"},     {"control", "none"}, {"nodes", "1e300"},
@@ -169,6 +169,14 @@ TEST(SetOption, RefusesValuesOutOfTheirRange) {
   for (const auto& [name, value] : cases) {
     const std::string front = "invalid option: " + name + " = " + value + " is outside its range: ";
     EXPECT_TRUE(fault(name, value).starts_with(front)) << fault(name, value);
+  }
+}
+
+TEST(SetOption, RefusesWhatIsNoLength) {
+  for (const std::string value : {"3mm", "1,5", "inf", "nan", "%", ""}) {
+    EXPECT_EQ(fault("hmax", value), "invalid option: hmax = " + value +
+                                        " cannot be read, it is a length above 0 in model units, "
+                                        "or a share of the diagonal up to 100%");
   }
 }
 

@@ -78,7 +78,8 @@ TEST(ResolvedSizing, RefusesAnHminAboveHmaxThatOnlyTheSizeOfTheModelTells) {
   const Sizing sizing{.hmin = Length::share(0.1), .hmax = Length::units(5)};
   EXPECT_EQ(resolve(sizing, 50).bounds.hmin, 5);
   EXPECT_EQ(error_of([&] { resolve(sizing, 60); }),
-            "invalid option: hmin = 10% must not be above hmax = 5, which are lengths of 6 and 5");
+            "invalid option: hmin = 10% must not be above hmax = 5, set both: they are lengths of "
+            "6 and 5");
 }
 
 }  // namespace

@@ -249,8 +249,20 @@ TEST_F(MeshProgram, EstimatesInADryRun) {
   EXPECT_NE(out_.find("estimate about 1.45e+04 triangles"), std::string::npos) << out_;
   EXPECT_NEAR(report()["estimated_triangles"].get<double>(), 14500, 100);
   EXPECT_EQ(folder_.count(), 1);
+  for (const char* figure : {"mesh", "edges", "quality", "diagonal", "triangles_per_second"}) {
+    EXPECT_TRUE(report()[figure].is_null()) << figure;
+  }
   EXPECT_EQ(mesh("wave.json", "--dry-run"), 0);
   EXPECT_EQ(folder_.count(), 1);
+}
+
+TEST_F(MeshProgram, TellsThatASagChangesAnEstimate) {
+  EXPECT_EQ(mesh("wave.json", "--dry-run --sag 1%"), 0);
+  EXPECT_NE(out_.find("the sag changes sizes"), std::string::npos) << out_;
+}
+
+TEST_F(MeshProgram, TellsAnOptionThatIsGivenTwice) {
+  expect_wrong_usage(mesh("cube.obj", "-o other.obj"), "--output: it is given twice");
 }
 
 TEST_F(MeshProgram, NeedsAnOutputUnlessItOnlyEstimates) {
@@ -416,11 +428,13 @@ TEST_F(MeshProgram, SuggestsWhatWasMeant) {
 }
 
 TEST_F(MeshProgram, TellsSizesThatContradictEachOther) {
-  expect_error(mesh("cube.obj", "--hmin 0.5 --hmax 10%"),
-               "hmin = 0.5 must not be above hmax = 10%, which are lengths of 0.5 and 0.34641");
+  expect_error(
+      mesh("cube.obj", "--hmin 0.5 --hmax 10%"),
+      "hmin = 0.5 must not be above hmax = 10%, set both: they are lengths of 0.5 and 0.34641");
   expect_wrong_usage(mesh("cube.obj", "--hmax 0"), "hmax = 0 is outside its range");
-  expect_wrong_usage(mesh("cube.obj", "--hmax nan"), "hmax = nan is outside its range");
-  expect_wrong_usage(mesh("cube.obj", "--hmax 3%%"), "hmax = 3%% is outside its range");
+  expect_wrong_usage(mesh("cube.obj", "--hmax nan"), "hmax = nan cannot be read");
+  expect_wrong_usage(mesh("cube.obj", "--hmax 3%%"),
+                     "hmax = 3%% cannot be read, it is a length above 0");
 }
 
 TEST_F(MeshProgram, TellsInputThatCannotBeRead) {

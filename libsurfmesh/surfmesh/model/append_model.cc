@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "surfmesh/core/counted.hh"
 #include "surfmesh/model/open_contours.hh"
 
 namespace surfmesh {
@@ -19,9 +20,10 @@ void warn_of_open_sides(const Model& model, const Model& added, Notices& notices
   if (pairs.empty()) return;
   notices.push_back(warning(
       NoticeKind::UnjoinedSides,
-      fmt::format("{} pairs of contours run along each other but are not joined, as they belong to "
-                  "different cages, or to a cage and formulas: {} and {}{}",
-                  pairs.size(), pairs[0].a, pairs[0].b, pairs.size() > 1 ? ", ..." : "")));
+      fmt::format("{} along each other but not joined, as both belong to different cages, or to a "
+                  "cage and formulas: {} and {}{}",
+                  counted(pairs.size(), "pair of contours lies", "pairs of contours lie"),
+                  pairs[0].a, pairs[0].b, pairs.size() > 1 ? ", ..." : "")));
   notices.back().contour = find_contour(model, pairs[0].a);
 }
 

@@ -78,6 +78,7 @@ void read_patch(const JsonNode& node, const FileScope& file, ModelFile& model) {
 /// The patches; there must be some if there are no cages.
 void read_patches(const JsonNode& root, const FileScope& file, ModelFile& model) {
   if (!model.cages.empty() && !root.has("patches")) return;
+  if (!root.has("patches")) root.fail("a model needs patches or cages");
   const JsonNode patches = root.at("patches");
   for (const JsonNode& patch : patches.elements()) read_patch(patch, file, model);
   if (model.patches.empty() && model.cages.empty()) patches.fail("the model has no patches");

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "surfmesh/assemble/promised_topology.hh"
+#include "surfmesh/core/counted.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/run_context.hh"
 #include "surfmesh/metric/tensor.hh"
@@ -218,16 +219,18 @@ class Lines {
   }
 
   void add_faces(const FaceSetCheck& faces) {
-    add("mesh",
-        fmt::format("{} vertices, {} edges, {} triangles, {} quads, {} other faces", faces.vertices,
-                    faces.edges, faces.triangles, faces.quads, faces.polygons));
+    add("mesh", fmt::format("{} vertices, {} edges, {}, {}, {}", faces.vertices, faces.edges,
+                            counted(faces.triangles, "triangle", "triangles"),
+                            counted(faces.quads, "quad", "quads"),
+                            counted(faces.polygons, "other face", "other faces")));
     const std::string border = faces.is_closed
                                    ? "closed"
                                    : fmt::format("open: {} boundary edges in {} loops",
                                                  faces.boundary_edges, faces.boundary_loops);
     add("", fmt::format("{}, {}, {}", border, faces.is_manifold ? "manifold" : "not manifold",
                         faces.is_oriented ? "oriented" : "not oriented"));
-    add("", fmt::format("{} components, Euler characteristic {}", faces.components, faces.euler));
+    add("", fmt::format("{}, Euler characteristic {}",
+                        counted(faces.components, "component", "components"), faces.euler));
     if (!faces.is_closed) add("", "the first open edge: " + faces.open_edges.places.front());
   }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include <utility>
 #include <variant>
 
+#include "surfmesh/core/counted.hh"
 #include "surfmesh/core/option_range.hh"
 #include "surfmesh/core/version.hh"
 #include "surfmesh/pipeline/notice_json.hh"
@@ -232,6 +234,11 @@ class Lines {
   std::string text_;
 };
 
+/// Null in the report of an estimate, which has no mesh.
+constexpr std::array<const char*, 10> kFiguresOfMesh = {
+    "mesh",    "patches", "groups",   "edge_lengths",         "edges",
+    "quality", "quads",   "diagonal", "triangles_per_second", "triangles_per_second_in_all"};
+
 }  // namespace
 
 double Report::triangles_per_second() const {
@@ -245,7 +252,7 @@ double Report::triangles_per_second_in_all() const {
 }
 
 std::string to_json(const Report& report) {
-  const Json json = {
+  Json json = {
       {"version", SURFMESH_VERSION},
       {"input", report.input},
       {"output", report.output.empty() ? Json(nullptr) : Json(report.output)},
@@ -276,6 +283,9 @@ std::string to_json(const Report& report) {
       {"seconds", seconds_json(report)},
       {"triangles_per_second", report.triangles_per_second()},
       {"triangles_per_second_in_all", report.triangles_per_second_in_all()}};
+  if (report.mesh.vertices == 0) {
+    for (const char* figure : kFiguresOfMesh) json[figure] = nullptr;
+  }
   // Names in models need not be UTF-8: what is not becomes a replacement character.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -283,8 +293,11 @@ std::string to_json(const Report& report) {
 std::string estimate_text(const Report& report) {
   Lines lines;
   lines.add("input", report.input);
-  lines.add("estimate", fmt::format("about {:.3g} triangles, {} patches",
-                                    report.estimated_triangles, report.mesh.patches));
+  lines.add("estimate", fmt::format("about {:.3g} triangles, {}", report.estimated_triangles,
+                                    counted(report.mesh.patches, "patch", "patches")));
+  if (report.options.sizing.sag) {
+    lines.add("", "the sag changes sizes where a first mesh shows it, and so the number");
+  }
   lines.add_control(report.control);
   lines.add_time(report);
   lines.add("notices", fmt::format("{}", report.notices.size()));
@@ -296,8 +309,9 @@ std::string to_text(const Report& report) {
   Lines lines;
   lines.add("input", report.input);
   if (!report.output.empty()) lines.add("output", report.output);
-  lines.add("mesh", fmt::format("{} vertices, {} triangles, {} patches", mesh.vertices,
-                                mesh.triangles, mesh.patches));
+  lines.add("mesh", fmt::format("{} vertices, {}, {}", mesh.vertices,
+                                counted(mesh.triangles, "triangle", "triangles"),
+                                counted(mesh.patches, "patch", "patches")));
   lines.add("", fmt::format("{}, Euler characteristic {}", mesh.is_closed ? "closed" : "open",
                             mesh.euler));
   lines.add_edges(report);

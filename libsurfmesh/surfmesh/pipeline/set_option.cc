@@ -15,17 +15,27 @@ void set(PipelineOptions& options, const NumberAccess& access, std::string_view 
   access.set(options, *value);
 }
 
+/// Nothing for what is no length.
+std::optional<Length> parsed(std::string_view text) {
+  try {
+    return parse_length(text);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
 /// A length that may be off is so by 0, too, and where it may be on, by false.
 std::optional<Length> read_length(const LengthRange& range, std::string_view text) {
   if (range.can_be_off && (text == "off" || text == "0")) return std::nullopt;
   if (range.on > 0 && text == "false") return std::nullopt;
   if (range.on > 0 && (text == "on" || text == "true")) return Length::share(range.on);
-  try {
-    const Length length = parse_length(text);
-    if (range.contains(length)) return length;
-  } catch (const Error&) {
+  const std::optional<Length> length = parsed(text);
+  if (!length) {
+    throw Error(ErrorCode::InvalidOption,
+                fmt::format("{} = {} cannot be read, it is {}", range.name, text, to_text(range)));
   }
-  fail_option(range.name, text, to_text(range));
+  if (!range.contains(length)) fail_option(range.name, text, to_text(range));
+  return length;
 }
 
 void set(PipelineOptions& options, const LengthAccess& access, std::string_view text) {

@@ -18,10 +18,11 @@ SizeBounds resolve_bounds(const Sizing& sizing, double diagonal) {
   const SizeBounds bounds{sizing.hmin.in_units(diagonal), sizing.hmax.in_units(diagonal), diagonal};
   if (bounds.hmin <= bounds.hmax) return bounds;
   // Only the size of the model may tell.
-  throw Error(ErrorCode::InvalidOption,
-              fmt::format("hmin = {} must not be above hmax = {}, which are lengths of {:.6g} and "
-                          "{:.6g}",
-                          to_text(sizing.hmin), to_text(sizing.hmax), bounds.hmin, bounds.hmax));
+  throw Error(
+      ErrorCode::InvalidOption,
+      fmt::format("hmin = {} must not be above hmax = {}, set both: they are lengths of {:.6g} and "
+                  "{:.6g}",
+                  to_text(sizing.hmin), to_text(sizing.hmax), bounds.hmin, bounds.hmax));
 }
 
 void check(const Sizing& sizing) {
