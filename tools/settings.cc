@@ -136,7 +136,7 @@ CLI::Option* add_flag(CLI::App& command, Settings& settings, const Option& optio
 std::pair<std::string, std::string> split_setting(const std::string& text) {
   const std::size_t mark = text.find('=');
   if (mark == std::string::npos || mark == 0) {
-    throw CLI::ValidationError("--set", fmt::format("'{}' is not key=value", text));
+    throw CLI::ValidationError(fmt::format("'{}' is not key=value", text));
   }
   return {text.substr(0, mark), text.substr(mark + 1)};
 }

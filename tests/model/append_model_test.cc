@@ -42,9 +42,9 @@ TEST(Append, WarnsOfOpenContoursThatCoincide) {
   append(model, model_of({rectangle(1, 0.25, 2, 0.75)}), "b:");
   ASSERT_EQ(texts_of(model.notices).size(), 1u);
   EXPECT_EQ(model.contour(model.notices[0].contour).name, "p0:u1");
-  EXPECT_NE(
-      texts_of(model.notices)[0].find("1 pair of contours lies along each other but not joined"),
-      std::string::npos);
+  EXPECT_NE(texts_of(model.notices)[0].find(
+                "1 pair of contours run along each other without being joined"),
+            std::string::npos);
   EXPECT_NE(texts_of(model.notices)[0].find("p0:u1 and b:p0:u0"), std::string::npos)
       << texts_of(model.notices)[0];
 }

@@ -105,7 +105,10 @@ TEST(CheckBreaks, RefusesInfinity) {
 TEST(CheckBreaks, LeavesWhatLoopsCutOff) {
   const std::string pole = "0.01/hypot(u-0.41,v-0.53)";
   EXPECT_EQ(error_of([&] { trimmed(pole, circle(0.2)); }), "no error");
-  EXPECT_NE(error_of([&] { trimmed(pole, circle(0.1, {0.2, 0.2})); }), "no error");
+  EXPECT_NE(error_of([&] {
+              trimmed(pole, circle(0.1, {0.2, 0.2}));
+            }).find("runs to infinity"),
+            std::string::npos);
   EXPECT_TRUE(trimmed("step(0.37,u)", circle(0.1, {0.2, 0.2}), false).notices.empty());
   EXPECT_EQ(trimmed("step(0.37,u)", circle(0.1, {0.4, 0.2}), false).notices.size(), 1U);
   EXPECT_TRUE(trimmed("if(hypot(u-0.4,v-0.6)<0.15,1,0)", circle(0.2, {0.4, 0.6})).notices.empty());
@@ -119,10 +122,16 @@ TEST(CheckBreaks, RefusesContoursThatJump) {
   };
   EXPECT_EQ(error({"0.5+0.2*cos(t)", "if(t<2,0.2,0.7)"}, {0, 6}),
             "geometry: contour c: the curve jumps by 0.5 at t = 2, as a comparison or step does: "
-            "let its range end there");
+            "divide it there, each part with a formula of its own");
   EXPECT_NE(error({"t", "0.5+0.01/(t-0.3)"}).find("runs to infinity at t = 0.3"),
             std::string::npos);
   EXPECT_EQ(error({"t", "if(t<0.4,t,0.4)"}), "no error");
+  // The value at the end is that of the next period.
+  const CurveFormulas saw = {"0.2+0.1*mod(t,1)", "0.3"};
+  EXPECT_NE(error(saw, {0, 1}).find("end its range beside, at 0.999999999, which"),
+            std::string::npos)
+      << error(saw, {0, 1});
+  EXPECT_EQ(error(saw, {0, 0.999999999}), "no error");
   EXPECT_EQ(error({"0.5+0.2*cos(2*pi*mod(t,1))", "0.5+0.2*sin(2*pi*mod(t,1))"}), "no error");
 }
 

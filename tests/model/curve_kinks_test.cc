@@ -6,7 +6,10 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <string>
 #include <vector>
+
+#include "support/errors.hh"
 
 namespace surfmesh {
 namespace {
@@ -90,6 +93,14 @@ TEST(CurveKinks, FindsCusps) {
                 return {s * s, s * s * s, 0};
               }),
               {0.37}, 1e-5);
+  // An astroid, also far from the origin.
+  for (const double offset : {0.0, 10.0, 100.0, 1000.0}) {
+    const auto astroid = [=](double t) -> Vec3 {
+      return {offset + std::pow(std::cos(2 * pi * t), 3),
+              offset + std::pow(std::sin(2 * pi * t), 3), 0};
+    };
+    expect_near(kinks(astroid), {0.25, 0.5, 0.75}, 1e-3);
+  }
 }
 
 TEST(CurveKinks, FindsKinksFarFromTheOrigin) {
@@ -108,6 +119,17 @@ TEST(CurveKinks, LeavesSlightBendsAlone) {
   };
   EXPECT_TRUE(bent_by(2).empty());
   expect_near(bent_by(5), {0.6}, 1e-10);
+}
+
+// Along the edge of a disc, the condition that one is inside is true or false by rounding.
+TEST(CurveKinks, RefusesCurvesThatJumpToAndFro) {
+  const std::string error = error_of([] {
+    kinks([](double t) -> Vec3 {
+      const double x = 0.2 * std::cos(2 * pi * t), y = 0.2 * std::sin(2 * pi * t);
+      return {x, y, x * x + y * y < 0.04 ? 1.0 : 0.0};
+    });
+  });
+  EXPECT_NE(error.find("it turns sharply at more than 2000 places"), std::string::npos) << error;
 }
 
 TEST(CurveKinks, IsEmptyForAPoint) {

@@ -80,21 +80,45 @@ TEST(FreeSeam, KeepsClearOfAllContours) {
   EXPECT_EQ(error_of([&] { check(bored(bounds.from, through)); }), "no error") << bounds.from;
 }
 
-TEST(FreeSeam, IsToldForCurvesInTheParametersToo) {
-  const auto circle = std::make_shared<CallableCurve>([](double t) {
-    return Uv{0.3 * std::cos(2 * pi * t), 0.3 * std::sin(2 * pi * t)};
+TEST(FreeSeam, KeepsCurvesInTheParametersInside) {
+  for (const double middle : {-0.2, 0.0, 6.2}) {
+    const auto circle = std::make_shared<CallableCurve>([=](double t) {
+      return Uv{middle + 0.3 * std::cos(2 * pi * t), 0.3 * std::sin(2 * pi * t)};
+    });
+    const std::vector<ContourInput> contours = {{"hole", nullptr, {{"wall", circle}}}};
+    const Bounds bounds = advised(fault(0, contours));
+    EXPECT_EQ(error_of([&] { check(bored(bounds.from, contours)); }), "no error") << bounds.from;
+  }
+}
+
+TEST(FreeSeam, IsThatWhichIsCrossed) {
+  // Around a torus, over the seam of v.
+  const auto torus = make_callable_surface(Domain{0, 2 * pi, 0, 2 * pi}, [](auto u, auto v) {
+    return std::array{(3.0 + cos(v)) * cos(u), (3.0 + cos(v)) * sin(u), sin(v)};
   });
-  const std::vector<ContourInput> contours = {{"hole", nullptr, {{"wall", circle}}}};
-  EXPECT_GT(std::abs(std::remainder(advised(fault(0, contours)).from, 2 * pi)), 0.3);
+  const UvPath over_v = {{1, 6}, {1, 6.2}, {1, 0.1}, {1, 0.2}};
+  const auto advice = free_seam_advice(*torus, {over_v}, false);
+  ASSERT_TRUE(advice);
+  EXPECT_NE(advice->find("the domain \"v\": ["), std::string::npos) << *advice;
+}
+
+TEST(FreeSeam, IsWrittenWithAllDigits) {
+  const auto pipe = make_callable_surface(Domain{1e6, 1e6 + 1, 0, 1}, [](auto u, auto v) {
+    return std::array{cos(2 * pi * u), sin(2 * pi * u), v};
+  });
+  const auto advice = free_seam_advice(*pipe, {{{1e6 + 0.9, 0.5}, {1e6 + 0.1, 0.5}}}, false);
+  ASSERT_TRUE(advice);
+  EXPECT_NE(advice->find("[999999.5, 1000000.5]"), std::string::npos) << *advice;
 }
 
 TEST(FreeSeam, HasNoAdviceWhereASurfaceIsNotClosedOrHasNoRoom) {
-  const auto sheet = testing::rectangle(0, 0, 1, 1);
-  EXPECT_FALSE(free_seam_advice(*sheet, {{{0.2, 0.2}, {0.4, 0.2}}}));
+  const UvPath over = {{6.2, 0.2}, {0.1, 0.2}};
+  EXPECT_FALSE(free_seam_advice(*testing::rectangle(0, 0, 2 * pi, 1), {over}, false));
   UvPath around;
   for (int i = 0; i <= 64; ++i) around.push_back({2 * pi * i / 64, 0});
-  EXPECT_FALSE(free_seam_advice(*pipe(0), {around}));
-  EXPECT_TRUE(free_seam_advice(*pipe(0), {{{0.2, 0.2}, {0.4, 0.2}}}));
+  EXPECT_FALSE(free_seam_advice(*pipe(0), {around, over}, false));
+  EXPECT_FALSE(free_seam_advice(*pipe(0), {{{0.2, 0.2}, {0.4, 0.2}}}, false));
+  EXPECT_TRUE(free_seam_advice(*pipe(0), {over}, false));
 }
 
 }  // namespace

@@ -267,7 +267,8 @@ TEST(TrimPatches, DoesNotWarnOfASlit) {
 
 TEST(TrimPatchesFaults, OfLoopsThatAreAPoint) {
   EXPECT_EQ(error_of([] { square({{"-hole"}}, {hole(0)}); }),
-            "geometry: patch p: loop 1: the loop is a single point in space");
+            "geometry: patch p: loop 1: the loop is a single point in space, seen with joining = "
+            "2.83e-09");
 }
 
 TEST(TrimPatchesFaults, OfCurvesThatAreNotFinite) {

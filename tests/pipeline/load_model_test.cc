@@ -140,14 +140,13 @@ TEST(LoadModel, TellsFaultsOfTheSizingAsAllOthers) {
       {R"("hmin": 0)", "hmin: hmin = 0" + length},
       {R"("hmin": true)", "hmin: hmin = true" + unread},
       {R"("hmin": [1])", "hmin: hmin = [1]" + unread},
-      {R"("hmax": "1")", "hmax: hmax = \"1\"" + unread},
+      {R"("hmax": "1")", "hmax: hmax = \"1\": a number stands without quotes"},
       {R"("hmax": "500%")", "hmax: hmax = 500%" + length},
       {R"("hmax": "x%")", "hmax: hmax = x%" + unread},
       {R"("sag": -1)", "sag: sag = -1 is outside its range: off, " + length.substr(23)},
       {R"("grade": 0.5)",
        "grade: grade = 0.5 is outside its range: off, or a number from 1 to 1000000"},
-      {R"("grade": "1.5")",
-       "grade: grade = \"1.5\" is outside its range: off, or a number from 1 to 1000000"},
+      {R"("grade": "1.5")", "grade: grade = \"1.5\": a number stands without quotes"},
       {R"("features": 1)", "features: features = 1 is outside its range: on or off"},
       {R"("Hmin": 1)", "Hmin: there is no option 'Hmin'; did you mean hmin?"},
       {R"("nodes": 9)", "nodes: it belongs in options"},
@@ -318,7 +317,7 @@ TEST(LoadModel, JoinsSidesWithinTheJoiningOfTheFileOrThatGiven) {
             std::string::npos);
   EXPECT_NE(error_of([&] {
               load_model(own_model("cube.obj"), {.joining = Length::units(1e-5)});
-            }).find("only patches of model files have sides to join"),
+            }).find("only patches of formulas have sides to join"),
             std::string::npos);
 }
 

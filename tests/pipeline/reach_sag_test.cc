@@ -234,6 +234,11 @@ TEST(ReachSag, HoldsOverANarrowCreaseAtAnyStretch) {
   }
 }
 
+TEST(ReachSag, HoldsOverACreaseThatOnceNeededAnotherStretch) {
+  const Report report = mesh_of_crease(0.02, 3e-4, 10).report;
+  EXPECT_LE(*report.sag.reached, *report.sag.asked);
+}
+
 TEST(ReachSag, AdvisesAStretchThatHelps) {
   const Report report = mesh_of_crease(0.1, 5e-4, 10).report;
   ASSERT_GT(*report.sag.reached, *report.sag.asked);

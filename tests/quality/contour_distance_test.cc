@@ -94,8 +94,9 @@ TEST(FarContourPoints, SeesWhatTheBorderCutsOff) {
 
 TEST(FarContourPoints, NamesTheNearestFace) {
   const PolyMesh mesh = fan(8);
-  for (const ContourDistance& far :
-       far_contour_points(mesh, sharp_contours(disc(), kTolerance), 0.03)) {
+  const auto all = far_contour_points(mesh, sharp_contours(disc(), kTolerance), 0.03);
+  ASSERT_GT(all.size(), 8u);
+  for (const ContourDistance& far : all) {
     const Vec3 middle = to_eigen(mesh.calc_face_centroid(far.face));
     EXPECT_GT(middle.normalized().dot(far.point), std::cos(pi / 8) - 1e-9);
   }

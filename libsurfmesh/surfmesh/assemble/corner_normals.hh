@@ -21,8 +21,7 @@ namespace surfmesh {
 /// Reads    surf:patch (face), surf:uv (halfedge), surf:contour (edge; optional)
 /// Writes   surf:normal (halfedge, at its tip)
 /// Error    a millionth; at poles likewise, for faces over which the normal turns by up to a
-/// radian;
-///          at singular points of cages 1e-4 (CornerNormals.*)
+///          radian; at singular points of cages 1e-4 (CornerNormals.*)
 /// Cost     one evaluation of first order for each vertex and patch around it: 0.2 µs per triangle
 /// Throws   InvalidInput for a patch that the model does not have, or if the mesh has surf:normal
 ///          already; MissingProperty; Cancelled

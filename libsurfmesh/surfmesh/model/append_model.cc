@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -18,12 +19,13 @@ void warn_of_open_sides(const Model& model, const Model& added, Notices& notices
   const std::vector<ContourPair> pairs = contours_along(
       open_contours(model), open_contours(added, static_cast<int>(model.patches.size())), near);
   if (pairs.empty()) return;
-  notices.push_back(warning(
-      NoticeKind::UnjoinedSides,
-      fmt::format("{} along each other but not joined, as both belong to different cages, or to a "
-                  "cage and formulas: {} and {}{}",
-                  counted(pairs.size(), "pair of contours lies", "pairs of contours lie"),
-                  pairs[0].a, pairs[0].b, pairs.size() > 1 ? ", ..." : "")));
+  notices.push_back(
+      warning(NoticeKind::UnjoinedSides,
+              fmt::format("{} run along each other without being joined, as they belong to "
+                          "different cages, or to a "
+                          "cage and formulas: {} and {}{}",
+                          counted(pairs.size(), "pair of contours", "pairs of contours"),
+                          pairs[0].a, pairs[0].b, pairs.size() > 1 ? ", ..." : "")));
   notices.back().contour = find_contour(model, pairs[0].a);
 }
 
@@ -72,6 +74,7 @@ void append(Model& model, Model added, const std::string& prefix) {
   move_to_end(notices, model.notices);
   model.box.extend(added.box);
   model.diagonal = model.box.diagonal().norm();
+  model.joining = std::max(model.joining, added.joining);
 }
 
 }  // namespace surfmesh

@@ -190,6 +190,10 @@ std::vector<FormulaBreak> breaks_of(const FormulaSurface& surface, const Model& 
   return find_breaks(surface.program(), search);
 }
 
+/// Share of a curve's range that its end may lie aside of a jump: contours that end so near to each
+/// other meet.
+constexpr double kBesideEnd = 1e-9;
+
 /// The diagonal of the box of a curve's samples.
 double size_of(const FormulaProgram& program, const CurveRange& range) {
   Eigen::AlignedBox3d box;
@@ -213,9 +217,17 @@ void check_curve(const FormulaCurveOrSpaceCurve* curve) {
   const FormulaBreak& first = found.front();
   const std::string what = first.is_infinite ? std::string("runs to infinity")
                                              : fmt::format("jumps by {:.3g}", first.height);
-  throw Error(ErrorCode::Geometry,
-              fmt::format("the curve {} at t = {:.6g}, as {} does: let its range end there", what,
-                          first.at.u, name_of(first.operation)));
+  const bool is_at_end = first.at.u == range.from || first.at.u == range.to;
+  const double inside =
+      std::lerp(first.at.u, first.at.u == range.from ? range.to : range.from, kBesideEnd);
+  const std::string advice =
+      first.is_infinite ? "let its range keep away from there"
+      : is_at_end
+          ? fmt::format("end its range beside, at {:.11g}, which has the value of the points there",
+                        inside)
+          : "divide it there, each part with a formula of its own";
+  throw Error(ErrorCode::Geometry, fmt::format("the curve {} at t = {:.6g}, as {} does: {}", what,
+                                               first.at.u, name_of(first.operation), advice));
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ std::string seam_advice(const Surface& surface, const std::vector<LoopCurves>& l
       if (curve.name.find(':') == std::string::npos) paths.push_back(path_of(*curve.curve));
     }
   }
-  const std::optional<std::string> advice = free_seam_advice(surface, paths);
+  const std::optional<std::string> advice = free_seam_advice(surface, paths, true);
   return advice ? "; " + *advice : std::string();
 }
 
@@ -163,7 +163,10 @@ void LoopCloser::check_extent(const PatchInput& patch, std::size_t loop, const C
   const bool is_point = std::all_of(chain.begin(), chain.end(), [&](const ChainLink& link) {
     return model_.contour(link.entry.contour).is_degenerate;
   });
-  if (is_point) fail_loop(ErrorCode::Geometry, patch, loop, "the loop is a single point in space");
+  if (!is_point) return;
+  fail_loop(ErrorCode::Geometry, patch, loop,
+            fmt::format("the loop is a single point in space, seen with joining = {:.3g}",
+                        model_.joining));
 }
 
 /// True if a point is in the material: inside of the outer loop, and of no hole.

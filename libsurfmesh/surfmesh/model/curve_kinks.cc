@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/model/curve_kinks.hh"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -9,6 +11,7 @@
 #include <numbers>
 #include <optional>
 
+#include "surfmesh/core/error.hh"
 #include "surfmesh/model/patch_sides.hh"
 
 namespace surfmesh {
@@ -23,9 +26,16 @@ constexpr double kShortestStretch = 1e-12, kShortestPart = 1e-6;
 /// A bend that is still there in a stretch so much shorter than the first one is a kink.
 constexpr double kNarrowed = 1e-4;
 
+/// Around a cusp curves nearly stand still, and are soon shorter than rounding: a turn back is one
+/// in a longer stretch, too (radians).
+constexpr double kCusp = std::numbers::pi / 2, kNarrowedToCusp = 1e-2;
+
 /// Chords are at least so many times as long as coordinates are rounded: then their directions are
 /// right to a fiftieth of the least bend.
 constexpr double kChordRoundings = 2e3;
+
+/// More of them are not meant: gear wheels have hundreds.
+constexpr std::size_t kMostKinks = 2000;
 
 struct Place {
   double t = 0;
@@ -92,6 +102,12 @@ class KinkSearch {
     std::vector<double> ends = kinks_in(from, to);
     if (ends.empty()) return;
     kinks_.insert(kinks_.end(), ends.begin(), ends.end());
+    if (kinks_.size() > kMostKinks) {
+      throw Error(ErrorCode::Geometry,
+                  fmt::format("it turns sharply at more than {} places, as it does where a formula "
+                              "jumps to and fro along it",
+                              kMostKinks));
+    }
     ends.push_back(to);
     std::sort(ends.begin(), ends.end());
     for (const double end : ends) {
@@ -122,7 +138,8 @@ class KinkSearch {
       const Stretch stretch = {turn[0], between(turn[0], turn[1]), turn[1],
                                between(turn[1], turn[2]), turn[2]};
       if (width(stretch) < kShortestStretch || !is_resolved(stretch)) {
-        if (width(stretch) > kNarrowed * first) return {};
+        const bool is_cusp = bend(turn[0], turn[1], turn[2]) >= kCusp;
+        if (width(stretch) > (is_cusp ? kNarrowedToCusp : kNarrowed) * first) return {};
         return turn[1].t;
       }
       turn = sharpest_turn(stretch);

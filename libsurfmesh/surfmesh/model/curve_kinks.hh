@@ -16,6 +16,7 @@ namespace surfmesh {
 /// Error    kinks of 2.5° to 5° may be among them. A bend of a radius below 1e-5 of the curve may
 ///          be taken for a kink where coordinates are large. Kinks that undo each other between two
 ///          of the places are not seen
+/// Throws   Geometry for more than 2,000 kinks
 /// Cost     33 evaluations, as many for each kink, and about 80 for each kink
 std::vector<double> curve_kinks(const SpaceCurve& curve);
 

@@ -26,13 +26,22 @@ double same_place(const Surface& surface, const Curve& curve, const SpaceCurve& 
   return distance(t) <= distance(projected) ? t : projected;
 }
 
+/// Kinks between both ends.
+std::vector<double> with_ends(std::vector<double> kinks) {
+  kinks.insert(kinks.begin(), 0);
+  kinks.push_back(1);
+  return kinks;
+}
+
 /// Where a curve on a patch has the kinks of the contour.
 std::vector<double> kinks_on(const Surface& surface, const Curve& curve, const SpaceCurve& in_space,
                              const std::vector<double>& kinks) {
   std::vector<double> own;
   for (const double t : kinks) own.push_back(same_place(surface, curve, in_space, t));
   // A curve that is elsewhere is told of later.
-  const bool is_growing = std::is_sorted(own.begin(), own.end(), std::less_equal<>());
+  const std::vector<double> ends = with_ends(own);
+  const bool is_growing =
+      std::adjacent_find(ends.begin(), ends.end(), std::greater_equal<>()) == ends.end();
   return is_growing ? own : kinks;
 }
 
@@ -42,13 +51,6 @@ std::shared_ptr<const Whole> part_of(const std::shared_ptr<const Whole>& curve,
                                      const std::vector<double>& ends, std::size_t number) {
   if (!curve) return nullptr;
   return std::make_shared<CurvePart<Whole>>(curve, ends[number], ends[number + 1]);
-}
-
-/// Kinks between both ends.
-std::vector<double> with_ends(std::vector<double> kinks) {
-  kinks.insert(kinks.begin(), 0);
-  kinks.push_back(1);
-  return kinks;
 }
 
 }  // namespace

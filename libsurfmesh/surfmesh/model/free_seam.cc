@@ -71,16 +71,28 @@ bool is_periodic(const Surface& surface, const Axis& axis) {
   }
 }
 
-/// The part of the period that a contour covers, from its first place on; jumps over the seam are
-/// taken the short way.
-std::pair<double, double> covered_by(const UvPath& path, const Axis& axis) {
-  double at = path.front().*axis.value, least = at, greatest = at;
+/// The part of the period that a contour covers; jumps over the seam are taken the short way.
+struct Covered {
+  double least;
+  double greatest;
+};
+
+Covered covered_by(const UvPath& path, const Axis& axis) {
+  double at = path.front().*axis.value;
+  Covered covered{at, at};
   for (const Uv& place : path) {
     at += std::remainder(place.*axis.value - at, axis.period());
-    least = std::min(least, at);
-    greatest = std::max(greatest, at);
+    covered.least = std::min(covered.least, at);
+    covered.greatest = std::max(covered.greatest, at);
   }
-  return {least, greatest};
+  return covered;
+}
+
+/// True if a contour crosses the seam of today.
+bool crosses_seam(const UvPath& path, const Axis& axis) {
+  const double rounding = kSamePoint * axis.period();
+  const Covered covered = covered_by(path, axis);
+  return covered.least < axis.from - rounding || covered.greatest > axis.to + rounding;
 }
 
 /// The middle of the widest part of the period that no contour covers, where it is nearest to the
@@ -88,9 +100,9 @@ std::pair<double, double> covered_by(const UvPath& path, const Axis& axis) {
 std::optional<double> widest_gap(const std::vector<UvPath>& contours, const Axis& axis) {
   std::vector<std::pair<double, double>> covered;
   for (const UvPath& path : contours) {
-    auto [from, to] = covered_by(path, axis);
-    const double shift = std::floor((from - axis.from) / axis.period()) * axis.period();
-    covered.emplace_back(from - shift, to - shift);
+    const auto [least, greatest] = covered_by(path, axis);
+    const double shift = std::floor((least - axis.from) / axis.period()) * axis.period();
+    covered.emplace_back(least - shift, greatest - shift);
   }
   std::sort(covered.begin(), covered.end());
   covered.emplace_back(covered.front().first + axis.period(), 0);
@@ -101,8 +113,21 @@ std::optional<double> widest_gap(const std::vector<UvPath>& contours, const Axis
     end = std::max(end, covered[i].second);
   }
   if (room < kLeastRoom * axis.period()) return std::nullopt;
-  const double shift = std::round((middle - axis.from) / axis.period()) * axis.period();
-  return middle - shift;
+  return middle - std::round((middle - axis.from) / axis.period()) * axis.period();
+}
+
+/// The same for contours that stay where they are in the parameters: the seam lies as far from the
+/// least as from the greatest of these.
+std::optional<double> gap_around(const std::vector<UvPath>& contours, const Axis& axis) {
+  double least = contours.front().front().*axis.value, greatest = least;
+  for (const UvPath& path : contours) {
+    for (const Uv& place : path) {
+      least = std::min(least, place.*axis.value);
+      greatest = std::max(greatest, place.*axis.value);
+    }
+  }
+  if (greatest - least > (1 - kLeastRoom) * axis.period()) return std::nullopt;
+  return 0.5 * (least + greatest - axis.period());
 }
 
 /// A number with few digits near another one.
@@ -139,16 +164,18 @@ UvPath path_of(const Curve& curve) {
 }
 
 std::optional<std::string> free_seam_advice(const Surface& surface,
-                                            const std::vector<UvPath>& contours) {
-  if (contours.empty()) return std::nullopt;
+                                            const std::vector<UvPath>& contours, bool are_fixed) {
   for (const Axis& axis : axes_of(surface.domain())) {
-    if (!is_periodic(surface, axis)) continue;
-    const std::optional<double> gap = widest_gap(contours, axis);
+    const bool is_crossed = std::any_of(contours.begin(), contours.end(), [&](const UvPath& path) {
+      return crosses_seam(path, axis);
+    });
+    if (!is_crossed || !is_periodic(surface, axis)) continue;
+    const auto gap = are_fixed ? gap_around(contours, axis) : widest_gap(contours, axis);
     if (!gap) continue;
     const double from = rounded(*gap, axis.period());
     return fmt::format(
-        "the surface is closed, and with the domain \"{}\": [{:.6g}, {:.17g}] no "
-        "contour crosses its seam",
+        "the surface is closed, and with the domain \"{}\": [{}, {}] no contour "
+        "crosses its seam",
         axis.name, from, from + axis.period());
   }
   return std::nullopt;

@@ -26,11 +26,12 @@ bool lies_on(const Surface& surface, const SpaceCurve& curve, const UvPath& path
 UvPath path_of(const Curve& curve);
 
 /// Words that tell how to put the seam of a closed surface where no contour crosses it: another
-/// domain of the same width. Nothing if the surface is not closed or has no values beyond its
-/// domain, or if contours leave no room for the seam.
+/// domain of the same width. Nothing if no contour crosses the seam, if the surface is not closed
+/// or has no values beyond its domain, or if contours leave no room for the seam.
 ///
+/// Fixed contours are given in the parameters, and must lie inside the domain as they are.
 /// Cost     O(n log n) for n contours, and some tens of evaluations
 std::optional<std::string> free_seam_advice(const Surface& surface,
-                                            const std::vector<UvPath>& contours);
+                                            const std::vector<UvPath>& contours, bool are_fixed);
 
 }  // namespace surfmesh

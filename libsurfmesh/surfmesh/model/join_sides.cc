@@ -165,6 +165,7 @@ Model model_from_patches(const std::vector<PatchInput>& patches,
   model.diagonal = model.box.diagonal().norm();
   Parts parts{bounding_sides(patches), {}, {}};
   const JoinLengths lengths = join_lengths(model.box, options.joining);
+  model.joining = lengths.join;
   parts.split = split_sides(parts.sides, lengths.join);
   parts.curves = match_pieces(parts.sides, parts.split.pieces, lengths.join);
   model.vertices.reserve(parts.split.vertices.size());

@@ -66,7 +66,8 @@ inline constexpr LengthRange kJoining = {"joining"};
 /// listed above. Its name is that of the first whole side among its uses, otherwise that of its
 /// first use with the number of the part: `left:u1#0`. Sides of two patches, or of a seam, that
 /// come within 1e-4 of the diagonal but do not coincide are not joined: Model::notices has a
-/// shortfall with their gap, and with the `joining` that joins them.
+/// shortfall with their gap, and with the `joining` that
+/// joins them if one runs along the other all the way.
 ///
 /// A patch with loops has the sides and contours that its loops name. A contour is shared by all
 /// patches whose loops name it; so is a side of another patch. If its (u,v) on a patch is not
@@ -80,7 +81,7 @@ inline constexpr LengthRange kJoining = {"joining"};
 /// Formula surfaces are searched for jumps, each of which adds a notice, and for points where they
 /// run to infinity (check_breaks). Other surfaces are not.
 ///
-/// The end of a contour within 1e-9 of the diagonal of a vertex is that vertex. Ends that follow
+/// The end of a contour within `joining` of a vertex is that vertex. Ends that follow
 /// each other in a loop are joined up to 1e-6, which is also how far a contour may be from a patch.
 ///
 /// Error    coincidence is tested at 33 points of each side, unevenly spaced; ends are merged
@@ -89,12 +90,11 @@ inline constexpr LengthRange kJoining = {"joining"};
 /// Cost     O(n log n) for n sides of bounded length, about 1,000 evaluations per patch, 1,300
 ///          where speeds differ, some thousands more for a near miss
 /// Throws   InvalidOption; InvalidInput for no patches, a name used twice, a missing surface, a
-/// domain that is not
-///          a rectangle, a loop that names an unknown contour or the same use twice; Geometry for a
-///          patch that is a point or a line or runs to infinity, a contour that jumps, is off its
-///          patch or differs between patches, a loop that does not close, leaves the domain,
-///          crosses itself or another, or is where no hole can be. All name the patch or the
-///          contour, and gaps and (u,v) if there are any
+///          domain that is not a rectangle, a loop that names an unknown contour or the same use
+///          twice; Geometry for a patch that is a point or a line or runs to infinity, a contour
+///          that jumps, is off its patch or differs between patches, a loop that does not close,
+///          leaves the domain, crosses itself or another, or is where no hole can be. All name the
+///          patch or the contour, and gaps and (u,v) if there are any
 Model model_from_patches(const std::vector<PatchInput>& patches,
                          const std::vector<ContourInput>& contours = {},
                          const JoinOptions& options = {});

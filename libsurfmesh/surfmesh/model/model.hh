@@ -73,6 +73,7 @@ struct Model {
   std::vector<Group> groups;
   Eigen::AlignedBox3d box;  ///< of the cage's used points, or of samples of the patches
   double diagonal = 0;      ///< of the box
+  double joining = 0;       ///< sides nearer than this are one contour, model units
   Notices notices;          ///< from its construction
 
   const Contour& contour(int index) const { return contours[static_cast<std::size_t>(index)]; }

@@ -15,12 +15,11 @@
 namespace surfmesh {
 namespace {
 
-/// Share of the diagonal within which places are one place: far above the rounding of formulas,
-/// far below any element.
-constexpr double kJoinShare = 1e-9;
-
 /// Share of the diagonal within which sides that are not joined were perhaps meant to be.
 constexpr double kNearShare = 1e-4;
+
+/// Sides nearer than so many times the joining were perhaps meant to be joined.
+constexpr double kNearPerJoining = 10;
 
 /// The greatest joining, in diagonals.
 constexpr double kMostJoining = 0.01;
@@ -189,7 +188,7 @@ Box3 measure_patches(const std::vector<PatchInput>& patches) {
   }
   const double diagonal = all.diagonal().norm();
   for (std::size_t i = 0; i < patches.size(); ++i) {
-    check_area(patches[i], extents[i], kJoinShare * diagonal);
+    check_area(patches[i], extents[i], kJoiningShare * diagonal);
   }
   return all;
 }
@@ -208,7 +207,8 @@ JoinLengths join_lengths(const Box3& box, const Length& joining) {
   }
   // The rounding is more than the share where a model is far from the origin.
   const double rounding = std::max(rounding_at(box.min()), rounding_at(box.max()));
-  return {std::max(asked, rounding), kNearShare * diagonal};
+  const double join = std::max(asked, rounding);
+  return {join, std::max(kNearShare * diagonal, kNearPerJoining * join)};
 }
 
 std::vector<PatchSide> sides_of(const std::vector<PatchInput>& patches) {

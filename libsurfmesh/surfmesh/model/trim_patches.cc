@@ -122,7 +122,6 @@ class Trimmer {
         contours_(model, input.patches, patch_numbers_,
                   {input.join, kContourGap * model.diagonal}) {
     for (const ContourInput& contour : input.contours) add_parts(contour);
-    check_part_names();
   }
 
   void run() {
@@ -148,7 +147,6 @@ class Trimmer {
 
   void check_names(const ContourInput& contour) const;
   void add_parts(const ContourInput& contour);
-  void check_part_names() const;
   Chain chain_of(int patch, std::size_t loop);
   Chain chain_named(const std::string& name, int patch, std::size_t loop);
   Chain side_chain(const std::string& name, const Chain& side, int patch);
@@ -170,8 +168,8 @@ void Trimmer::check_names(const ContourInput& contour) const {
     throw Error(ErrorCode::InvalidInput, fmt::format("{}: {}", label(contour), reason));
   };
   const bool is_plain = !contour.name.empty() && contour.name[0] != '-' &&
-                        contour.name.find(':') == std::string::npos;
-  if (!is_plain) refuse("a name does not begin with - and has no colon");
+                        contour.name.find_first_of(":#") == std::string::npos;
+  if (!is_plain) refuse("a name does not begin with - and has no : and no #");
   if (parts_.contains(contour.name)) refuse("its name is used twice");
   bool has_curve = contour.xyz != nullptr;
   for (const ContourInput::On& on : contour.on) {
@@ -192,22 +190,6 @@ void Trimmer::add_parts(const ContourInput& contour) {
     parts_[contour.name] = divide_at_kinks(contour, input_.patches, patch_numbers_);
   } catch (const Error& error) {
     throw Error(error.code(), fmt::format("{}: {}", label(contour), error.what()));
-  }
-}
-
-/// Fail if a part has the name of another contour.
-void Trimmer::check_part_names() const {
-  for (const ContourInput& contour : input_.contours) {
-    const std::vector<ContourInput>& parts = parts_.at(contour.name);
-    if (parts.size() == 1) continue;
-    for (const ContourInput& part : parts) {
-      if (!parts_.contains(part.name)) continue;
-      throw Error(
-          ErrorCode::InvalidInput,
-          fmt::format("{}: it has corners inside, and {}, the name of a part of it, is that "
-                      "of another contour",
-                      label(contour), part.name));
-    }
   }
 }
 
@@ -280,11 +262,11 @@ ChainLink Trimmer::contour_link(const ContourInput& input, int index) {
                 fmt::format("{}: the loops name it more often than it is given there", location));
   }
   const int c = contours_.contour_of(input);
+  const auto curve = on.empty() ? nullptr : on[mention]->curve;
   try {
-    const int added =
-        contours_.add_use(c, index, on.empty() ? nullptr : on[mention]->curve, location);
-    return {{c, added}, true};
+    return {{c, contours_.add_use(c, index, curve, location)}, true};
   } catch (const Error& error) {
+    if (curve) throw;
     throw Error(error.code(), error.what() + seam_advice(input, index));
   }
 }
@@ -300,11 +282,16 @@ std::string Trimmer::seam_advice(const ContourInput& contour, int index) const {
       const auto named = parts_.find(contour_name_of(mention));
       if (named == parts_.end()) continue;
       for (const ContourInput& part : named->second) {
+        // A curve in the parameters would have to move with the domain.
+        const bool is_fixed = std::any_of(part.on.begin(), part.on.end(), [&](const auto& on) {
+          return on.curve && on.patch == patch(index).name;
+        });
+        if (is_fixed) return {};
         paths.push_back(path_on(surface, *curve_in_space(part, input_.patches, patch_numbers_)));
       }
     }
   }
-  const std::optional<std::string> advice = free_seam_advice(surface, paths);
+  const std::optional<std::string> advice = free_seam_advice(surface, paths, false);
   return advice ? ", or move the seam: " + *advice : std::string();
 }
 

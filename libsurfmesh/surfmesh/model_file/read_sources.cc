@@ -271,6 +271,7 @@ void read_space_source(const JsonNode& node, const Constants& constants, ModelFi
   source.origin = node.pointer();
   if (const auto group = node.find("group")) {
     source.group = group->text();
+    if (source.group.empty()) group->fail("must not be empty");
     source.origin = group->pointer();
   }
   const std::string kind = kind_in_space(node);

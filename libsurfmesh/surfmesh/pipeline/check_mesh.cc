@@ -17,6 +17,7 @@
 #include "surfmesh/core/run_context.hh"
 #include "surfmesh/metric/tensor.hh"
 #include "surfmesh/pipeline/notice_json.hh"
+#include "surfmesh/quality/contour_distance.hh"
 #include "surfmesh/quality/project_mesh.hh"
 #include "surfmesh/quality/sag.hh"
 #include "surfmesh/quality/self_intersections.hh"
@@ -58,16 +59,42 @@ MetricFit measure_metric(const PolyMesh& mesh) {
   return {measure_edges(mesh), measure_quality(mesh)};
 }
 
-/// The greatest distance as the report of a run has it.
+/// Take the greatest distance of a mesh as the report of a run has it.
 void add_sag(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search,
-             const RunContext& context, SurfaceDistance& distance) {
-  const auto contours = sharp_contours(model, kContourTolerance * model.diagonal, context);
+             const std::vector<SharpContour>& contours, const RunContext& context,
+             SurfaceDistance& distance) {
   const Sag sag = measure_sag(mesh, model, search, context, {.contours = &contours});
   if (sag.max <= distance.max) return;
   const auto greatest = std::max_element(sag.of_faces.begin(), sag.of_faces.end());
   distance.max = sag.max;
   distance.max_at = sag.max_at;
+  distance.max_contour = sag.max_contour;
   distance.max_face = static_cast<std::size_t>(greatest - sag.of_faces.begin());
+}
+
+/// Take the greatest distance of contours from a mesh without (u,v), which they do not need.
+void add_contours(const PolyMesh& mesh, const std::vector<SharpContour>& contours,
+                  const RunContext& context, SurfaceDistance& distance) {
+  for (const ContourDistance& far : far_contour_points(mesh, contours, distance.max, context)) {
+    if (far.distance <= distance.max) continue;
+    distance.max = far.distance;
+    distance.max_at = far.point;
+    distance.max_contour = far.contour;
+    distance.max_face = index(far.face);
+  }
+}
+
+/// Measure how far a mesh is from its model.
+SurfaceDistance distance_of(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search,
+                            bool is_projected, const RunContext& context) {
+  SurfaceDistance distance = measure_distance(mesh, model, search, is_projected, context);
+  const auto contours = sharp_contours(model, kContourTolerance * model.diagonal, context);
+  if (is_projected) {
+    add_contours(mesh, contours, context, distance);
+  } else {
+    add_sag(mesh, model, search, contours, context, distance);
+  }
+  return distance;
 }
 
 std::vector<std::unique_ptr<SizeField>> size_fields(const ModelInput& input) {
@@ -207,6 +234,7 @@ Json fit_json(const ModelFit& fit) {
            {{"max", distance.max},
             {"mean", distance.mean},
             {"max_face", distance.max_face},
+            {"max_contour", fit.max_contour.empty() ? Json(nullptr) : Json(fit.max_contour)},
             {"max_at", {distance.max_at.x(), distance.max_at.y(), distance.max_at.z()}},
             {"max_corner", distance.max_corner}}}};
 }
@@ -276,8 +304,10 @@ class Lines {
   }
 
   void add_fit(const ModelFit& fit) {
-    add("model", fit.is_projected ? "the mesh has no (u,v), nearest points were taken"
-                                  : "by the (u,v) of the mesh");
+    add("model",
+        fit.is_projected
+            ? "the mesh has no (u,v), nearest points were taken: what it lacks is not measured"
+            : "by the (u,v) of the mesh");
     if (fit.is_projected) {
       add("",
           fmt::format("corners are up to {:.3g} from the surface, which without (u,v) is no fault",
@@ -298,9 +328,10 @@ class Lines {
       }
       add_metric(fit.sizes);
     }
-    add("distance",
-        fmt::format("greatest {:.3g} in face {} at {}, mean {:.3g}", fit.distance.max,
-                    fit.distance.max_face, point_text(fit.distance.max_at), fit.distance.mean));
+    add("distance", fmt::format("greatest {:.3g} in face {}{} at {}, mean {:.3g}", fit.distance.max,
+                                fit.distance.max_face,
+                                fit.max_contour.empty() ? "" : " on contour " + fit.max_contour,
+                                point_text(fit.distance.max_at), fit.distance.mean));
   }
 
   void add_faults(const std::vector<MeshFault>& faults) {
@@ -355,8 +386,10 @@ ModelFit measure_fit(MeshFile& mesh, const ModelInput& input, JudgedBy judged_by
   const SurfaceSearch search(input.model);
   fit.is_projected = !has_parameters(mesh.mesh);
   if (fit.is_projected) project_mesh(mesh.mesh, mesh.names.patches, input.model, search, context);
-  fit.distance = measure_distance(mesh.mesh, input.model, search, fit.is_projected, context);
-  if (!fit.is_projected) add_sag(mesh.mesh, input.model, search, context, fit.distance);
+  fit.distance = distance_of(mesh.mesh, input.model, search, fit.is_projected, context);
+  if (fit.distance.max_contour >= 0) {
+    fit.max_contour = input.model.contour(fit.distance.max_contour).name;
+  }
   fit.differences = compare_with_promise(mesh.mesh, input.model);
   fit.is_by_stored_metric =
       judged_by == JudgedBy::StoredMetric && !fit.is_projected && has_metric(mesh.mesh);

@@ -36,9 +36,10 @@ struct ModelFit {
   /// finer. Sizes `at` points and gradation are known only to the control space.
   bool has_other_sizes = false;
   MetricFit sizes;
-  /// Its greatest distance is that of measure_sag, as in the report of a run, unless the mesh is
-  /// projected.
+  /// Its greatest distance is that of measure_sag, as in the report of a run. If the mesh is
+  /// projected, faces are compared one way only; contours always are.
   SurfaceDistance distance;
+  std::string max_contour = {};  ///< the name of the contour of the greatest distance, if any
   /// Where the mesh differs from what the model promises, see compare_with_promise.
   std::vector<MeshFault> differences;
 };

@@ -25,15 +25,16 @@ namespace {
 constexpr double kShareUnfollowed = 0.5;
 
 void check_patches(const Model& model, const Sources& sources) {
-  const auto check_all = [&](const auto& list) {
-    for (const auto& source : list) {
-      if (source.patch >= 0 && static_cast<std::size_t>(source.patch) < model.patches.size()) {
-        continue;
-      }
-      throw Error(ErrorCode::InvalidInput,
-                  fmt::format("a source names patch {} of {}", source.patch, model.patches.size()));
-    }
+  const auto check = [&](int patch) {
+    if (patch >= 0 && static_cast<std::size_t>(patch) < model.patches.size()) return;
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("a source names patch {} of {}", patch, model.patches.size()));
   };
+  const auto check_all = [&](const auto& list) {
+    for (const auto& source : list) check(source.patch);
+  };
+  for (const NearSource& source : sources.near) std::ranges::for_each(source.patches, check);
+  for (const BoxSource& source : sources.boxes) std::ranges::for_each(source.patches, check);
   check_all(sources.everywhere);
   check_all(sources.at);
   check_all(sources.along);

@@ -55,14 +55,16 @@ Model model_of(const Cage& cage, const std::filesystem::path& path, const CageOp
   return model;
 }
 
+[[noreturn]] void fail_joining(const std::string& name) {
+  throw Error(ErrorCode::InvalidInput,
+              fmt::format("{}: only patches of formulas have sides to join; {} makes vertices of a "
+                          "cage one",
+                          name, ranges::kWeld.name));
+}
+
 ModelInput load_cage(const std::filesystem::path& path, const LoadOptions& options,
                      const RunContext& context) {
-  if (options.joining) {
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("{}: only patches of model files have sides to join; {} makes vertices "
-                            "of a cage one",
-                            path.string(), ranges::kWeld.name));
-  }
+  if (options.joining) fail_joining(path.string());
   const CageOptions& cages = options.cages;
   const Cage cage = read_cage(path);
   context.throw_if_cancelled();
@@ -75,13 +77,17 @@ ModelInput load_cage(const std::filesystem::path& path, const LoadOptions& optio
   return input;
 }
 
-/// The text of a JSON value for set_option: what stands in quotes are words and shares of the
-/// diagonal. A number in quotes keeps them, to be refused with them.
-std::string text_for(const nlohmann::json& value) {
-  if (!value.is_string()) return value.dump();
+/// True for a number in quotes, which only a share of the diagonal may have.
+bool is_quoted_number(const nlohmann::json& value) {
+  if (!value.is_string()) return false;
   const std::string text = value.get<std::string>();
-  const bool is_number = text.find_first_of("0123456789+-.") == 0 && text.find('%') == text.npos;
-  return is_number ? value.dump() : text;
+  return text.find_first_of("0123456789+-.") == 0 && text.find('%') == text.npos;
+}
+
+/// The text of a JSON value for set_option: what stands in quotes are words and shares of the
+/// diagonal.
+std::string text_for(const nlohmann::json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
 /// Set one entry of a file's `sizing` or `options`; null leaves the default.
@@ -92,6 +98,10 @@ void set_file_option(PipelineOptions& options, const FileOption& entry) {
                 fmt::format("it belongs in {}", entry.is_in_sizing ? "options" : "sizing"));
   }
   const auto value = nlohmann::json::parse(entry.value);
+  if (is_quoted_number(value)) {
+    throw Error(ErrorCode::InvalidOption,
+                fmt::format("{} = {}: a number stands without quotes", entry.name, value.dump()));
+  }
   if (!value.is_null()) set_option(options, entry.name, text_for(value));
 }
 
@@ -321,6 +331,7 @@ ModelInput load_model_file(const std::filesystem::path& path, const LoadOptions&
   input.options = file_options(file, name);
   if (file.cages.empty()) check_without_cages(file, name, given.cages);
   if (given.joining) input.options.joining = given.joining;
+  if (file.patches.empty() && input.options.joining) fail_joining(name);
   if (!file.patches.empty()) {
     const JoinOptions join{input.options.joining.value_or(JoinOptions().joining)};
     at_file(name, [&] { input.model = model_from_patches(file.patches, file.contours, join); });

@@ -37,7 +37,8 @@ struct LoadOptions {
 /// of the file.
 ///
 /// Throws   Io if a file cannot be read; InvalidInput for an unknown ending, an error in a file
-///          (naming it and the location) or a scheme for a model file without cages; Geometry;
+///          (naming it and the location), a scheme for a model file without cages or a joining
+///          for one without formula patches; Geometry;
 ///          Limit if memory runs out; Cancelled by the observer, which may be null and is asked
 ///          between the steps of each cage
 ModelInput load_model(const std::filesystem::path& path, const LoadOptions& options = {},

@@ -216,10 +216,11 @@ class SagLoop {
     return fmt::format(" on contour {}", task_.model.contour(worst_contour_).name);
   }
 
-  /// True if a patch is known to jump, beside which nothing else counts.
+  /// True if a patch is known to jump by more than rounding, beside which nothing else counts.
   bool has_jump(int patch) const {
     return std::ranges::any_of(task_.model.notices, [patch](const Notice& notice) {
-      return notice.kind == NoticeKind::SurfaceJump && notice.patch == patch;
+      return notice.kind == NoticeKind::SurfaceJump && notice.severity == Severity::Shortfall &&
+             notice.patch == patch;
     });
   }
 
@@ -235,6 +236,11 @@ class SagLoop {
       return "control = mesh does not scale sizes; control = cells does, without the options that "
              "belong to control = mesh";
     }
+    if (task_.model.joining > asked()) {
+      return fmt::format("sides that are joined are up to joining = {:.6g} apart",
+                         task_.model.joining);
+    }
+    if (worst_contour_ >= 0) return "the contour bends there within less than its segments follow";
     if (task_.sizing.stretch > kMostFollowedStretch) {
       return fmt::format(
           "the surface bends there within less than triangles of stretch = {:.6g} can follow; "

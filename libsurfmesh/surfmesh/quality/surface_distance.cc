@@ -132,7 +132,7 @@ class DistanceMeter {
       result_.max_corner = distance;
       result_.max_corner_face = index(fh);
     }
-    if (!is_projected_ && distance > kOffSurface * model_.diagonal) {
+    if (!is_projected_ && distance > std::max(kOffSurface * model_.diagonal, model_.joining)) {
       off_.add([&] {
         return fmt::format("{} at {}, by {:.3g}", face_text(fh), point_text(corner.point),
                            distance);

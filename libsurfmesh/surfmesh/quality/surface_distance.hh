@@ -17,12 +17,14 @@ struct SurfaceDistance {
   double max = 0;   ///< of samples inside the elements and at the middles of their sides
   double mean = 0;  ///< of the samples
   std::size_t max_face = 0;
+  int max_contour = -1;  ///< that is so far from the mesh; -1 for a point of the mesh
   Vec3 max_at = Vec3::Zero();
   double max_corner = 0;  ///< of the vertices from the surface at their parameters
   std::size_t max_corner_face = 0;
   /// turned_face: against the normal of the surface, seen from the side on which most of its patch
   /// is, and in a projected mesh by more than 120°; corner_off_surface: farther than 1e-6 of the
-  /// diagonal from the surface at its (u,v), for a mesh with (u,v) of its own.
+  /// diagonal, or than sides are joined, from the surface at its (u,v), for a mesh with (u,v) of
+  /// its own.
   std::vector<MeshFault> faults;
   /// Faces of a projected mesh that look turned, but whose corners are not all found on the
   /// surface, as most of the mesh's are, or have normals that are more than 90° apart: across a

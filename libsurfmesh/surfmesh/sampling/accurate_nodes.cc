@@ -124,17 +124,22 @@ class GridSample {
     for (int i = 1; i <= points; ++i) {
       if (static_cast<std::size_t>(i) % kStepsBetweenCancellation == 0)
         context.throw_if_cancelled();
-      missing += misses(i) ? 1 : 0;
+      missing += misses(quasirandom_point(field_.surface().domain(), i)) ? 1 : 0;
     }
     return static_cast<double>(missing) / points;
   }
 
+  /// True if the grid holds the places of sources, however small the part of the domain is in which
+  /// they ask for a size.
+  bool holds_required_points() {
+    const std::vector<Uv>& points = field_.required_points();
+    return std::none_of(points.begin(), points.end(), [this](Uv uv) { return misses(uv); });
+  }
+
  private:
   /// True if the grid misses the precision at a point where it is no finer than the elements.
-  bool misses(int i) {
-    const Domain domain = field_.surface().domain();
-    const Uv uv = quasirandom_point(domain, i);
-    if (!is_in(domain, uv)) return false;
+  bool misses(Uv uv) {
+    if (!is_in(field_.surface().domain(), uv)) return false;
     const SizeField::Sample exact = field_.at(uv);
     const Metric metric = metric_from_size(exact.form, exact.size);
     const double cell = std::max(squared_length(metric, u_step_), squared_length(metric, v_step_));
@@ -191,7 +196,7 @@ ChosenNodes choose_grid_nodes(const SizeField& field, const ControlNodeOptions& 
     const ControlGrid grid(field.surface().domain(), chosen.nodes, {});
     GridSample sample(grid, field, options.precision);
     const double missing = sample.missing_share(context);
-    if (missing <= kHeldMissing) return chosen;
+    if (missing <= kHeldMissing && sample.holds_required_points()) return chosen;
     const double most =
         std::min(kMostGridNodes, most_nodes(area_by_nodes(field.surface(), chosen.nodes)));
     chosen.is_coarse = 4.0 * side * side > most ||

@@ -38,8 +38,7 @@ struct PatchSources {
 /// Pre      each source names these patches only
 /// Cost     O(n log² n) for n sources, and O(n) for patches
 /// Throws   InvalidInput for an invalid size or radius of `near` or a box, a line without points,
-/// no
-///          radius while gradation is off, or an empty box
+///          no radius while gradation is off, or an empty box
 std::vector<PatchSources> sources_by_patch(const Sources& sources, const ResolvedSizing& sizing,
                                            std::size_t patches);
 

@@ -11,8 +11,10 @@
 #include "surfmesh/geometry/curvature.hh"
 #include "surfmesh/geometry/difference_surface.hh"
 #include "surfmesh/geometry/first_form.hh"
+#include "surfmesh/geometry/quasirandom.hh"
 #include "surfmesh/metric/minimum.hh"
 #include "surfmesh/metric/size_tensor.hh"
+#include "surfmesh/quality/surface_search.hh"
 #include "surfmesh/sizes/field_size.hh"
 #include "surfmesh/sizes/place_sources.hh"
 #include "surfmesh/sizes/point_nodes.hh"
@@ -23,6 +25,9 @@ namespace {
 
 /// Intervals of a curve or of a side of a polygon between whose ends its size is looked for.
 constexpr int kSamplesOnCurve = 64;
+
+/// Places of a surface from which the one nearest to a size in space is looked for.
+constexpr int kPlacesOfSurface = 300;
 
 /// Rays on which the ring around an extraordinary vertex is sampled, in each quarter of it.
 constexpr int kRingSamples = 5;
@@ -123,6 +128,7 @@ void SizeField::add_all_sources(const PatchSources& sources, double grade, doubl
   }
   for (const AtSource& source : sources.at) add_at(source, surface_, bounds_, placed);
   add_required_points(sources);
+  if (grade == 0) add_nearest_points(sources);
   add_cells();
   add_tree(std::make_shared<SourceTree>(std::move(placed), grade));
   for (const auto& tree : sources.trees) add_tree(tree);
@@ -148,6 +154,29 @@ void SizeField::add_required_points(const PatchSources& sources) {
     for (std::size_t i = 0; i < source.polygon.size(); ++i) {
       add_curve_points(
           SegmentCurve(source.polygon[i], source.polygon[(i + 1) % source.polygon.size()]));
+    }
+  }
+}
+
+/// Without gradation, sizes in space are not seen beyond their reach.
+void SizeField::add_nearest_points(const PatchSources& sources) {
+  std::vector<Uv> places;
+  std::vector<Vec3> points;
+  for (int i = 1; i <= kPlacesOfSurface && !sources.trees.empty(); ++i) {
+    places.push_back(domain_.fold(quasirandom_point(domain_, i)));
+    points.push_back(surface_.evaluate(places.back(), Order::Position).point);
+  }
+  for (const auto& tree : sources.trees) {
+    for (const PlacedSize& placed : tree->sizes()) {
+      const Vec3 middle = 0.5 * (placed.from + placed.to);
+      const auto nearest =
+          std::min_element(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) {
+            return (a - middle).squaredNorm() < (b - middle).squaredNorm();
+          });
+      const Uv guess = places[static_cast<std::size_t>(nearest - points.begin())];
+      const NearPoint found = find_near_point(surface_, middle, guess);
+      const double extent = 0.5 * (placed.to - placed.from).norm();
+      if (found.distance <= reach(placed) + extent) required_points_.push_back(found.uv);
     }
   }
 }

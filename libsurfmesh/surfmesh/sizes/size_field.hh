@@ -89,6 +89,7 @@ class SizeField {
   void add_all_sources(const PatchSources& sources, double grade, double precision);
   void add_tree(std::shared_ptr<const SourceTree> tree);
   void add_required_points(const PatchSources& sources);
+  void add_nearest_points(const PatchSources& sources);
   void add_cells();
   void add_discs();
   Uv in_cells(Uv uv) const;
