@@ -217,14 +217,14 @@ void check_curve(const FormulaCurveOrSpaceCurve* curve) {
   const FormulaBreak& first = found.front();
   const std::string what = first.is_infinite ? std::string("runs to infinity")
                                              : fmt::format("jumps by {:.3g}", first.height);
-  const bool is_at_end = first.at.u == range.from || first.at.u == range.to;
-  const double inside =
-      std::lerp(first.at.u, first.at.u == range.from ? range.to : range.from, kBesideEnd);
+  const double aside = kBesideEnd * (range.to - range.from);
+  const bool is_at_start = std::abs(first.at.u - range.from) < aside;
+  const bool is_at_end = is_at_start || std::abs(first.at.u - range.to) < aside;
+  const double inside = is_at_start ? range.from + aside : range.to - aside;
   const std::string advice =
       first.is_infinite ? "let its range keep away from there"
       : is_at_end
-          ? fmt::format("end its range beside, at {:.11g}, which has the value of the points there",
-                        inside)
+          ? fmt::format("end its range beside, at {:.11g}, for its end has another value", inside)
           : "divide it there, each part with a formula of its own";
   throw Error(ErrorCode::Geometry, fmt::format("the curve {} at t = {:.6g}, as {} does: {}", what,
                                                first.at.u, name_of(first.operation), advice));
