@@ -12,6 +12,7 @@
 #include "support/meshes.hh"
 #include "support/models.hh"
 #include "support/notices.hh"
+#include "surfmesh/core/properties.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 
 namespace surfmesh {
@@ -272,6 +273,23 @@ TEST(CheckMeshText, TellsFaultsAndTheFit) {
                            "by the (u,v) of the mesh", "faults    none"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
   }
+}
+
+// A border that is cut off has no face that is far from the surface.
+TEST(CheckMesh, MeasuresBordersWithAndWithoutParameters) {
+  ModelInput input;
+  input.model = testing::square_with_hole(0.5);
+  input.options.sizing.hmin = input.options.sizing.hmax = Length::units(0.8);
+  const MeshResult result = mesh_model(input.model, {}, input.options);
+  MeshFile with{result.mesh, mesh_names(input.model), {}, {}}, without = with;
+  detach(without.mesh, keys::corner_uv);
+  const ModelFit own = measure_fit(with, input, JudgedBy::StoredMetric, nullptr);
+  const ModelFit projected = measure_fit(without, input, JudgedBy::ExactSizes, nullptr);
+  EXPECT_TRUE(projected.is_projected);
+  EXPECT_GT(own.distance.max, 0.01);
+  EXPECT_NEAR(projected.distance.max, own.distance.max, 1e-4);
+  EXPECT_EQ(own.max_contour, "hole");
+  EXPECT_EQ(projected.max_contour, "hole");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "support/errors.hh"
 #include "support/models.hh"
 #include "support/notices.hh"
 #include "support/waves.hh"
@@ -124,6 +125,34 @@ TEST_P(SizesOn, HoldInABoxOnlyOnPatchesThatAreThere) {
   const Vec3 up(0, 0, 2), one = Vec3::Ones();
   sources.boxes.push_back({{at({0.5, 0.5}) + up, at({0.5, 0.5}) + up + one}, {size_of(0.02)}});
   EXPECT_GT(mean_near(sources, {0.5, 0.5}, 0.3), 0.15);
+}
+
+// Less than one in a hundred of the points that tell whether a grid is fine enough lie inside.
+TEST_P(SizesOn, HoldInsideASmallPolygonOnAGridToo) {
+  Sources sources;
+  sources.inside.push_back(
+      {0, {{0.5, 0.5}, {0.56, 0.5}, {0.56, 0.56}, {0.5, 0.56}}, {size_of(0.006)}});
+  PipelineOptions options = coarse();
+  options.control.kind = ControlKind::Grid;
+  const Where inside = within(at({0.53, 0.53}), 0.02);
+  EXPECT_NEAR(mean_length(mesh_model(model_, sources, options).mesh, inside), 0.006, 0.25 * 0.006);
+}
+
+TEST_P(SizesOn, HoldInASmallBoxWithoutGradation) {
+  Sources sources;
+  const Vec3 reach(0.02, 0.02, 0.1), centre = at({0.37, 0.61});
+  sources.boxes.push_back({{centre - reach, centre + reach}, {size_of(0.005)}});
+  PipelineOptions options = coarse();
+  options.sizing.grade = 0;
+  const Where inside = within(centre, 0.015);
+  EXPECT_NEAR(mean_length(mesh_model(model_, sources, options).mesh, inside), 0.005, 0.25 * 0.005);
+}
+
+TEST_P(SizesOn, AreRefusedOnPatchesThatAreNotThere) {
+  Sources sources;
+  sources.boxes.push_back({{Vec3::Zero(), Vec3::Ones()}, {size_of(0.1)}, {3}});
+  EXPECT_EQ(error_of([&] { mesh_model(model_, sources, coarse()); }),
+            "invalid input: a source names patch 3 of 1");
 }
 
 TEST_P(SizesOn, FollowAField) {

@@ -147,6 +147,20 @@ TEST(SizeField, IsNeverBelowTheSmallestWhereSizesCross) {
   EXPECT_GE(principal_sizes(field.at({0.5, 0.5}).size).l_t, 0.02 * (1 - 1e-12));
 }
 
+// (1 - t) * v1 + t * v1 may be above v1.
+TEST(SizeField, HasItsRequiredPointsInTheDomain) {
+  const Domain domain{0.376382, 9.15352, -1.22217, 7.18513};
+  const test::PlanePatch plane(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), domain);
+  PatchSources sources;
+  TableSource& table = sources.tables.emplace_back();
+  for (const double u : {domain.u0, 6.1, domain.u1}) {
+    for (const double v : {domain.v0, domain.v1}) table.nodes.push_back({{u, v}, size_of(0.3)});
+  }
+  const SizeField field(plane, resolve(Sizing(), 1), sources);
+  ASSERT_GT(field.required_points().size(), 10u);
+  for (const Uv uv : field.required_points()) EXPECT_EQ(domain.clamp(uv), uv);
+}
+
 TEST(SizeField, KnowsWhetherItHasASource) {
   const auto surface = plane();
   EXPECT_FALSE(field_of(surface, sizing_of(0, 0.01, 1, 2)).has_source());

@@ -145,7 +145,9 @@ void SizeField::add_required_points(const PatchSources& sources) {
   };
   for (const AtSource& source : sources.at) required_points_.push_back(domain_.clamp(source.at));
   for (const auto& table : tables_) {
-    for (const Uv uv : table->points()) required_points_.push_back(domain_.fold(uv));
+    for (const Uv uv : table->points()) {
+      required_points_.push_back(domain_.fold(domain_.clamp(uv)));
+    }
   }
   for (const AlongSource& source : sources.along) {
     for (const auto& curve : source.curves) add_curve_points(*curve);
