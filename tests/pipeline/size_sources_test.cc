@@ -131,11 +131,11 @@ TEST_P(SizesOn, HoldInABoxOnlyOnPatchesThatAreThere) {
 TEST_P(SizesOn, HoldInsideASmallPolygonOnAGridToo) {
   Sources sources;
   sources.inside.push_back(
-      {0, {{0.5, 0.5}, {0.56, 0.5}, {0.56, 0.56}, {0.5, 0.56}}, {size_of(0.006)}});
+      {0, {{0.51, 0.51}, {0.53, 0.51}, {0.53, 0.53}, {0.51, 0.53}}, {size_of(0.002)}});
   PipelineOptions options = coarse();
   options.control.kind = ControlKind::Grid;
-  const Where inside = within(at({0.53, 0.53}), 0.02);
-  EXPECT_NEAR(mean_length(mesh_model(model_, sources, options).mesh, inside), 0.006, 0.25 * 0.006);
+  const Where inside = within(at({0.52, 0.52}), 0.008);
+  EXPECT_NEAR(mean_length(mesh_model(model_, sources, options).mesh, inside), 0.002, 0.5 * 0.002);
 }
 
 TEST_P(SizesOn, HoldInASmallBoxWithoutGradation) {
