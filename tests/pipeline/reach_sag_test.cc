@@ -212,6 +212,20 @@ TEST(ReachSag, LeavesTrianglesOfGoodShapeWhereTheyAreStretched) {
   EXPECT_LT(*report.sag.evaluations, 60 * report.mesh.triangles);
 }
 
+/// A plane with a narrow bump.
+TEST(ReachSag, FindsANarrowBump) {
+  for (const double steepness : {800.0, 1000.0, 2000.0}) {
+    const Model model =
+        testing::model_of({make_callable_surface({-1, 1, -1, 1}, [=](auto u, auto v) {
+          const auto x = u - 0.1, y = v - 0.13;
+          return std::array{u, v, 0.3 * exp(-steepness * (x * x + y * y))};
+        })});
+    const Report report = mesh_with_sag(model, 0.01).report;
+    EXPECT_LE(*report.sag.reached, 0.01) << steepness;
+    EXPECT_LT(report.mesh.triangles, 3000u) << steepness;
+  }
+}
+
 /// A crease of some slope, rounded over some width, across a bend.
 MeshResult mesh_of_crease(double slope, double width, double stretch) {
   const Model model = testing::model_of({make_callable_surface({0, 1, 0, 1}, [=](auto u, auto v) {

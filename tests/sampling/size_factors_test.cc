@@ -50,7 +50,7 @@ TEST_F(Factors, AreMeansAroundANode) {
 
 TEST_F(Factors, AreLoweredInOnePlaceOnly) {
   SizeFactors factors(cells_);
-  factors.lower({{{0.99, 0.99}, std::log(0.5)}, {{0.99, 0.99}, std::log(0.9)}});
+  factors.lower({{{0.99, 0.99}, std::log(0.5)}, {{0.99, 0.99}, std::log(0.9)}}, 1);
   EXPECT_NEAR(at(factors, {1, 1}), 0.5, 1e-12);
   EXPECT_EQ(at(factors, {0.2, 0.2}), 1);
 }
@@ -58,11 +58,11 @@ TEST_F(Factors, AreLoweredInOnePlaceOnly) {
 TEST_F(Factors, TellWhetherTheyHaveChanged) {
   SizeFactors factors(cells_);
   factors.multiply({});
-  factors.lower({});
+  factors.lower({}, 1);
   EXPECT_EQ(factors.changes(), 0);
   factors.multiply({{{0.5, 0.5}, std::log(2)}});
   EXPECT_EQ(factors.changes(), 1);
-  factors.lower({{{0.5, 0.5}, std::log(0.5)}});
+  factors.lower({{{0.5, 0.5}, std::log(0.5)}}, 1);
   EXPECT_EQ(factors.changes(), 2);
 }
 
@@ -76,6 +76,14 @@ TEST_F(Factors, ChangeCopiesOfCellsAndWhatTheyGetLater) {
     EXPECT_NEAR(copy->size(node).h11, 0.1 * (1 + copy->uv(node).u), 1e-12);
   }
   EXPECT_NEAR(cells_.size(0).h11, 0.1, 1e-12);
+}
+
+// A flat surface asked for larger sizes than there may be, and could not be made finer.
+TEST_F(Factors, AreLoweredFromTheGreatestSize) {
+  SizeFactors factors(cells_);
+  factors.multiply({{{0.5, 0.5}, std::log(8)}});
+  factors.lower({{{0.75, 0.75}, std::log(0.5)}}, 0.2);
+  EXPECT_NEAR(at(factors, {0.75, 0.75}), 1, 1e-12);
 }
 
 }  // namespace

@@ -313,7 +313,8 @@ class SagLoop {
       double& times = more_segments_[static_cast<std::size_t>(c)];
       times = std::min(kMostSegments, kMoreSegments * times);
     }
-    for (std::size_t p = 0; p < wanted.size(); ++p) spaces_->factors(p).lower(wanted[p]);
+    for (std::size_t p = 0; p < wanted.size(); ++p)
+      spaces_->factors(p).lower(wanted[p], task_.sizing.bounds.hmax);
   }
 
   std::size_t patch_of(FaceHandle fh) const {

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "surfmesh/metric/size_tensor.hh"
+
 namespace surfmesh {
 namespace {
 
@@ -38,7 +40,7 @@ void SizeFactors::multiply(const std::vector<Wanted>& wanted) {
   for (std::size_t node = 0; node < logs_.size(); ++node) logs_[node] += logs[node];
 }
 
-void SizeFactors::lower(const std::vector<Wanted>& wanted) {
+void SizeFactors::lower(const std::vector<Wanted>& wanted, double greatest) {
   if (wanted.empty()) return;
   ++changes_;
   std::vector<double> least(logs_.size(), 0);
@@ -52,7 +54,11 @@ void SizeFactors::lower(const std::vector<Wanted>& wanted) {
       log_factor = std::min(log_factor, w.log_factor);
     }
   }
-  for (std::size_t node = 0; node < logs_.size(); ++node) logs_[node] += least[node];
+  for (std::size_t node = 0; node < logs_.size(); ++node) {
+    if (least[node] == 0) continue;
+    const double own = size_range(lattice_.size(static_cast<int>(node))).least;
+    logs_[node] = std::min(logs_[node], std::log(greatest / own)) + least[node];
+  }
 }
 
 double SizeFactors::at(Uv uv, int& near) const {

@@ -24,8 +24,10 @@ class SizeFactors {
   /// sizes gives elements of poor shape.
   void multiply(const std::vector<Wanted>& wanted);
 
-  /// Multiply the factors by the least one wanted around each node, if that is below 1.
-  void lower(const std::vector<Wanted>& wanted);
+  /// Multiply the factors by the least one wanted around each node, if that is below 1. Factors
+  /// that make the size of the node larger than `greatest`, where sizes are clamped, are lowered
+  /// from where they reach it: otherwise nothing would change.
+  void lower(const std::vector<Wanted>& wanted, double greatest);
 
   /// How often they have changed.
   int changes() const { return changes_; }
