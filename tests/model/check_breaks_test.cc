@@ -128,7 +128,7 @@ TEST(CheckBreaks, RefusesContoursThatJump) {
   EXPECT_EQ(error({"t", "if(t<0.4,t,0.4)"}), "no error");
   // The value at the end is that of the next period.
   const CurveFormulas saw = {"0.2+0.1*mod(t,1)", "0.3"};
-  EXPECT_NE(error(saw, {0, 1}).find("end its range beside, at 0.999999999, for its end"),
+  EXPECT_NE(error(saw, {0, 1}).find("let its range stop short of there, at 0.999999999: the end"),
             std::string::npos)
       << error(saw, {0, 1});
   EXPECT_EQ(error(saw, {0, 0.999999999}), "no error");

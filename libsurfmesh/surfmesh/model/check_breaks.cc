@@ -224,7 +224,9 @@ void check_curve(const FormulaCurveOrSpaceCurve* curve) {
   const std::string advice =
       first.is_infinite ? "let its range keep away from there"
       : is_at_end
-          ? fmt::format("end its range beside, at {:.11g}, for its end has another value", inside)
+          ? fmt::format(
+                "let its range stop short of there, at {:.11g}: the end itself has another value",
+                inside)
           : "divide it there, each part with a formula of its own";
   throw Error(ErrorCode::Geometry, fmt::format("the curve {} at t = {:.6g}, as {} does: {}", what,
                                                first.at.u, name_of(first.operation), advice));

@@ -105,7 +105,7 @@ class KinkSearch {
     if (kinks_.size() > kMostKinks) {
       throw Error(ErrorCode::Geometry,
                   fmt::format("it turns sharply at more than {} places, as it does where a formula "
-                              "jumps to and fro along it",
+                              "jumps back and forth along it",
                               kMostKinks));
     }
     ends.push_back(to);

@@ -240,7 +240,8 @@ class SagLoop {
       return fmt::format("sides that are joined are up to joining = {:.6g} apart",
                          task_.model.joining);
     }
-    if (worst_contour_ >= 0) return "the contour bends there within less than its segments follow";
+    if (worst_contour_ >= 0)
+      return "the contour bends there within less than its segments can follow";
     if (task_.sizing.stretch > kMostFollowedStretch) {
       return fmt::format(
           "the surface bends there within less than triangles of stretch = {:.6g} can follow; "

@@ -37,12 +37,6 @@ constexpr double kMostGridNodes = 1.1e6;
 constexpr int kLeastGridPoints = 300;
 constexpr double kHeldMissing = 0.01;
 
-/// Where the share decreases by less than this factor from one grid to the next, the sizes have
-/// kinks, beside which it decreases as cells become shorter. If more than the last share would be
-/// missing at the finest grid, too, that is not made. Coarser grids than of this side do not tell.
-constexpr double kSlowDecrease = 0.4, kMostMissing = 0.02;
-constexpr int kFutileSide = 33;
-
 /// Points of the independent sample: as many as nodes, within bounds.
 int sample_count(std::size_t nodes) {
   return static_cast<int>(std::clamp<std::size_t>(nodes, 300, 100'000));
@@ -189,21 +183,18 @@ ChosenNodes choose_accurate_nodes(const SizeField& field, const ControlNodeOptio
 ChosenNodes choose_grid_nodes(const SizeField& field, const ControlNodeOptions& options,
                               const RunContext& context) {
   if (options.regular > 0) return choose_control_nodes(field, options);
-  double missing_before = 1;
   for (int side = kFirstGridSide;; side = 2 * side - 1) {
     context.throw_if_cancelled();
     ChosenNodes chosen = choose_control_nodes(field, {.regular = side * side});
     const ControlGrid grid(field.surface().domain(), chosen.nodes, {});
     GridSample sample(grid, field, options.precision);
-    const double missing = sample.missing_share(context);
-    if (missing <= kHeldMissing && sample.holds_required_points()) return chosen;
+    if (sample.missing_share(context) <= kHeldMissing && sample.holds_required_points()) {
+      return chosen;
+    }
     const double most =
         std::min(kMostGridNodes, most_nodes(area_by_nodes(field.surface(), chosen.nodes)));
-    chosen.is_coarse = 4.0 * side * side > most ||
-                       (missing > kSlowDecrease * missing_before &&
-                        missing * side / std::sqrt(most) > kMostMissing && side >= kFutileSide);
+    chosen.is_coarse = 4.0 * side * side > most;
     if (chosen.is_coarse) return chosen;
-    missing_before = missing;
   }
 }
 

@@ -35,9 +35,7 @@ ChosenNodes choose_accurate_nodes(const SizeField& field, const ControlNodeOptio
 /// Regular nodes in rows along u. Either a given number, or doubled along each side until bilinear
 /// interpolation represents the field to the precision at 99 % of an independent sample and at
 /// the places of sources, or cells are small compared with elements; but no more than 20,000 nodes
-/// and 16 per unit of metric area, a million at most. Grids are not refined in vain: where sizes
-/// jump or have too many kinks for the precision to be reached, the side stays at 33 nodes or few
-/// more.
+/// and 16 per unit of metric area, a million at most.
 ///
 /// Cost     about 1 µs per node
 /// Throws   Cancelled
