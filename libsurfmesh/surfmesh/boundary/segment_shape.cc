@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "surfmesh/quality/triangle_distance.hh"
+#include "surfmesh/geometry/segment_distance.hh"
 
 namespace surfmesh {
 namespace {
@@ -21,7 +21,7 @@ double segment_sag(const Model& model, const ContourUse& use, double from, doubl
   double sag = 0;
   for (int i = 1; i < kSagSteps; ++i) {
     const Vec3 point = model.point(use, from + (to - from) * i / kSagSteps);
-    sag = std::max(sag, detail::segment_distance(point, a, b));
+    sag = std::max(sag, segment_distance(point, a, b));
   }
   return sag;
 }
@@ -33,9 +33,8 @@ bool makes_detour(const Model& model, const ContourUse& use, double from, double
   const Vec3 a = point(uv_a), b = point(uv_b);
   const Vec3 middle = model.point(use, 0.5 * (from + to));
   const Vec3 line = point(lerp(uv_a, uv_b, 0.5));
-  const double distance =
-      std::min({detail::segment_distance(line, a, b), detail::segment_distance(line, a, middle),
-                detail::segment_distance(line, middle, b)});
+  const double distance = std::min({segment_distance(line, a, b), segment_distance(line, a, middle),
+                                    segment_distance(line, middle, b)});
   return distance > kMostDetour * (b - a).norm();
 }
 

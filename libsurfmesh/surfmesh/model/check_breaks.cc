@@ -15,7 +15,6 @@
 #include "surfmesh/formula/find_breaks.hh"
 #include "surfmesh/formula/formula_curve.hh"
 #include "surfmesh/formula/formula_surface.hh"
-#include "surfmesh/geometry/box_tree.hh"
 #include "surfmesh/model/loop_region.hh"
 #include "surfmesh/model/patch_sides.hh"
 
@@ -141,32 +140,18 @@ std::vector<LoopCurves> loops_of(const Model& model, int patch) {
   return result;
 }
 
-std::vector<BoxTree::Box> boxes_of(const std::vector<LoopRegion>& regions) {
-  std::vector<BoxTree::Box> boxes;
-  for (const LoopRegion& region : regions) boxes.push_back(region.box());
-  return boxes;
-}
-
 /// The part of a patch's domain inside its loops.
 class Material {
  public:
-  Material(const Model& model, int patch)
-      : curves_(loops_of(model, patch)),
-        regions_(curves_.begin(), curves_.end()),
-        tree_(boxes_of(regions_)) {}
+  Material(const Model& model, int patch) : curves_(loops_of(model, patch)), regions_(curves_) {}
   Material(const Material&) = delete;
   Material& operator=(const Material&) = delete;
 
-  bool contains(Uv point) const {
-    const auto around =
-        std::ranges::count_if(tree_.meeting(plane_box(point, point)),
-                              [&](std::size_t loop) { return regions_[loop].contains(point); });
-    return around % 2 == 1;
-  }
+  bool contains(Uv point) const { return regions_.is_in_material(point); }
 
   /// The part of a domain that the outer loop covers.
   UvBox box(const Domain& domain) const {
-    const BoxTree::Box& box = regions_.front().box();
+    const BoxTree::Box& box = regions_.box(0);
     const Uv low = domain.clamp({box.min().x(), box.min().y()});
     const Uv high = domain.clamp({box.max().x(), box.max().y()});
     return {{low.u, high.u}, {low.v, high.v}};
@@ -174,8 +159,7 @@ class Material {
 
  private:
   std::vector<LoopCurves> curves_;
-  std::vector<LoopRegion> regions_;  ///< of the curves
-  BoxTree tree_;                     ///< of the regions
+  LoopRegions regions_;  ///< of the curves
 };
 
 std::vector<FormulaBreak> breaks_of(const FormulaSurface& surface, const Model& model, int patch,

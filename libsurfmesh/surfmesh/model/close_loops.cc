@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "surfmesh/core/disjoint_sets.hh"
-#include "surfmesh/geometry/box_tree.hh"
 #include "surfmesh/model/free_seam.hh"
 #include "surfmesh/model/loop_region.hh"
 #include "surfmesh/model/open_contours.hh"
@@ -37,20 +36,19 @@ std::vector<std::size_t> outer_first(const std::vector<double>& areas) {
 void check_holes(const PatchInput& patch, const std::vector<LoopCurves>& curves,
                  const std::vector<std::size_t>& order) {
   if (order.size() < 2) return;
-  std::vector<LoopRegion> regions;
-  for (const std::size_t loop : order) regions.emplace_back(curves[loop]);
-  std::vector<BoxTree::Box> boxes;
-  for (const LoopRegion& region : regions) boxes.push_back(region.box());
-  const BoxTree tree(std::move(boxes));
+  const LoopRegions regions(curves);
+  const std::size_t outer = order.front();
   for (std::size_t i = 1; i < order.size(); ++i) {
-    const Uv p = curves[order[i]].front().at(0.5);
+    const std::size_t loop = order[i];
+    const Uv p = curves[loop].front().at(0.5);
     const auto fail = [&](const char* reason) {
-      fail_loop(ErrorCode::Geometry, patch, order[i],
+      fail_loop(ErrorCode::Geometry, patch, loop,
                 fmt::format("the loop lies {} at (u,v) = ({:.6g}, {:.6g})", reason, p.u, p.v));
     };
-    if (!regions[0].contains(p)) fail("outside of the outer loop");
-    for (const std::size_t j : tree.meeting(plane_box(p, p))) {
-      if (j != 0 && j != i && regions[j].contains(p)) fail("inside of a hole");
+    const std::vector<std::size_t> around = regions.around(p);
+    if (std::ranges::count(around, outer) == 0) fail("outside of the outer loop");
+    for (const std::size_t other : around) {
+      if (other != outer && other != loop) fail("inside of a hole");
     }
   }
 }
@@ -169,13 +167,6 @@ void LoopCloser::check_extent(const PatchInput& patch, std::size_t loop, const C
                         model_.joining));
 }
 
-/// True if a point is in the material: inside of the outer loop, and of no hole.
-bool is_in_material(const std::vector<LoopRegion>& loops, Uv point) {
-  const auto around = std::count_if(
-      loops.begin(), loops.end(), [&](const LoopRegion& region) { return region.contains(point); });
-  return around % 2 == 1;
-}
-
 /// Elements between parts of the boundary that nearly meet are as flat as the gap is narrow. A slit
 /// is a gap without material, which has no elements.
 void LoopCloser::warn_of_near_parts(int index, const PatchInput& patch,
@@ -183,10 +174,9 @@ void LoopCloser::warn_of_near_parts(int index, const PatchInput& patch,
   const auto point_at = [&](Uv uv) { return patch.surface->evaluate(uv, Order::Position).point; };
   const std::vector<NearParts> gaps = near_parts(curves, kNearShare);
   if (gaps.empty()) return;
-  std::vector<LoopRegion> regions;
-  for (const LoopCurves& loop : curves) regions.emplace_back(loop);
+  const LoopRegions regions(curves);
   for (const NearParts& near : gaps) {
-    if (!is_in_material(regions, lerp(near.at_a, near.at_b, 0.5))) continue;
+    if (!regions.is_in_material(lerp(near.at_a, near.at_b, 0.5))) continue;
     const Vec3 at = point_at(near.at_a);
     Notice notice = warning(
         NoticeKind::NarrowGap,

@@ -21,6 +21,12 @@ std::vector<LoopSegment> closed_segments(const LoopCurves& loop) {
   return segments;
 }
 
+std::vector<BoxTree::Box> boxes_of(const std::vector<LoopRegion>& regions) {
+  std::vector<BoxTree::Box> boxes;
+  for (const LoopRegion& region : regions) boxes.push_back(region.box());
+  return boxes;
+}
+
 /// A box of (u,v), larger by a share of its width and height.
 BoxTree::Box enlarged(Uv low, Uv high, double share) {
   const Uv margin = share * (high - low);
@@ -75,6 +81,15 @@ bool LoopRegion::meets_ray(const LoopSegment& segment, Uv point, int divisions) 
   const Uv a = segment.a, b = segment.b;
   return (a.v > point.v) != (b.v > point.v) &&
          point.u < a.u + (point.v - a.v) / (b.v - a.v) * (b.u - a.u);
+}
+
+LoopRegions::LoopRegions(const std::vector<LoopCurves>& loops)
+    : regions_(loops.begin(), loops.end()), tree_(boxes_of(regions_)) {}
+
+std::vector<std::size_t> LoopRegions::around(Uv point) const {
+  std::vector<std::size_t> result = tree_.meeting(plane_box(point, point));
+  std::erase_if(result, [&](std::size_t loop) { return !regions_[loop].contains(point); });
+  return result;
 }
 
 }  // namespace surfmesh

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "surfmesh/geometry/box_tree.hh"
+#include "surfmesh/geometry/segment_distance.hh"
 
 namespace surfmesh {
 namespace {
@@ -25,19 +26,12 @@ constexpr std::size_t kLeastSamples = kLineSamples / 4;
 /// A stretch is longer than this many gaps, or it is short rather than near.
 constexpr double kLengthPerGap = 4;
 
-double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double square = along.squaredNorm();
-  const double t = square > 0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0;
-  return (a + t * along - p).norm();
-}
-
 /// Smaller than the distance from p to the curve: a smooth curve is within a quarter of the
 /// longest step of the line through its samples (a half circle over one step would be at half).
 double least_distance(const Vec3& p, const SampledLine& curve) {
   double result = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < curve.points.size(); ++i) {
-    result = std::min(result, distance_to_segment(p, curve.points[i - 1], curve.points[i]));
+    result = std::min(result, segment_distance(p, curve.points[i - 1], curve.points[i]));
   }
   return result - curve.max_step() / 4;
 }

@@ -40,13 +40,9 @@ std::vector<Element> border_edges_of(const PolyMesh& mesh) {
 std::vector<Element> triangles_of(const PolyMesh& mesh) {
   std::vector<Element> elements;
   for (const FaceHandle fh : mesh.faces()) {
-    const std::vector<HalfedgeHandle> corners = detail::corners_of(mesh, fh);
-    for (std::size_t k = 2; k < corners.size(); ++k) {
-      elements.push_back(
-          {{detail::point_of(mesh, corners[0]), detail::point_of(mesh, corners[k - 1]),
-            detail::point_of(mesh, corners[k])},
-           fh});
-    }
+    detail::visit_triangles(detail::corners_of(mesh, fh), [&](const auto& corners) {
+      elements.push_back({detail::points_of(mesh, corners), fh});
+    });
   }
   return elements;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -26,13 +27,28 @@ inline std::vector<HalfedgeHandle> corners_of(const PolyMesh& mesh, FaceHandle f
   return corners;
 }
 
+/// Call a function for each triangle that a face is taken to consist of, with its three corners:
+/// those of a fan around the first corner.
+template <class Corner, class Visit>
+void visit_triangles(const std::vector<Corner>& corners, const Visit& visit) {
+  for (std::size_t k = 2; k < corners.size(); ++k) {
+    visit(std::array<Corner, 3>{corners[0], corners[k - 1], corners[k]});
+  }
+}
+
+/// The vertices of a triangle.
+inline std::array<Vec3, 3> points_of(const PolyMesh& mesh,
+                                     const std::array<HalfedgeHandle, 3>& corners) {
+  return {point_of(mesh, corners[0]), point_of(mesh, corners[1]), point_of(mesh, corners[2])};
+}
+
 /// Twice the area of a polygon, along its normal.
 inline Vec3 double_area_of(const PolyMesh& mesh, const std::vector<HalfedgeHandle>& corners) {
-  const Vec3 a = point_of(mesh, corners[0]);
   Vec3 area = Vec3::Zero();
-  for (std::size_t k = 2; k < corners.size(); ++k) {
-    area += (point_of(mesh, corners[k - 1]) - a).cross(point_of(mesh, corners[k]) - a);
-  }
+  visit_triangles(corners, [&](const std::array<HalfedgeHandle, 3>& triangle) {
+    const auto [a, b, c] = points_of(mesh, triangle);
+    area += (b - a).cross(c - a);
+  });
   return area;
 }
 

@@ -35,16 +35,13 @@ struct Greatest {
 /// The triangles that a face is taken to consist of.
 std::vector<detail::SurfaceTriangle> triangles_of(const PolyMesh& mesh, FaceHandle fh) {
   const auto uv_of = require(mesh, keys::corner_uv);
-  const std::vector<HalfedgeHandle> corners = detail::corners_of(mesh, fh);
   std::vector<detail::SurfaceTriangle> triangles;
-  for (std::size_t k = 2; k < corners.size(); ++k) {
-    const std::array<HalfedgeHandle, 3> own = {corners[0], corners[k - 1], corners[k]};
-    detail::SurfaceTriangle& triangle = triangles.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) {
-      triangle.points[i] = detail::point_of(mesh, own[i]);
-      triangle.uvs[i] = mesh.property(uv_of, own[i]);
-    }
-  }
+  detail::visit_triangles(detail::corners_of(mesh, fh), [&](const auto& corners) {
+    const auto [a, b, c] = corners;
+    triangles.push_back(
+        {detail::points_of(mesh, corners),
+         {mesh.property(uv_of, a), mesh.property(uv_of, b), mesh.property(uv_of, c)}});
+  });
   return triangles;
 }
 
@@ -269,15 +266,11 @@ class SagMeter {
   }
 
   double from_face(FaceHandle fh, const Vec3& point) const {
-    const std::vector<HalfedgeHandle> corners = detail::corners_of(mesh_, fh);
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 2; k < corners.size(); ++k) {
-      nearest = std::min(nearest,
-                         detail::triangle_distance(point, {detail::point_of(mesh_, corners[0]),
-                                                           detail::point_of(mesh_, corners[k - 1]),
-                                                           detail::point_of(mesh_, corners[k])})
-                             .distance);
-    }
+    detail::visit_triangles(detail::corners_of(mesh_, fh), [&](const auto& corners) {
+      const std::array<Vec3, 3> points = detail::points_of(mesh_, corners);
+      nearest = std::min(nearest, detail::triangle_distance(point, points).distance);
+    });
     return nearest;
   }
 

@@ -108,9 +108,9 @@ class DistanceMeter {
       corners.push_back({point_of(mesh_, heh), mesh_.property(uv_of_, heh)});
       normals.push_back(measure_corner(surface, corners.back(), fh));
     }
-    for (std::size_t k = 2; k < corners.size(); ++k) {
-      measure_samples(surface, {corners[0], corners[k - 1], corners[k]}, fh);
-    }
+    detail::visit_triangles(corners, [&](const std::array<Corner, 3>& triangle) {
+      measure_samples(surface, triangle, fh);
+    });
     const Vec3 area = detail::double_area_of(mesh_, corners_of(mesh_, fh));
     const double cosine = facing(area, sum_of(normals));
     facing_[index(fh)] = cosine;

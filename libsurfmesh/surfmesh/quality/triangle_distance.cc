@@ -5,14 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surfmesh::detail {
+#include "surfmesh/geometry/segment_distance.hh"
 
-double segment_distance(const Vec3& point, const Vec3& a, const Vec3& b) {
-  const Vec3 way = b - a;
-  const double length2 = way.squaredNorm();
-  const double share = length2 > 0 ? std::clamp((point - a).dot(way) / length2, 0.0, 1.0) : 0;
-  return (point - a - share * way).norm();
-}
+namespace surfmesh::detail {
 
 TriangleDistance triangle_distance(const Vec3& point, const std::array<Vec3, 3>& triangle) {
   const Vec3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);

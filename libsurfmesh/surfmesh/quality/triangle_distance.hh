@@ -12,9 +12,6 @@ struct TriangleDistance {
   bool is_inside = false;  ///< the nearest point is not on a side of the triangle
 };
 
-/// The distance of a point from a segment.
-double segment_distance(const Vec3& point, const Vec3& a, const Vec3& b);
-
 /// The distance of a point from a triangle, which may have no area.
 TriangleDistance triangle_distance(const Vec3& point, const std::array<Vec3, 3>& triangle);
 
