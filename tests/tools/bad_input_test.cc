@@ -223,6 +223,35 @@ TEST_F(Program, TellsSidesThatNearlyMeetAndWhatJoinsThem) {
   EXPECT_EQ(err_, "");
 }
 
+// There were only warnings of flat triangles.
+TEST_F(Program, TellsSidesThatAreShiftedAlongEachOtherAndWhatJoinsThem) {
+  write_text(folder_ / "a.json", R"({"patches": [
+      {"name": "p", "surface": {"z": "0"}, "domain": {"u": [0, 1], "v": [0, 1]}},
+      {"name": "q", "surface": {"z": "0"}, "domain": {"u": [1, 2], "v": [1e-6, 1.000001]}}]})");
+  EXPECT_EQ(run("mesh a.json -o out.obj --quiet"), 3);
+  EXPECT_NE(err_.find("the contour p:u1#0 is left between them; joining = 2e-06 joins them\n"),
+            std::string::npos)
+      << err_;
+  EXPECT_EQ(run("mesh a.json -o out.obj --quiet --joining 2e-6"), 0);
+  EXPECT_EQ(err_, "");
+}
+
+// Half a millionth at a corner was joined with the side beside it, and the mesh was folded there.
+TEST_F(Program, JoinsSidesWholeOrTellsThatTheyAreApart) {
+  write_text(folder_ / "a.json", R"({"patches": [
+      {"name": "l", "surface": {"z": "0.2*sin(3*u)*v"}, "domain": {"u": [0, 1], "v": [0, 1]}},
+      {"name": "r", "surface": {"z": "0.2*sin(3*u)*v+1e-6"},
+       "domain": {"u": [1, 2], "v": [0, 1]}}]})");
+  for (const std::string joining : {"9e-7", "1e-6"}) {
+    EXPECT_EQ(run("mesh a.json -o out.obj --quiet --joining " + joining), 3);
+    EXPECT_NE(err_.find("l:u1 and r:u0 are not joined"), std::string::npos) << err_;
+    EXPECT_NE(err_.find("joining = 2e-06 joins them\n"), std::string::npos) << err_;
+    EXPECT_EQ(err_.find("flat"), std::string::npos) << err_;
+  }
+  EXPECT_EQ(run("mesh a.json -o out.obj --quiet --joining 2e-6"), 0);
+  EXPECT_EQ(err_, "");
+}
+
 /// What can be meshed with a sensible reading is meshed, with a warning.
 class OddInputs : public Program, public ::testing::WithParamInterface<BadInput> {};
 

@@ -8,49 +8,21 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/model/check_breaks.hh"
 #include "surfmesh/model/contour_smoothness.hh"
-#include "surfmesh/model/match_pieces.hh"
-#include "surfmesh/model/near_misses.hh"
-#include "surfmesh/model/split_sides.hh"
+#include "surfmesh/model/matched_sides.hh"
+#include "surfmesh/model/near_miss_notices.hh"
 #include "surfmesh/model/trim_patches.hh"
 
 namespace surfmesh {
 namespace {
 
-template <class T>
-const T& item(const std::vector<T>& items, int i) {
-  return items[static_cast<std::size_t>(i)];
-}
-
-/// Sides, their pieces and the curves that these make.
-struct Parts {
-  std::vector<PatchSide> sides;
-  SplitSides split;
-  std::vector<MatchedCurve> curves;
-
-  const SidePiece& piece(int i) const { return item(split.pieces, i); }
-  const PatchSide& side_of(const MatchedPiece& matched) const {
-    return item(sides, piece(matched.piece).side);
-  }
-};
-
-/// The first whole side among the pieces, else the first piece's side with its part.
-std::string contour_name(const Parts& parts, const MatchedCurve& curve) {
-  for (const MatchedPiece& matched : curve.pieces) {
-    if (parts.piece(matched.piece).is_whole) return parts.side_of(matched).name;
-  }
-  const MatchedPiece& first = curve.pieces.front();
-  return fmt::format("{}#{}", parts.side_of(first).name, parts.piece(first.piece).part);
-}
-
-Contour make_contour(const Parts& parts, const MatchedCurve& curve) {
-  const MatchedPiece& front = curve.pieces.front();
+Contour make_contour(const MatchedSides& parts, const MatchedCurve& curve) {
   Contour result;
-  result.name = contour_name(parts, curve);
-  result.start = parts.piece(front.piece).start;
-  result.end = parts.piece(front.piece).end;
-  result.is_degenerate = parts.side_of(front).is_degenerate;
+  result.name = parts.name_of(curve);
+  result.start = parts.front_of(curve).start;
+  result.end = parts.front_of(curve).end;
+  result.is_degenerate = parts.is_degenerate(curve);
   for (const MatchedPiece& matched : curve.pieces) {
-    const SideLine& whole = parts.piece(matched.piece).line;
+    const SideLine& whole = parts.piece(matched).line;
     const SideLine line = matched.is_reversed ? whole.reversed() : whole;
     result.uses.push_back({line.patch, std::make_shared<SegmentCurve>(line.a, line.b),
                            parts.side_of(matched).is_forward != matched.is_reversed,
@@ -60,7 +32,7 @@ Contour make_contour(const Parts& parts, const MatchedCurve& curve) {
 }
 
 /// The contour use that each piece has become.
-std::vector<LoopEntry> entries_of(const Parts& parts) {
+std::vector<LoopEntry> entries_of(const MatchedSides& parts) {
   std::vector<LoopEntry> result(parts.split.pieces.size());
   for (std::size_t c = 0; c < parts.curves.size(); ++c) {
     const std::vector<MatchedPiece>& pieces = parts.curves[c].pieces;
@@ -73,7 +45,7 @@ std::vector<LoopEntry> entries_of(const Parts& parts) {
 }
 
 /// The contour uses of every side in the direction of its growing parameter, by the side's name.
-SideChains chains_of(const Parts& parts) {
+SideChains chains_of(const MatchedSides& parts) {
   std::vector<bool> is_reversed(parts.split.pieces.size());
   for (const MatchedCurve& curve : parts.curves) {
     for (const MatchedPiece& matched : curve.pieces) {
@@ -83,8 +55,8 @@ SideChains chains_of(const Parts& parts) {
   const std::vector<LoopEntry> entries = entries_of(parts);
   SideChains chains;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const std::string& side = item(parts.sides, parts.split.pieces[i].side).name;
-    chains[side].push_back({entries[i], !is_reversed[i]});
+    const auto side = static_cast<std::size_t>(parts.split.pieces[i].side);
+    chains[parts.sides[side].name].push_back({entries[i], !is_reversed[i]});
   }
   return chains;
 }
@@ -105,7 +77,7 @@ PatchLoop whole_loop(const std::string& patch, const SideChains& chains) {
 std::vector<PatchSide> bounding_sides(const std::vector<PatchInput>& patches) {
   std::vector<PatchSide> result;
   for (PatchSide& side : sides_of(patches)) {
-    const auto& loops = item(patches, side.curve.line.patch).loops;
+    const auto& loops = patches[static_cast<std::size_t>(side.curve.line.patch)].loops;
     const bool is_named = std::any_of(loops.begin(), loops.end(), [&](const auto& loop) {
       return std::any_of(loop.begin(), loop.end(), [&](const std::string& name) {
         return contour_name_of(name) == side.name;
@@ -114,17 +86,6 @@ std::vector<PatchSide> bounding_sides(const std::vector<PatchInput>& patches) {
     if (loops.empty() || is_named) result.push_back(std::move(side));
   }
   return result;
-}
-
-Notices notices_of(const Parts& parts, const std::vector<Contour>& contours,
-                   const JoinLengths& lengths) {
-  std::vector<ContourShape> shapes;
-  for (std::size_t c = 0; c < parts.curves.size(); ++c) {
-    if (contours[c].is_degenerate) continue;
-    shapes.push_back({static_cast<int>(c), contours[c].name, parts.curves[c].first,
-                      contours[c].uses.size() > 1});
-  }
-  return near_miss_notices(shapes, lengths);
 }
 
 [[noreturn]] void refuse_side(std::string_view side_name) {
@@ -163,17 +124,15 @@ Model model_from_patches(const std::vector<PatchInput>& patches,
   Model model;
   model.box = measure_patches(patches);
   model.diagonal = model.box.diagonal().norm();
-  Parts parts{bounding_sides(patches), {}, {}};
   const JoinLengths lengths = join_lengths(model.box, options.joining);
   model.joining = lengths.join;
-  parts.split = split_sides(parts.sides, lengths.join);
-  parts.curves = match_pieces(parts.sides, parts.split.pieces, lengths.join);
+  const MatchedSides parts = match_sides(bounding_sides(patches), lengths);
   model.vertices.reserve(parts.split.vertices.size());
   for (const Vec3& position : parts.split.vertices) model.vertices.push_back({position});
   for (const MatchedCurve& curve : parts.curves) {
     model.contours.push_back(make_contour(parts, curve));
   }
-  model.notices = notices_of(parts, model.contours, lengths);
+  model.notices = near_miss_notices(parts, lengths);
   const SideChains chains = chains_of(parts);
   for (const PatchInput& patch : patches) {
     Patch& result = model.patches.emplace_back();

@@ -60,14 +60,24 @@ inline constexpr LengthRange kJoining = {"joining"};
 /// The sides of a patch are `<patch>:v0`, `:u1`, `:v1`, `:u0`, each in the direction of the growing
 /// parameter. Sides, and parts of sides, that coincide up to `joining` become one contour. They may
 /// be parametrised at any speed, run in either direction, belong to one patch (a seam) or to any
-/// number of patches. A side is divided where an end of another side lies on it. A side that is a
-/// single point in space becomes one vertex and a degenerate contour of its own. A contour has the
-/// direction of its first use, in the order of the patches and, within a patch, of the sides as
-/// listed above. Its name is that of the first whole side among its uses, otherwise that of its
-/// first use with the number of the part: `left:u1#0`. Sides of two patches, or of a seam, that
-/// come within 1e-4 of the diagonal but do not coincide are not joined: Model::notices has a
-/// shortfall with their gap, and with the `joining` that
-/// joins them if one runs along the other all the way.
+/// number of patches. A side that is a single point in space becomes one vertex and a degenerate
+/// contour of its own. A contour has the direction of its first use, in the order of the patches
+/// and, within a patch, of the sides as listed above. Its name is that of the first whole side
+/// among its uses, otherwise that of its first use with the number of the part: `left:u1#0`.
+///
+/// Between two vertices, sides are joined whole or not at all:
+/// 1. Ends of sides no farther apart than `joining` are one vertex.
+/// 2. A vertex no farther than `joining` from a side divides it, unless it is another place than an
+///    end of that side, or than a vertex before, and within about four `joining` of it along the
+///    side. So no part is that short but a side that is so as a whole.
+/// 3. Parts with the same vertices are one contour if no sample of either is farther than `joining`
+///    from the other; two of one patch that are as short as the lengths below only if they are
+///    whole sides.
+///
+/// What is nearly so is not joined, but told. Model::notices has a shortfall for sides that run
+/// along each other within 1e-4 of the diagonal or ten `joining`, and for ends of sides that leave
+/// a part between them that is shorter than that and than 1 % of each of its sides. It gives a
+/// `joining` that joins them, if trials on the patches around find one.
 ///
 /// A patch with loops has the sides and contours that its loops name. A contour is shared by all
 /// patches whose loops name it; so is a side of another patch. If its (u,v) on a patch is not
@@ -88,7 +98,7 @@ inline constexpr LengthRange kJoining = {"joining"};
 ///          transitively. Far from the origin, the tolerance is at least a few roundings of the
 ///          coordinates
 /// Cost     O(n log n) for n sides of bounded length, about 1,000 evaluations per patch, 1,300
-///          where speeds differ, some thousands more for a near miss
+///          where speeds differ, some ten thousands more for each of the first 20 near misses
 /// Throws   InvalidOption; InvalidInput for no patches, a name used twice, a missing surface, a
 ///          domain that is not a rectangle, a loop that names an unknown contour or the same use
 ///          twice; Geometry for a patch that is a point or a line or runs to infinity, a contour

@@ -83,13 +83,14 @@ class Comparer {
 
 class Matcher {
  public:
-  Matcher(const std::vector<SidePiece>& pieces, double tolerance)
-      : pieces_(&pieces), comparer_(tolerance) {}
+  Matcher(const std::vector<SidePiece>& pieces, const JoinLengths& lengths)
+      : pieces_(&pieces), near_(lengths.near), comparer_(lengths.join) {}
 
   void add(int piece) {
     SampledLine line = sample(at(piece).line);
     std::vector<std::size_t>& rivals = by_ends_[std::minmax(at(piece).start, at(piece).end)];
     for (const std::size_t i : rivals) {
+      if (meets_own_corner(curves_[i], piece, line)) continue;
       if (const auto comparison = compare(curves_[i], piece, line)) {
         curves_[i].pieces.push_back({piece, comparison->is_reversed, comparison->is_same_speed});
         return;
@@ -106,6 +107,14 @@ class Matcher {
  private:
   const SidePiece& at(int piece) const { return (*pieces_)[static_cast<std::size_t>(piece)]; }
 
+  /// True if a piece is so short that it may be near to one of its own patch in a corner of that.
+  bool meets_own_corner(const MatchedCurve& curve, int piece, const SampledLine& line) const {
+    return std::any_of(curve.pieces.begin(), curve.pieces.end(), [&](const MatchedPiece& other) {
+      const bool are_whole = at(piece).is_whole && at(other.piece).is_whole;
+      return at(other.piece).line.patch == line.line.patch && !are_whole && line.length() <= near_;
+    });
+  }
+
   std::optional<Comparison> compare(const MatchedCurve& curve, int piece,
                                     const SampledLine& line) const {
     const SidePiece& first = at(curve.pieces.front().piece);
@@ -114,6 +123,7 @@ class Matcher {
   }
 
   const std::vector<SidePiece>* pieces_;
+  double near_;
   Comparer comparer_;
   std::map<std::pair<int, int>, std::vector<std::size_t>> by_ends_;
   std::vector<MatchedCurve> curves_;
@@ -122,8 +132,9 @@ class Matcher {
 }  // namespace
 
 std::vector<MatchedCurve> match_pieces(const std::vector<PatchSide>& sides,
-                                       const std::vector<SidePiece>& pieces, double tolerance) {
-  Matcher matcher(pieces, tolerance);
+                                       const std::vector<SidePiece>& pieces,
+                                       const JoinLengths& lengths) {
+  Matcher matcher(pieces, lengths);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const bool is_degenerate = sides[static_cast<std::size_t>(pieces[i].side)].is_degenerate;
     is_degenerate ? matcher.add_alone(static_cast<int>(i)) : matcher.add(static_cast<int>(i));

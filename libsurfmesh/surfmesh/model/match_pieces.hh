@@ -20,15 +20,18 @@ struct MatchedCurve {
   SampledLine first;  ///< the first piece
 };
 
-/// Find the pieces that coincide in space within the tolerance.
+/// Find the pieces that coincide in space up to JoinLengths::join.
 ///
 /// Pieces coincide if they have the same end vertices and all samples of each are on the other.
-/// Degenerate sides coincide with nothing.
+/// Degenerate sides coincide with nothing. Pieces of one patch that are no longer than
+/// JoinLengths::near coincide only if they are whole sides: in its corners, sides are near to each
+/// other without being a seam.
 ///
 /// Returns  the curves in the order of their first pieces
 /// Cost     O(n log n) for n pieces, and O(k²) comparisons of boxes for k pieces that differ but
 ///          have the same ends
 std::vector<MatchedCurve> match_pieces(const std::vector<PatchSide>& sides,
-                                       const std::vector<SidePiece>& pieces, double tolerance);
+                                       const std::vector<SidePiece>& pieces,
+                                       const JoinLengths& lengths);
 
 }  // namespace surfmesh

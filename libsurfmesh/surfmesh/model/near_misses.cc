@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/model/near_misses.hh"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
-#include <string>
+#include <set>
 #include <utility>
 
 #include "surfmesh/geometry/box_tree.hh"
@@ -16,15 +14,15 @@
 namespace surfmesh {
 namespace {
 
-/// More of them are only counted.
-constexpr std::size_t kMostNotices = 20;
-
 /// A stretch along another contour is at least this part of the samples: curves that touch or
 /// leave a corner under a small angle are near for less.
 constexpr std::size_t kLeastSamples = kLineSamples / 4;
 
 /// A stretch is longer than this many gaps, or it is short rather than near.
 constexpr double kLengthPerGap = 4;
+
+/// A piece between ends of sides that are nearly one is at most this share of its sides.
+constexpr double kShortShare = 0.01;
 
 /// Smaller than the distance from p to the curve: a smooth curve is within a quarter of the
 /// longest step of the line through its samples (a half circle over one step would be at half).
@@ -66,24 +64,40 @@ double length(const SampledLine& curve, const Stretch& stretch) {
   return result;
 }
 
-/// How a curve runs along another one.
-struct Gap {
-  double greatest = 0;    ///< distance
-  bool is_whole = false;  ///< all the way
-};
-
-/// True if two curves of one patch have only a narrow piece of it between them.
-bool bound_a_strip(const SampledLine& a, const SampledLine& b, std::size_t sample, double gap) {
-  if (a.line.patch != b.line.patch) return false;
-  const double t = sample_parameters(kLineSamples)[sample];
-  const Vec3& point = a.points[sample];
-  const double foot = b.line.project(point, sample_parameters(kLineSamples)[b.nearest(point)]);
-  const Uv middle = lerp(a.line.at_uv(t), b.line.at_uv(foot), 0.5);
-  return (a.line.surface->evaluate(middle, Order::Position).point - point).norm() <= gap;
+/// The point of a line that is nearest to a point.
+Uv foot(const SidePiece& piece, const Vec3& point) {
+  const SampledLine line = sample(piece.line);
+  const double guess = sample_parameters(kLineSamples)[line.nearest(point)];
+  return piece.line.at_uv(piece.line.project(point, guess));
 }
 
+/// True if two curves that are a gap apart at a point have only a narrow piece of a patch between
+/// them.
+bool bound_a_strip(const MatchedSides& matched, const NearMiss& pair, const Vec3& point) {
+  const auto pieces = [&](int curve) -> const std::vector<MatchedPiece>& {
+    return matched.curves[static_cast<std::size_t>(curve)].pieces;
+  };
+  for (const MatchedPiece& of_a : pieces(pair.a)) {
+    for (const MatchedPiece& of_b : pieces(pair.b)) {
+      const SidePiece &p = matched.piece(of_a), &q = matched.piece(of_b);
+      if (p.line.patch != q.line.patch) continue;
+      const Uv middle = lerp(foot(p, point), foot(q, point), 0.5);
+      const Vec3 between = p.line.surface->evaluate(middle, Order::Position).point;
+      if ((between - point).norm() <= pair.gap) return true;
+    }
+  }
+  return false;
+}
+
+/// How a curve runs along another one.
+struct Along {
+  double gap = 0;  ///< greatest distance
+  Vec3 middle;     ///< of the stretch
+  bool is_whole;   ///< all the way
+};
+
 /// How a stretch of `a` runs along `b`, or nothing.
-std::optional<Gap> gap(const SampledLine& a, const SampledLine& b, const JoinLengths& lengths) {
+std::optional<Along> along(const SampledLine& a, const SampledLine& b, const JoinLengths& lengths) {
   const std::size_t count = a.points.size();
   const Stretch rough = longest_run(
       count, [&](std::size_t i) { return least_distance(a.points[i], b) <= lengths.near; });
@@ -99,9 +113,8 @@ std::optional<Gap> gap(const SampledLine& a, const SampledLine& b, const JoinLen
   const auto begin = distances.begin();
   const double result = *std::max_element(begin + static_cast<std::ptrdiff_t>(run.first),
                                           begin + static_cast<std::ptrdiff_t>(run.last));
-  if (result <= lengths.join || length(a, run) < kLengthPerGap * result) return std::nullopt;
-  if (bound_a_strip(a, b, (run.first + run.last) / 2, result)) return std::nullopt;
-  return Gap{result, run.last - run.first == count};
+  if (length(a, run) < kLengthPerGap * std::max(result, lengths.join)) return std::nullopt;
+  return Along{result, a.points[(run.first + run.last) / 2], run.last - run.first == count};
 }
 
 using Pair = std::pair<std::size_t, std::size_t>;
@@ -119,41 +132,76 @@ std::vector<Pair> meeting_pairs(const std::vector<Box3>& boxes, double margin) {
   return result;
 }
 
-/// The least length of one digit that is some tenths greater than a gap.
-double joining_for(double gap) {
-  const double wanted = 1.3 * gap;
-  const double digit = std::pow(10, std::floor(std::log10(wanted)));
-  return std::ceil(wanted / digit) * digit;
+/// True if a curve is so short that the vertices at its ends are nearly one.
+bool is_short(const MatchedSides& matched, const MatchedCurve& curve, double near) {
+  const double length = curve.first.length();
+  if (length > near || matched.is_degenerate(curve)) return false;
+  return std::all_of(curve.pieces.begin(), curve.pieces.end(), [&](const MatchedPiece& piece) {
+    return length <= kShortShare * matched.side_of(piece).curve.length();
+  });
 }
 
-std::string text_of(const ContourShape& a, const ContourShape& b, const Gap& gap, double join) {
-  const std::string advice =
-      gap.is_whole ? fmt::format("; joining = {:.1g} joins them", joining_for(gap.greatest)) : "";
-  return fmt::format(
-      "contours {} and {} are not joined: the gap between them is {:.3g}, more than {:.3g}{}",
-      a.name, b.name, gap.greatest, join, advice);
+/// How curves run along each other, or nothing. Where both do all the way, the gap is the greatest
+/// distance of either from the other.
+std::optional<Along> along_each_other(const SampledLine& a, const SampledLine& b,
+                                      const JoinLengths& lengths) {
+  std::optional<Along> found = along(a, b, lengths);
+  const std::optional<Along> other = along(b, a, lengths);
+  if (!found || !other) return found ? found : other;
+  if (found->is_whole && other->is_whole) found->gap = std::max(found->gap, other->gap);
+  return found;
+}
+
+std::vector<NearMiss> near_pairs(const MatchedSides& matched, const JoinLengths& lengths) {
+  std::vector<Box3> boxes;
+  for (const MatchedCurve& curve : matched.curves) boxes.push_back(curve.first.box());
+  std::vector<NearMiss> result;
+  for (const auto& [i, j] : meeting_pairs(boxes, lengths.near)) {
+    const MatchedCurve &a = matched.curves[i], &b = matched.curves[j];
+    if (matched.is_degenerate(a) || matched.is_degenerate(b)) continue;
+    if (a.pieces.size() > 1 && b.pieces.size() > 1) continue;
+    if (is_short(matched, a, lengths.near) || is_short(matched, b, lengths.near)) continue;
+    const auto found = along_each_other(a.first, b.first, lengths);
+    if (!found) continue;
+    const NearMiss pair{static_cast<int>(i), static_cast<int>(j), found->gap};
+    if (!bound_a_strip(matched, pair, found->middle)) result.push_back(pair);
+  }
+  return result;
+}
+
+using VertexPair = std::pair<int, int>;  ///< the lower number first
+
+VertexPair ends_of(const MatchedSides& matched, const MatchedCurve& curve) {
+  const SidePiece& piece = matched.front_of(curve);
+  return std::minmax(piece.start, piece.end);
+}
+
+/// Ends of curves that run along each other.
+std::set<VertexPair> near_ends(const MatchedSides& matched, const std::vector<NearMiss>& pairs) {
+  std::set<VertexPair> result;
+  for (const NearMiss& pair : pairs) {
+    const auto ends = [&](int curve) {
+      return ends_of(matched, matched.curves[static_cast<std::size_t>(curve)]);
+    };
+    const VertexPair a = ends(pair.a), b = ends(pair.b);
+    for (const int i : {a.first, a.second}) {
+      for (const int j : {b.first, b.second}) result.insert(std::minmax(i, j));
+    }
+  }
+  return result;
 }
 
 }  // namespace
 
-Notices near_miss_notices(const std::vector<ContourShape>& contours, const JoinLengths& lengths) {
-  std::vector<Box3> boxes;
-  boxes.reserve(contours.size());
-  for (const ContourShape& contour : contours) boxes.push_back(contour.curve.box());
-  Notices result;
-  for (const auto& [i, j] : meeting_pairs(boxes, lengths.near)) {
-    const ContourShape& a = contours[i];
-    const ContourShape& b = contours[j];
-    if (a.is_shared && b.is_shared) continue;
-    std::optional<Gap> found = gap(a.curve, b.curve, lengths);
-    if (!found) found = gap(b.curve, a.curve, lengths);
-    if (!found) continue;
-    if (result.size() == kMostNotices) {
-      ++result.back().count;
+std::vector<NearMiss> find_near_misses(const MatchedSides& matched, const JoinLengths& lengths) {
+  std::vector<NearMiss> result = near_pairs(matched, lengths);
+  const std::set<VertexPair> known = near_ends(matched, result);
+  for (std::size_t c = 0; c < matched.curves.size(); ++c) {
+    const MatchedCurve& curve = matched.curves[c];
+    if (!is_short(matched, curve, lengths.near) || known.contains(ends_of(matched, curve))) {
       continue;
     }
-    result.push_back(shortfall(NoticeKind::UnjoinedSides, text_of(a, b, *found, lengths.join)));
-    result.back().contour = a.contour;
+    result.push_back({static_cast<int>(c), -1, curve.first.length()});
   }
   return result;
 }

@@ -1,33 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "surfmesh/core/notice.hh"
-#include "surfmesh/model/patch_sides.hh"
+#include "surfmesh/model/matched_sides.hh"
 
 namespace surfmesh {
 
-/// A contour as far as the search for near misses needs it.
-struct ContourShape {
-  int contour = -1;  ///< index in the model
-  std::string name;
-  SampledLine curve;
-  bool is_shared = false;  ///< has several uses
+/// Sides that were perhaps meant to be joined.
+struct NearMiss {
+  int a = -1;  ///< a curve of MatchedSides
+  int b = -1;  ///< the one that runs along it; -1 if `a` only lies between ends of sides
+  /// The greatest distance of the two, in model units; within JoinLengths::join if only their ends
+  /// are not one. Without `b`, the length of `a`.
+  double gap = 0;
 };
 
-/// Tell of contours that run along each other and yet are not one.
+/// Find curves that run along each other and yet are not one, and ends of sides that are nearly
+/// one.
 ///
-/// A quarter of one has to be within JoinLengths::near of the other, and farther than
-/// JoinLengths::join somewhere. The stretch has to be some times longer than the gap, so that small
-/// contours are not taken for near misses of their neighbours. Pairs that are both shared have
-/// found their partners and are left out, as are the two sides of a narrow patch.
+/// A quarter of a curve has to be within JoinLengths::near of the other. The stretch has to be some
+/// times longer than the gap, so that small curves are not taken for near misses of their
+/// neighbours. Pairs that are both shared have found their partners and are left out, as are the
+/// two sides of a narrow patch.
 ///
-/// Returns  a shortfall a pair, with the names, the greatest gap in model units, and if one runs
-///          along the other all the way, the joining that joins them; the last one counts the pairs
-///          beyond twenty
-/// Cost     O(n log n) for n contours that are short against the model
-Notices near_miss_notices(const std::vector<ContourShape>& contours, const JoinLengths& lengths);
+/// Ends of sides on one side are nearly one if the piece between them is shorter than
+/// JoinLengths::near and than 1 % of each side that it is a part of: sides that are short as a
+/// whole, and those that they divide, are meant to be. Left out where they are ends of a pair that
+/// is found anyway.
+///
+/// Returns  the pairs, then the ends
+/// Cost     O(n log n) for n curves that are short against the model
+std::vector<NearMiss> find_near_misses(const MatchedSides& matched, const JoinLengths& lengths);
 
 }  // namespace surfmesh

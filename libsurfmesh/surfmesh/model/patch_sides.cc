@@ -11,18 +11,13 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
 #include "surfmesh/geometry/quasirandom.hh"
+#include "surfmesh/model/open_contours.hh"
 
 namespace surfmesh {
 namespace {
 
-/// Share of the diagonal within which sides that are not joined were perhaps meant to be.
-constexpr double kNearShare = 1e-4;
-
 /// Sides nearer than so many times the joining were perhaps meant to be joined.
 constexpr double kNearPerJoining = 10;
-
-/// The greatest joining, in diagonals.
-constexpr double kMostJoining = 0.01;
 
 /// Samples of a side among which the places of other sides' ends are looked for.
 constexpr int kSideSamples = 64;
@@ -141,6 +136,12 @@ double SampledLine::max_step() const {
   return result;
 }
 
+double SampledLine::length() const {
+  double result = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) result += (points[i] - points[i - 1]).norm();
+  return result;
+}
+
 std::size_t SampledLine::nearest(const Vec3& point) const {
   const auto is_nearer = [&](const Vec3& p, const Vec3& q) {
     return (p - point).squaredNorm() < (q - point).squaredNorm();
@@ -207,8 +208,11 @@ JoinLengths join_lengths(const Box3& box, const Length& joining) {
   }
   // The rounding is more than the share where a model is far from the origin.
   const double rounding = std::max(rounding_at(box.min()), rounding_at(box.max()));
-  const double join = std::max(asked, rounding);
-  return {join, std::max(kNearShare * diagonal, kNearPerJoining * join)};
+  return join_lengths(std::max(asked, rounding), diagonal);
+}
+
+JoinLengths join_lengths(double join, double diagonal) {
+  return {join, std::max(kNearShare * diagonal, kNearPerJoining * join), diagonal};
 }
 
 std::vector<PatchSide> sides_of(const std::vector<PatchInput>& patches) {

@@ -16,9 +16,13 @@ using Box3 = Eigen::AlignedBox3d;
 
 /// Lengths that decide what coincides, in model units.
 struct JoinLengths {
-  double join = 0;  ///< places this near are one place
-  double near = 0;  ///< sides nearer than this were perhaps meant to be joined
+  double join = 0;      ///< places this near are one place
+  double near = 0;      ///< sides nearer than this were perhaps meant to be joined
+  double diagonal = 0;  ///< of the model
 };
+
+/// The greatest joining, in diagonals: with more, short sides would become points.
+inline constexpr double kMostJoining = 0.01;
 
 /// Numbers 0 = t_0 < ... < t_n = 1, unevenly spaced so that no wave of a surface is in step with
 /// them; gaps are below 2/n.
@@ -48,6 +52,8 @@ struct SampledLine {
   Box3 box() const;
   /// Greatest distance of samples that follow each other.
   double max_step() const;
+  /// Length of the line through the samples.
+  double length() const;
   /// Number of the sample nearest to a point.
   std::size_t nearest(const Vec3& point) const;
 };
@@ -86,8 +92,11 @@ double rounding_at(const Vec3& point);
 
 /// The tolerances for a model of this box.
 ///
-/// Throws   InvalidOption for `joining` above 1 % of its diagonal: short sides would become points
+/// Throws   InvalidOption for `joining` above kMostJoining
 JoinLengths join_lengths(const Box3& box, const Length& joining);
+
+/// The lengths with which places are one up to `join`, in a model of this diagonal.
+JoinLengths join_lengths(double join, double diagonal);
 
 /// All sides, four a patch in the order of kSideNames, without is_degenerate.
 std::vector<PatchSide> sides_of(const std::vector<PatchInput>& patches);

@@ -14,9 +14,11 @@ namespace {
 /// in the middle of a step it is half a step from the nearest sample, more where the speed varies.
 constexpr double kReachSteps = 2;
 
-/// A stretch of a side that starts and ends at a vertex is that vertex if it stays this near, in
-/// units of the tolerance: both ends may be off by one.
-constexpr double kCollapsed = 4;
+/// A stretch between two cuts that stays this near to the vertex of the first, in units of the
+/// tolerance, is no piece. Between cuts of one vertex it is that vertex: both ends may be off by
+/// one. Between two vertices it would coincide with whatever else passes there, another side of its
+/// own patch included, as no sample of it is farther away than a few tolerances.
+constexpr double kLeastPiece = 4;
 
 /// Unite points within the distance of each other.
 void unite_near(const std::vector<Vec3>& points, double distance, DisjointSets& sets) {
@@ -91,8 +93,8 @@ class Splitter {
  private:
   const Vec3& position(int vertex) const { return (*vertices_)[static_cast<std::size_t>(vertex)]; }
   std::vector<double> passes(const PatchSide& side, const Vec3& x) const;
-  bool is_collapsed(const PatchSide& side, const Cut& from, const Cut& to) const;
-  std::vector<Cut> without_repeats(const PatchSide& side, const std::vector<Cut>& cuts) const;
+  bool is_too_short(const PatchSide& side, const Cut& from, const Cut& to) const;
+  std::vector<Cut> far_enough(const PatchSide& side, const std::vector<Cut>& cuts) const;
 
   const std::vector<Vec3>* vertices_;
   VertexTree tree_;
@@ -119,21 +121,19 @@ std::vector<double> Splitter::passes(const PatchSide& side, const Vec3& x) const
   return result;
 }
 
-/// True if the side does not leave the vertex between two cuts.
-bool Splitter::is_collapsed(const PatchSide& side, const Cut& from, const Cut& to) const {
-  if (from.vertex != to.vertex) return false;
+/// True if the side does not leave the vertex of the first of two cuts between them.
+bool Splitter::is_too_short(const PatchSide& side, const Cut& from, const Cut& to) const {
   const SampledLine stretch = sample(side.curve.line.part(from.t, to.t), kLineSamples / 4);
   return std::all_of(stretch.points.begin(), stretch.points.end(), [&](const Vec3& p) {
-    return (p - position(from.vertex)).norm() <= kCollapsed * tolerance_;
+    return (p - position(from.vertex)).norm() <= kLeastPiece * tolerance_;
   });
 }
 
-/// Cuts that are the same place as the one before are left out, but the ends of the side stay.
-std::vector<Cut> Splitter::without_repeats(const PatchSide& side,
-                                           const std::vector<Cut>& cuts) const {
+/// Cuts too near to the one before are left out, but the ends of the side stay.
+std::vector<Cut> Splitter::far_enough(const PatchSide& side, const std::vector<Cut>& cuts) const {
   std::vector<Cut> result{cuts.front()};
   for (std::size_t i = 1; i < cuts.size(); ++i) {
-    if (is_collapsed(side, result.back(), cuts[i])) {
+    if (is_too_short(side, result.back(), cuts[i])) {
       const bool is_last = i + 1 == cuts.size();
       if (!is_last) continue;
       if (result.size() > 1) result.pop_back();
@@ -154,7 +154,7 @@ std::vector<Cut> Splitter::cuts(const PatchSide& side, int start, int end) const
   std::vector<Cut> all{{0, start}};
   all.insert(all.end(), inner.begin(), inner.end());
   all.push_back({1, end});
-  return without_repeats(side, all);
+  return far_enough(side, all);
 }
 
 void append_pieces(const PatchSide& side, int side_index, const std::vector<Cut>& cuts,

@@ -23,10 +23,13 @@ struct SplitSides {
   std::vector<SidePiece> pieces;  ///< by side, then by growing parameter
 };
 
-/// Find the vertices of the model, and divide each side at every vertex that lies on it.
+/// Find the vertices of the model, and divide each side at the vertices that lie on it.
 ///
 /// Ends of sides within the tolerance of each other are one vertex, transitively; it has the
-/// position of the first of them in the order of sides. Sets is_degenerate of the sides.
+/// position of the first of them in the order of sides. A vertex that is another place than an end
+/// of the side, or than a vertex that divides it before, but within about four tolerances along the
+/// side, does not divide it: so no piece is that short, unless it is a whole side. Sets
+/// is_degenerate of the sides.
 ///
 /// Cost     O(n log n) for n sides that are short against the model
 SplitSides split_sides(std::vector<PatchSide>& sides, double tolerance);
