@@ -262,6 +262,43 @@ TEST(ReachSag, AdvisesAStretchThatHelps) {
   EXPECT_LE(*advised.sag.reached, *advised.sag.asked);
 }
 
+/// The text of the last notice of a mesh of two patches side by side, joined up to `joining`.
+std::string last_notice(const std::shared_ptr<const Surface>& left,
+                        const std::shared_ptr<const Surface>& right, double joining, double sag) {
+  const Model model =
+      model_from_patches({{"left", left}, {"right", right}}, {}, {Length::units(joining)});
+  EXPECT_TRUE(model.notices.empty());
+  PipelineOptions options = with_sag(sag);
+  options.sizing.hmin = Length::share(1e-5);
+  options.sizing.stretch = 10;
+  const Report report = mesh_model(model, {}, options).report;
+  EXPECT_GT(*report.sag.reached, sag);
+  return report.notices.empty() ? std::string() : report.notices.back().text;
+}
+
+TEST(ReachSag, NamesJoiningWhereSidesThatAreJoinedAreApart) {
+  const auto plane = [](double u0, double z) {
+    return make_callable_surface({u0, u0 + 1, 0, 1}, [=](auto u, auto v) {
+      return std::array{u, v, z + 0.0 * u};
+    });
+  };
+  const std::string text = last_notice(plane(0, 0), plane(1, 0.002), 0.003, 0.0005);
+  EXPECT_NE(text.find("up to joining = 0.003 apart"), std::string::npos) << text;
+}
+
+// Any joining above the sag was named, wherever the worst place was.
+TEST(ReachSag, DoesNotNameJoiningElsewhere) {
+  const auto crease = [](double u0, double u1) {
+    return make_callable_surface({u0, u1, 0, 1}, [](auto u, auto v) {
+      const auto aside = u - 0.3;
+      return std::array{u, v, 0.3 * sqrt(aside * aside + 2.5e-7) + 0.1 * sin(3.0 * v)};
+    });
+  };
+  const std::string text = last_notice(crease(0, 1), crease(1, 1.05), 0.003, 7e-5);
+  EXPECT_NE(text.find("bends there"), std::string::npos) << text;
+  EXPECT_EQ(text.find("joining"), std::string::npos) << text;
+}
+
 TEST(ReachSag, LeavesTrianglesOfGoodShape) {
   const std::filesystem::path spot =
       std::filesystem::path(SURFMESH_SHARED_DIR) / "models" / "spot_control_mesh.obj";

@@ -15,10 +15,12 @@
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/geometry/first_form.hh"
+#include "surfmesh/geometry/segment_distance.hh"
 #include "surfmesh/metric/size_tensor.hh"
 #include "surfmesh/pipeline/scaled_spaces.hh"
 #include "surfmesh/quality/face_set_check.hh"
 #include "surfmesh/quality/sag.hh"
+#include "surfmesh/quality/triangle_sag.hh"
 
 namespace surfmesh::detail {
 namespace {
@@ -236,7 +238,7 @@ class SagLoop {
       return "control = mesh does not scale sizes; control = cells does, without the options that "
              "belong to control = mesh";
     }
-    if (task_.model.joining > asked()) {
+    if (task_.model.joining > asked() && is_at_shared_contour()) {
       return fmt::format("sides that are joined are up to joining = {:.6g} apart",
                          task_.model.joining);
     }
@@ -249,6 +251,37 @@ class SagLoop {
           task_.sizing.stretch, kMostFollowedStretch);
     }
     return "the surface bends there within less than triangles can follow without being flat";
+  }
+
+  /// True if the worst place lies at a contour that several uses share, up to what the search for
+  /// it tells.
+  bool is_at_shared_contour() const {
+    if (worst_contour_ >= 0) return is_shared(worst_contour_);
+    const PolyMesh& mesh = best_.mesh;
+    const auto contour_of = require(mesh, keys::edge_contour);
+    for (const VertexHandle vh : mesh.fv_range(worst_face_)) {
+      for (const EdgeHandle eh : mesh.ve_range(vh)) {
+        const int contour = mesh.property(contour_of, eh);
+        if (contour >= 0 && is_shared(contour) && is_worst_place_at(eh)) return true;
+      }
+    }
+    return false;
+  }
+
+  bool is_shared(int contour) const { return task_.model.contour(contour).uses.size() > 1; }
+
+  /// True if the worst place of the worst face lies at an edge.
+  bool is_worst_place_at(EdgeHandle eh) const {
+    const PolyMesh& mesh = best_.mesh;
+    double longest = 0;
+    for (const EdgeHandle side : mesh.fe_range(worst_face_)) {
+      longest = std::max(longest, mesh.calc_edge_length(side));
+    }
+    const HalfedgeHandle heh = mesh.halfedge_handle(eh, 0);
+    const double distance =
+        segment_distance(worst_at_, to_eigen(mesh.point(mesh.from_vertex_handle(heh))),
+                         to_eigen(mesh.point(mesh.to_vertex_handle(heh))));
+    return distance <= std::max(task_.model.joining, kLastSearchStep * longest);
   }
 
   /// The least and the greatest size that was asked for at the corners of a face.
