@@ -255,6 +255,71 @@ TEST(Joining, LeavesRowsOfShortSidesThatAreStaggered) {
   EXPECT_EQ(texts_of(model_of(patches).notices), std::vector<std::string>());
 }
 
+/// A surface that is moved.
+std::shared_ptr<const Surface> moved(const std::shared_ptr<const Surface>& surface,
+                                     const Vec3& by) {
+  return std::make_shared<test::Placed>(surface, 1, by);
+}
+
+/// Expect as many vertices and contours as without a gap, or a notice whose advice does that. The
+/// second patch is moved.
+void expect_closed_or_told(const Patches& exact) {
+  const Model whole = model_of(exact);
+  ASSERT_TRUE(whole.notices.empty());
+  const auto is_whole = [&](const Model& model) {
+    return model.vertices.size() == whole.vertices.size() &&
+           model.contours.size() == whole.contours.size();
+  };
+  for (int i = 0; i < 6; ++i) {
+    const double z = (2 * i + 1) / 6.0 - 1, angle = 2.4 * i, r = std::sqrt(1 - z * z);
+    Patches patches = exact;
+    const Vec3 by = kGap * Vec3(r * std::cos(angle), r * std::sin(angle), z);
+    patches[1].surface = moved(patches[1].surface, by);
+    for (const double share : shares_around_one()) {
+      SCOPED_TRACE(fmt::format("{} {}", i, share));
+      const Model model = model_of(patches, share * kGap);
+      for (const Contour& contour : model.contours) {
+        if (contour.is_degenerate) continue;
+        EXPECT_GT(length_of(model, contour), 3 * model.joining) << contour.name;
+      }
+      if (model.notices.empty()) {
+        EXPECT_TRUE(is_whole(model));
+        continue;
+      }
+      const Model joined = model_of(patches, greatest_advice(model));
+      EXPECT_TRUE(is_whole(joined)) << model.notices[0].text;
+      EXPECT_EQ(texts_of(joined.notices), std::vector<std::string>());
+    }
+  }
+}
+
+TEST(Joining, OfClosedSidesIsWholeOrTold) {
+  using std::numbers::pi;
+  expect_closed_or_told({{"a", std::make_shared<test::Cylinder>(1, Domain{0, 2 * pi, 0, 1})},
+                         {"b", std::make_shared<test::Cylinder>(1, Domain{1, 1 + 2 * pi, 1, 2})}});
+}
+
+TEST(Joining, OfHalvesOfASphereIsWholeOrTold) {
+  using std::numbers::pi;
+  expect_closed_or_told(
+      {{"a", std::make_shared<test::Sphere>(1, Domain{0, pi, -pi / 2, pi / 2})},
+       {"b", std::make_shared<test::Sphere>(1, Domain{-pi, 0, -pi / 2, pi / 2})}});
+}
+
+TEST(Joining, OfAQuarterOfATorusIsWholeOrTold) {
+  using std::numbers::pi;
+  const auto part = [](double u, double v) {
+    return std::make_shared<test::Torus>(2, 0.5, Domain{u, u + pi, v, v + pi});
+  };
+  expect_closed_or_told(
+      {{"a", part(0, 0)}, {"b", part(pi, 0)}, {"c", part(0, pi)}, {"d", part(pi, pi)}});
+}
+
+TEST(Joining, OfTJunctionsIsWholeOrTold) {
+  expect_closed_or_told({rectangle("l", 0, 0, 1, 1), rectangle("a", 1, 0, 2, 0.4),
+                         rectangle("b", 1, 0.4, 2, 1), rectangle("c", 0, 1, 2, 2)});
+}
+
 /// The end of a side is within the joining of both sides of a sharp corner, and many joinings from
 /// it: these are not a seam.
 TEST(Joining, NeverFoldsASharpCorner) {
