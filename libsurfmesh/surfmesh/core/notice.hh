@@ -15,7 +15,7 @@ namespace surfmesh {
 /// What a notice is about.
 enum class NoticeKind {
   IgnoredInput,      ///< a part of a file or cage is ignored, left out or mended
-  UnjoinedSides,     ///< contours run along each other but are not joined
+  UnjoinedSides,     ///< sides run along each other, or end near each other, unjoined
   TurnedFaces,       ///< faces of a cage pass an edge in the same direction as their neighbours
   OpenSeams,         ///< open edges of a cage lie on others, but have vertices of their own
   RepeatedFaces,     ///< faces of a cage are given more than once
