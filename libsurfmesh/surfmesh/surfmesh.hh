@@ -19,4 +19,5 @@
 #include "surfmesh/model/join_sides.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
+#include "surfmesh/pipeline/set_option.hh"
 #include "surfmesh/sizes/tables_from_mesh.hh"

@@ -117,6 +117,23 @@ TEST(CopyResult, WritesWhatTheTargetRequests) {
   }
 }
 
+struct CornerNormalTraits : OpenMesh::DefaultTraits {
+  HalfedgeAttributes(OpenMesh::Attributes::Normal);
+};
+
+TEST(CopyResult, WritesTheNormalsOfTheSurfaceToCorners) {
+  PolyMesh source = result();
+  OpenMesh::TriMesh_ArrayKernelT<CornerNormalTraits> target;
+  copy_result(source, target);
+  EXPECT_EQ(target.normal(target.halfedge_handle(FaceHandle(0))), OpenMesh::Vec3f(0, 0, 1));
+  attach(source, keys::corner_normal, Normal{0, 0.6, -0.8});
+  copy_result(source, target);
+  for (const HalfedgeHandle heh : source.halfedges()) {
+    if (source.is_boundary(heh)) continue;
+    EXPECT_EQ(target.normal(heh), OpenMesh::Vec3f(0, 0.6f, -0.8f));
+  }
+}
+
 TEST(CopyResult, ReplacesWhatTheTargetHeld) {
   const PolyMesh source = result();
   FloatTriMesh target;

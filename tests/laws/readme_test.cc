@@ -40,6 +40,33 @@ TEST(Readme, AndTheLibrarysShowEveryExampleThatIsCompiled) {
   }
 }
 
+/// The blocks of C++ in a document.
+std::vector<std::string> snippets(const std::string& text) {
+  const std::string begin = "```cpp\n";
+  std::vector<std::string> found;
+  for (std::size_t at = text.find(begin); at != text.npos; at = text.find(begin, at)) {
+    at += begin.size();
+    found.push_back(text.substr(at, text.find("```", at) - at));
+  }
+  return found;
+}
+
+TEST(Readme, AndTheOthersShowNoCppThatIsNotCompiled) {
+  std::set<std::string> compiled;
+  for (const std::string& name : examples()) compiled.insert(read("tests/package/" + name));
+  std::size_t count = 0;
+  for (const char* document : {"README.md", "libsurfmesh/LIBRARY.md", "libsurfmesh/REFERENCE.md",
+                               "libsurfmesh/README.md"}) {
+    for (const std::string& snippet : snippets(read(document))) {
+      ++count;
+      EXPECT_TRUE(compiled.contains(snippet)) << document << " shows what is in no program of "
+                                              << "tests/package:\n"
+                                              << snippet;
+    }
+  }
+  EXPECT_EQ(count, examples().size());
+}
+
 /// Of ours; what they include besides is not what a reader has to look for.
 TEST(Readme, ShowsExamplesThatIncludeOneHeader) {
   static const std::regex pattern(R"re(#include ["<](surfmesh/[^">]+))re");

@@ -22,6 +22,23 @@ std::string fault(const Model& model) {
   return error_of([&] { check(model); });
 }
 
+TEST(FindPatch, IsByNameAndSuggestsWhatWasMeant) {
+  Model model = square();
+  model.patches.push_back(model.patches[0]);
+  model.patches[1].name = "wing";
+  EXPECT_EQ(find_patch(model, "wing"), 1);
+  EXPECT_EQ(error_of([&] { find_patch(model, "wnig"); }),
+            "invalid input: the model has no patch wnig, did you mean wing?");
+}
+
+TEST(FindGroup, HasThePatchesOfAllGroupsOfTheName) {
+  Model model = square();
+  model.groups = {{"grip", {2, 0}}, {"other", {1}}, {"grip", {0, 3}}};
+  EXPECT_EQ(find_group(model, "grip"), (std::vector<int>{0, 2, 3}));
+  EXPECT_EQ(error_of([&] { find_group(model, "grap"); }),
+            "invalid input: the model has no group grap, did you mean grip?");
+}
+
 TEST(CheckModel, NamesContoursThatNoPatchUses) {
   Model model = square();
   model.contours.push_back({"spare", 0, 1, {}});

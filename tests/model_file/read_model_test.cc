@@ -273,7 +273,7 @@ TEST(ReadModel, ReadsSourcesOfGroups) {
   const Size& size = std::get<Size>(file.space_sources[0].wish);
   EXPECT_EQ(size.along.value, 0.2);
   EXPECT_TRUE(size.across.is_relative);
-  EXPECT_EQ(file.space_sources[0].origin, "/sources/0/group");
+  EXPECT_EQ(file.space_sources[0].origin, "/sources/0");
 }
 
 TEST(ReadModel, HandsOptionsOnAsText) {

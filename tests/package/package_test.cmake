@@ -26,7 +26,11 @@ endfunction()
 function(check_installed_files)
   foreach(file IN ITEMS share/surfmesh/models/README.md share/surfmesh/models/surfmesh.schema.json
                         share/surfmesh/models/torus.obj share/doc/surfmesh/README.md
-                        share/doc/surfmesh/LICENSE include/surfmesh/surfmesh.hh)
+                        share/doc/surfmesh/LICENSE share/doc/surfmesh/libsurfmesh/LIBRARY.md
+                        share/doc/surfmesh/libsurfmesh/REFERENCE.md
+                        share/doc/surfmesh/libsurfmesh/README.md
+                        share/doc/surfmesh/libsurfmesh/DECISIONS.md
+                        share/doc/surfmesh/libsurfmesh/pictures/knob.png include/surfmesh/surfmesh.hh)
     if(NOT EXISTS ${prefix}/${file})
       message(SEND_ERROR "${file} is not installed")
     endif()

@@ -11,6 +11,7 @@
 
 #include "support/errors.hh"
 #include "support/expect_valid.hh"
+#include "support/folders.hh"
 #include "support/models.hh"
 #include "support/notices.hh"
 #include "support/waves.hh"
@@ -270,6 +271,18 @@ TEST(MeshModelError, NamesThePatchAndThePlaceOfASurfaceThatIsNotFinite) {
   const std::string error = error_of([&] { mesh_model(model); });
   EXPECT_EQ(error.substr(0, 19), "geometry: patch p0:") << error;
   EXPECT_NE(error.find("(u,v)"), std::string::npos) << error;
+}
+
+TEST(MeshModelError, TellsThatNormalsAreAskedForTooLate) {
+  const TestFolder folder;
+  MeshResult result = mesh_model(testing::unit_square());
+  result.report.options.output.uv = true;  // parameters are always there
+  write_mesh(result, folder / "a.obj");
+  EXPECT_NE(read_text(folder / "a.obj").find("\nvt "), std::string::npos);
+  result.report.options.output.normals = true;
+  EXPECT_EQ(error_of([&] { write_mesh(result, folder / "a.obj"); }),
+            "missing property: the mesh has no normals of its corners (surf:normal): "
+            "output.normals is an option of mesh_model, and is set too late here");
 }
 
 TEST(MeshModelError, TellsOfBadOptionsFirst) {

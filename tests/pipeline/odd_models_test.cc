@@ -105,7 +105,7 @@ TEST(OddModel, WithASourceOfNoPatchIsRefused) {
   Sources sources;
   sources.at.push_back({5, {0.5, 0.5}, {Length::units(0.1), Length::units(0.1), 0}});
   const std::string error = error_of([&] { mesh_model(testing::unit_square(), sources); });
-  EXPECT_NE(error.find("patch 5 of 1"), std::string::npos) << error;
+  EXPECT_NE(error.find("names patch 5, but the model has 1 patch"), std::string::npos) << error;
 }
 
 TEST(OddSizes, AreRefusedByName) {

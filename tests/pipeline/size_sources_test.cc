@@ -152,7 +152,8 @@ TEST_P(SizesOn, AreRefusedOnPatchesThatAreNotThere) {
   Sources sources;
   sources.boxes.push_back({{Vec3::Zero(), Vec3::Ones()}, {size_of(0.1)}, {3}});
   EXPECT_EQ(error_of([&] { mesh_model(model_, sources, coarse()); }),
-            "invalid input: a source names patch 3 of 1");
+            "invalid input: sources.boxes[0]: it names patch 3, but the model has 1 patch, counted "
+            "from 0");
 }
 
 TEST_P(SizesOn, FollowAField) {

@@ -126,6 +126,9 @@ INSTANTIATE_TEST_SUITE_P(
                  "'[', '{', or a literal"},
         BadInput{"UnknownKey", "a.json", patch("\"z\": \"0\", \"w\": \"0\""),
                  "a.json: /patches/0/surface/w: unknown key"},
+        BadInput{"FieldOfSizes", "a.json",
+                 patch("\"z\": \"0\"", "", R"(, "sources": [{"field": {"size": "v-0.5"}}])"),
+                 "a.json: /patches/0/sources/0: the size -0.5 that a field wants at (u,v) = ("},
         BadInput{"MisspeltKey", "a.json", R"({"pathces": []})",
                  "a.json: /pathces: unknown key, did you mean patches?"},
         BadInput{"MissingKey", "a.json", patch("\"x\": \"u\""),
@@ -166,7 +169,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "a.json: /patches/0: patch p: the position of the surface at (u,v) = (0, 0) is "
                  "not finite"},
         BadInput{"InfiniteDerivative", "a.json", formula("sqrt(u)"),
-                 "patch p: the position or a derivative of the surface at (u,v) = (0, "},
+                 "a.json: /patches/0: patch p: the position or a derivative of the surface at "
+                 "(u,v) = (0, "},
         BadInput{"PoleInTheDomain", "a.json", formula("1/(u-0.3721)"),
                  "a.json: /patches/0: patch p: its surface runs to infinity at (u,v) = (0.3721, "},
         BadInput{"EmptyDomain", "a.json", patch("\"z\": \"0\"", R"("u": [1, 1], "v": [0, 1])"),
@@ -199,7 +203,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "-0.47697)"},
         BadInput{"TouchASide", "a.json",
                  square(R"(, ["-a"])", contour("a", "0.5+0.5*cos(t)", "0.5*sin(t)")),
-                 "patch p: the boundary touches itself at (u,v) = (1, -1.2246467991473532e-16)"},
+                 "a.json: /patches/0: patch p: the boundary touches itself at (u,v) = (1, "},
         BadInput{"LeaveTheDomain", "a.json",
                  square(R"(, ["-a"])", contour("a", "0.7+0.5*cos(t)", "0.5*sin(t)")),
                  "a.json: /patches/0/loops/1: patch p: the loop leaves the domain: contour a at t "

@@ -101,7 +101,7 @@ TEST_F(OutputsProgram, KeepsItsFilesApartFromAClosedOutput) {
 TEST_F(OutputsProgram, TellsHowFarItCameWithoutMemory) {
   const int status =
       run(wave_ + "a.obj --hmin 0.05% --hmax 0.05% --threads 1", "ulimit -v 150000;");
-  expect_error(status, "patch wave: out of memory at ");
+  expect_error(status, own_model("wave.json") + ": /patches/0: patch wave: out of memory at ");
   EXPECT_TRUE(says(" triangles of it\n")) << err_;
 }
 

@@ -103,6 +103,19 @@ void copy_texture_coordinates(const PolyMesh& result, Mesh& target) {
   }
 }
 
+/// Normals of the surface at the corners, in place of those of the triangles.
+template <class Mesh>
+void copy_corner_normals(const PolyMesh& result, Mesh& target) {
+  using Scalar = typename OpenMesh::vector_traits<typename Mesh::Normal>::value_type;
+  const auto normal_of = require(result, keys::corner_normal);
+  for (const HalfedgeHandle heh : result.all_halfedges()) {
+    if (result.is_boundary(heh)) continue;
+    const Normal& n = result.property(normal_of, heh);
+    target.set_normal(heh, typename Mesh::Normal(static_cast<Scalar>(n.x), static_cast<Scalar>(n.y),
+                                                 static_cast<Scalar>(n.z)));
+  }
+}
+
 /// Vertex and halfedge normals are computed from face normals, which are requested temporarily.
 template <class Mesh>
 void update_normals(Mesh& target) {
@@ -127,8 +140,8 @@ void update_normals(Mesh& target) {
 /// Reads    surf:patch (face), surf:contour (edge), surf:uv and surf:metric (halfedge); surf:normal
 ///          (halfedge) if it is there
 /// Writes   the same, and what the target has requested: texture coordinates of halfedges, from
-///          surf:uv, 0 on the boundary's; normals of faces, vertices and halfedges, of the
-///          triangles
+///          surf:uv, 0 on the boundary's; normals of halfedges, from surf:normal if it is there;
+///          other normals, of the triangles
 /// Error    none if the target has double points; else positions are rounded to its type
 /// Cost     O(elements)
 /// Throws   MissingProperty; InvalidInput, naming the element, for a face with more than three
@@ -155,6 +168,9 @@ void copy_result(const PolyMesh& result, Mesh& target) {
   }
   if (target.has_halfedge_texcoords2D()) detail::copy_texture_coordinates(result, target);
   detail::update_normals(target);
+  if (target.has_halfedge_normals() && find(result, keys::corner_normal).is_valid()) {
+    detail::copy_corner_normals(result, target);
+  }
 }
 
 }  // namespace surfmesh

@@ -409,6 +409,23 @@ MendOptions mend_options(const Cage& cage, const CageOptions& options) {
   return mend;
 }
 
+/// What the options change.
+std::vector<MadeWith> made_with(const CageOptions& options) {
+  std::vector<MadeWith> made;
+  const auto add = [&](std::string_view name, std::string value) {
+    made.push_back({std::string(name), std::move(value)});
+  };
+  if (options.patches != PatchKind::Auto) {
+    add(ranges::kPatches.name, to_text(ranges::kPatches, static_cast<double>(options.patches)));
+  }
+  if (options.weld && options.weld->value != 0) add(ranges::kWeld.name, to_text(options.weld));
+  if (options.orient.value_or(false)) add(ranges::kOrient.name, to_text(ranges::kOrient, 1));
+  if (options.crease_angle.value_or(0) > 0) {
+    add(ranges::kCreaseAngle.name, to_text(ranges::kCreaseAngle, *options.crease_angle));
+  }
+  return made;
+}
+
 }  // namespace
 
 Model model_from_cage(const Cage& cage, const CageOptions& options) {
@@ -433,6 +450,7 @@ Model model_from_cage(const Cage& cage, const CageOptions& options) {
     warn_of_faces(model);
   }
   add_groups(cage, mended.stand_ins, model);
+  model.made_with = made_with(options);
   return model;
 }
 

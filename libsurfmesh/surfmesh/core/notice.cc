@@ -57,6 +57,8 @@ std::string_view name(NoticeKind kind) {
       return "open_seams";
     case NoticeKind::RepeatedFaces:
       return "repeated_faces";
+    case NoticeKind::LostFaces:
+      return "lost_faces";
     case NoticeKind::FlatFaces:
       return "flat_faces";
     case NoticeKind::FineCage:
@@ -69,6 +71,12 @@ std::string_view name(NoticeKind kind) {
       return "unused_contour";
     case NoticeKind::UnusedOption:
       return "unused_option";
+    case NoticeKind::UnusedSource:
+      return "unused_source";
+    case NoticeKind::AmbiguousName:
+      return "ambiguous_name";
+    case NoticeKind::ChangedNames:
+      return "changed_names";
     case NoticeKind::SurfaceGap:
       return "surface_gap";
     case NoticeKind::SurfaceJump:
@@ -103,6 +111,18 @@ std::string_view name(NoticeKind kind) {
 
 std::string_view name(Severity severity) {
   return severity == Severity::Warning ? "warning" : "shortfall";
+}
+
+void locate(std::string_view location, Notice& notice) {
+  const std::string front = fmt::format("{}: ", location);
+  notice.text.insert(0, front);
+  notice.location_size += front.size();
+}
+
+Notice warning_at(std::string_view location, NoticeKind kind, std::string text) {
+  Notice notice = warning(kind, std::move(text));
+  locate(location, notice);
+  return notice;
 }
 
 std::string point_text(const Vec3& point) {

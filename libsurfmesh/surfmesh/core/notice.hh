@@ -19,12 +19,16 @@ enum class NoticeKind {
   TurnedFaces,       ///< faces of a cage pass an edge in the same direction as their neighbours
   OpenSeams,         ///< open edges of a cage lie on others, but have vertices of their own
   RepeatedFaces,     ///< faces of a cage are given more than once
+  LostFaces,         ///< faces of a cage vanish where its vertices are welded
   FlatFaces,         ///< faces of a cage have sides without length
   FineCage,          ///< faces of a cage are smaller than the elements asked for
   TurnedLoop,        ///< a loop was given the wrong way round
   NarrowGap,         ///< loops nearly meet
   UnusedContour,     ///< no loop names a contour
-  UnusedOption,      ///< an option has no effect beside another one
+  UnusedOption,      ///< an option has no effect
+  UnusedSource,      ///< a source of sizes has no effect
+  AmbiguousName,     ///< a name means two things
+  ChangedNames,      ///< names of patches and groups are others in a file
   SurfaceGap,        ///< surfaces of neighbouring faces do not quite meet
   SurfaceJump,       ///< the formulas of a surface jump inside a patch
   ClampedSizes,      ///< sizes of sources are brought into the bounds
@@ -41,7 +45,7 @@ enum class NoticeKind {
   BrokenPromise,     ///< the mesh is not as the model promises
 };
 
-inline constexpr std::size_t kNoticeKinds = 25;
+inline constexpr std::size_t kNoticeKinds = 29;
 
 /// The name of a kind in reports: "ignored_input", "turned_triangles", ...
 std::string_view name(NoticeKind kind);
@@ -63,6 +67,9 @@ struct Notice {
   int contour = -1;                ///< likewise
   std::optional<Vec3> point = {};  ///< in space
   std::size_t count = 1;           ///< how often it came, with the same text or one like it
+  /// So many characters at the beginning of the text only say where: "a.json: patch wing: ".
+  /// Notices of a kind whose texts are the same after them are told as one.
+  std::size_t location_size = 0;
 
   friend bool operator==(const Notice&, const Notice&) = default;
 };
@@ -76,6 +83,12 @@ inline Notice shortfall(NoticeKind kind, std::string text) {
   return {.kind = kind, .severity = Severity::Shortfall, .text = std::move(text)};
 }
 
+/// Put where it is in front of the text of a notice, "a.json", with a colon.
+void locate(std::string_view location, Notice& notice);
+
+/// A warning with a location in front: "a.json: the text".
+Notice warning_at(std::string_view location, NoticeKind kind, std::string text);
+
 /// A point as written in messages: "(1, 2.5, 0)".
 std::string point_text(const Vec3& point);
 
@@ -86,7 +99,7 @@ void append(Notices more, Notices& notices);
 bool has_shortfall(const Notices& notices);
 
 /// Lines for a terminal, "warning: text" or "not reached: text": the first few of each kind, and
-/// how many more there are.
+/// how many more there are. What differs only in its location is told once.
 std::vector<std::string> lines_of(const Notices& notices);
 
 }  // namespace surfmesh

@@ -101,7 +101,7 @@ CoarseEstimate estimate_coarsely(const Model& model, const std::vector<PatchSour
   const int cells = cells_per_side(model, kOfSizes);
   std::vector<SizedPatch> likely(sources.size()), least(sources.size());
   share_indices(sources.size(), [&](std::size_t p) {
-    at_location("patch " + model.patches[p].name, [&] {
+    at_location(label(model.patches[p]), [&] {
       const SizeField field(*model.patches[p].surface, sizing, sources[p]);
       PatchSampler sampler(field, cells);
       for_each_cell(model, static_cast<int>(p), cells, [&](int column, int row) {
@@ -122,7 +122,7 @@ double most_triangles(const Model& model, double hmin) {
   const int cells = cells_per_side(model, kOfAreas);
   std::vector<double> areas(model.patches.size(), 0);
   share_indices(model.patches.size(), [&](std::size_t p) {
-    at_location("patch " + model.patches[p].name,
+    at_location(label(model.patches[p]),
                 [&] { areas[p] = area_of(*model.patches[p].surface, cells); });
   });
   double area = 0;

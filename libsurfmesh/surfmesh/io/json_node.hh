@@ -33,6 +33,8 @@ class JsonNode {
   const Json& json() const { return *json_; }
   /// The JSON pointer of this value.
   const std::string& pointer() const { return pointer_; }
+  /// The file and the pointer: "a.json: /sources/2".
+  std::string place() const { return file_ + ": " + pointer_; }
 
   /// Fail unless this is an object with no other keys than these.
   void expect_keys(std::initializer_list<std::string_view> known) const;

@@ -126,6 +126,9 @@ Model model_from_patches(const std::vector<PatchInput>& patches,
   model.diagonal = model.box.diagonal().norm();
   const JoinLengths lengths = join_lengths(model.box, options.joining);
   model.joining = lengths.join;
+  if (!(options.joining == JoinOptions().joining)) {
+    model.made_with.push_back({std::string(ranges::kJoining.name), to_text(options.joining)});
+  }
   const MatchedSides parts = match_sides(bounding_sides(patches), lengths);
   model.vertices.reserve(parts.split.vertices.size());
   for (const Vec3& position : parts.split.vertices) model.vertices.push_back({position});
@@ -138,6 +141,7 @@ Model model_from_patches(const std::vector<PatchInput>& patches,
     Patch& result = model.patches.emplace_back();
     result.name = patch.name;
     result.surface = patch.surface;
+    result.origin = patch.origin;
     if (patch.loops.empty()) result.loops.push_back(whole_loop(patch.name, chains));
   }
   trim_patches(model, {patches, contours, chains, lengths.join});

@@ -14,8 +14,8 @@ namespace surfmesh {
 
 /// A named surface that becomes a patch: its whole domain rectangle, or the part inside its loops.
 struct PatchInput {
-  std::string name;
-  std::shared_ptr<const Surface> surface;
+  std::string name = {};
+  std::shared_ptr<const Surface> surface = {};
   /// Names of contours and sides end to end, with `-` before one that is traversed backwards. The
   /// domain lies on the left of the outer loop and of the holes. Empty for the whole domain.
   std::vector<std::vector<std::string>> loops = {};
@@ -26,11 +26,11 @@ struct PatchInput {
 struct ContourInput {
   /// The contour on one patch.
   struct On {
-    std::string patch;
+    std::string patch = {};
     std::shared_ptr<const Curve> curve = nullptr;  ///< over t in [0,1]; null: found by projection
   };
 
-  std::string name;
+  std::string name = {};
   /// Null if the first curve of `on` defines the contour.
   std::shared_ptr<const SpaceCurve> xyz = nullptr;
   std::vector<On> on = {};

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/io/nearest_word.hh"
 
 namespace surfmesh {
 namespace {
@@ -97,12 +99,48 @@ void check_distance(const Model& model) {
                           distance, model.diagonal));
 }
 
+[[noreturn]] void fail_name(const char* what, std::string_view name,
+                            const std::vector<std::string_view>& known) {
+  const auto meant = nearest_word(name, known);
+  throw Error(ErrorCode::InvalidInput,
+              fmt::format("the model has no {} {}{}", what, name,
+                          meant ? fmt::format(", did you mean {}?", *meant) : ""));
+}
+
 }  // namespace
+
+std::string label(const Patch& patch) {
+  if (patch.origin.empty()) return fmt::format("patch {}", patch.name);
+  return fmt::format("{}: patch {}", patch.origin, patch.name);
+}
 
 int find_contour(const Model& model, std::string_view name) {
   const auto found = std::find_if(model.contours.begin(), model.contours.end(),
                                   [name](const Contour& contour) { return contour.name == name; });
   return found == model.contours.end() ? -1 : static_cast<int>(found - model.contours.begin());
+}
+
+int find_patch(const Model& model, std::string_view name) {
+  std::vector<std::string_view> names;
+  for (std::size_t p = 0; p < model.patches.size(); ++p) {
+    if (model.patches[p].name == name) return static_cast<int>(p);
+    names.push_back(model.patches[p].name);
+  }
+  fail_name("patch", name, names);
+}
+
+std::vector<int> find_group(const Model& model, std::string_view name) {
+  std::set<int> patches;
+  std::vector<std::string_view> names;
+  bool is_found = false;
+  for (const Group& group : model.groups) {
+    names.push_back(group.name);
+    if (group.name != name) continue;
+    is_found = true;
+    patches.insert(group.patches.begin(), group.patches.end());
+  }
+  if (!is_found) fail_name("group", name, names);
+  return {patches.begin(), patches.end()};
 }
 
 MeshNames mesh_names(const Model& model) {

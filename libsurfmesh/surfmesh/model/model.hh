@@ -56,11 +56,22 @@ struct Patch {
   std::vector<PatchLoop> loops;  ///< the outer loop first, then the holes
   /// Faces of the cage that the patch covers, completely or in part; ascending.
   std::vector<int> cage_faces = {};
+  /// Where it is given (a file, or a file and a JSON pointer), for messages; empty if in C++.
+  std::string origin = {};
 };
 
 /// A point where contours end.
 struct ModelVertex {
   Vec3 position = Vec3::Constant(kUnset);
+};
+
+/// An option by which a model, or a part of it, was made.
+struct MadeWith {
+  std::string option;     ///< its name, as for set_option
+  std::string value;      ///< as for set_option
+  std::string part = {};  ///< what the names of its patches begin with ("knob:"); empty for all
+
+  friend bool operator==(const MadeWith&, const MadeWith&) = default;
 };
 
 /// Patches and the contours and vertices they share.
@@ -75,6 +86,9 @@ struct Model {
   double diagonal = 0;      ///< of the box
   double joining = 0;       ///< sides nearer than this are one contour, model units
   Notices notices;          ///< from its construction
+  /// The options of CageOptions and JoinOptions that it was made with, where they are not the
+  /// defaults. Those options do nothing afterwards, so mesh_model warns of others.
+  std::vector<MadeWith> made_with = {};
 
   const Contour& contour(int index) const { return contours[static_cast<std::size_t>(index)]; }
   const Contour& contour(const LoopEntry& entry) const { return contour(entry.contour); }
@@ -103,12 +117,25 @@ struct Model {
   Patch& patch(int index) { return patches[static_cast<std::size_t>(index)]; }
 };
 
+/// A patch for messages: "patch wing", after its origin if it has one.
+std::string label(const Patch& patch);
+
 /// The names of the patches, and the groups that have patches. Groups of the same name become one.
 /// They are in the order of their first patch.
 MeshNames mesh_names(const Model& model);
 
 /// The index of the contour of a name; -1 if there is none.
 int find_contour(const Model& model, std::string_view name);
+
+/// The index of the patch of a name.
+///
+/// Throws   InvalidInput if there is none, with the name that was probably meant
+int find_patch(const Model& model, std::string_view name);
+
+/// The indices of the patches of a group, ascending; of all groups that have the name.
+///
+/// Throws   InvalidInput if there is none, with the name that was probably meant
+std::vector<int> find_group(const Model& model, std::string_view name);
 
 /// Check that indices are valid, that the diagonal is between 1e-70 and 1e70 and no less than 1e-11
 /// of the distance from the origin, and that all loops close in space, to 1e-6 of the diagonal.

@@ -92,7 +92,7 @@ void read_along(const JsonNode& node, const PatchScope& patch, ModelFile& model)
     return;
   }
   const std::vector<Uv> uvs = read_uvs(along, patch, 2);
-  AlongSource source{patch.index, {}, read_wish(node)};
+  AlongSource source{patch.index, {}, read_wish(node), node.place()};
   for (std::size_t i = 1; i < uvs.size(); ++i) {
     source.curves.push_back(std::make_shared<SegmentCurve>(uvs[i - 1], uvs[i]));
   }
@@ -117,6 +117,7 @@ FieldSource read_field(const JsonNode& node, const std::vector<std::string>& var
     source = at_node(field, [&] { return formula_field(metric, constants, formula.where()); });
   }
   source.precision = read_precision(node);
+  source.origin = node.place();
   return source;
 }
 
@@ -127,8 +128,8 @@ void read_table_source(const JsonNode& node, const PatchScope& patch, ModelFile&
   if (file.empty()) table.fail("must not be empty");
   try {
     model.tables.push_back(patch.folder / file);
-    model.sources.tables.push_back(
-        {patch.index, read_table(model.tables.back(), patch.domain), read_precision(node)});
+    model.sources.tables.push_back({patch.index, read_table(model.tables.back(), patch.domain),
+                                    read_precision(node), node.place()});
   } catch (const Error& error) {
     if (error.code() != ErrorCode::Io) throw;
     table.fail(error.what());
@@ -149,7 +150,7 @@ Vec3 read_point(const JsonNode& node, const Constants& constants) {
 NearSource read_near(const JsonNode& node, const Constants& constants) {
   const JsonNode near = node.at("near");
   const std::vector<JsonNode> elements = near.elements();
-  NearSource source{{}, read_wish(node)};
+  NearSource source{{}, read_wish(node), {}, node.place()};
   if (!elements.empty() && elements[0].json().is_array()) {
     for (const JsonNode& point : elements) source.line.push_back(read_point(point, constants));
   } else {
@@ -161,7 +162,7 @@ NearSource read_near(const JsonNode& node, const Constants& constants) {
 /// A ball is a point with a radius.
 NearSource read_ball(const JsonNode& node, const JsonNode& inside, const Constants& constants) {
   if (node.has("radius")) node.at("radius").fail("the ball has its own radius");
-  NearSource source{{read_point(inside.at("ball"), constants)}, read_wish(node)};
+  NearSource source{{read_point(inside.at("ball"), constants)}, read_wish(node), {}, node.place()};
   source.wish.radius = read_length(inside.at("radius"));
   return source;
 }
@@ -169,7 +170,7 @@ NearSource read_ball(const JsonNode& node, const JsonNode& inside, const Constan
 BoxSource read_box(const JsonNode& node, const JsonNode& box, const Constants& constants) {
   const std::vector<JsonNode> corners = box.elements(2);
   const Vec3 a = read_point(corners[0], constants), b = read_point(corners[1], constants);
-  return {Eigen::AlignedBox3d(a.cwiseMin(b), a.cwiseMax(b)), read_wish(node)};
+  return {Eigen::AlignedBox3d(a.cwiseMin(b), a.cwiseMax(b)), read_wish(node), {}, node.place()};
 }
 
 void read_inside_space(const JsonNode& node, const Constants& constants, SpaceSource& source) {
@@ -250,16 +251,16 @@ void read_patch_source(const JsonNode& node, const PatchScope& patch, ModelFile&
   if (kind == "everywhere") {
     refuse(node, "a whole patch", {"radius", "outer"});
     if (!node.at(kind).boolean()) node.at(kind).fail("must be true");
-    sources.everywhere.push_back({patch.index, read_size(node)});
+    sources.everywhere.push_back({patch.index, read_size(node), node.place()});
   } else if (kind == "at") {
     const Uv uv = read_uv(node.at(kind), patch);
     const LocalSize wish = read_wish(node);
-    sources.at.push_back({patch.index, uv, wish.size, wish.radius, wish.outer});
+    sources.at.push_back({patch.index, uv, wish.size, wish.radius, wish.outer, node.place()});
   } else if (kind == "along") {
     read_along(node, patch, model);
   } else {
     const auto polygon = read_uvs(node.at(kind), patch, 3);
-    sources.inside.push_back({patch.index, polygon, read_wish(node)});
+    sources.inside.push_back({patch.index, polygon, read_wish(node), node.place()});
   }
 }
 
@@ -272,7 +273,6 @@ void read_space_source(const JsonNode& node, const Constants& constants, ModelFi
   if (const auto group = node.find("group")) {
     source.group = group->text();
     if (source.group.empty()) group->fail("must not be empty");
-    source.origin = group->pointer();
   }
   const std::string kind = kind_in_space(node);
   if (kind == "field") {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surfmesh/core/counted.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/estimate/coarse_estimate.hh"
@@ -16,6 +17,7 @@
 #include "surfmesh/sampling/make_control.hh"
 #include "surfmesh/sizes/field_search.hh"
 #include "surfmesh/sizes/model_sources.hh"
+#include "surfmesh/sizes/source_place.hh"
 
 namespace surfmesh {
 namespace {
@@ -24,23 +26,39 @@ namespace {
 /// which on it is told. Around small sources there are always some.
 constexpr double kShareUnfollowed = 0.5;
 
+/// The patches that a source names: one, or in space any number.
+template <class Source>
+std::vector<int> patches_of(const Source& source) {
+  if constexpr (requires { source.patches; }) {
+    return source.patches;
+  } else {
+    return {source.patch};
+  }
+}
+
+template <class Source>
+void check_patches(const std::vector<Source>& sources, std::string_view list, std::size_t count) {
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    for (const int patch : patches_of(sources[i])) {
+      if (patch >= 0 && static_cast<std::size_t>(patch) < count) continue;
+      throw Error(
+          ErrorCode::InvalidInput,
+          fmt::format("{}: it names patch {}, but the model has {}, counted from 0",
+                      place_of(sources[i], list, i), patch, counted(count, "patch", "patches")));
+    }
+  }
+}
+
 void check_patches(const Model& model, const Sources& sources) {
-  const auto check = [&](int patch) {
-    if (patch >= 0 && static_cast<std::size_t>(patch) < model.patches.size()) return;
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("a source names patch {} of {}", patch, model.patches.size()));
-  };
-  const auto check_all = [&](const auto& list) {
-    for (const auto& source : list) check(source.patch);
-  };
-  for (const NearSource& source : sources.near) std::ranges::for_each(source.patches, check);
-  for (const BoxSource& source : sources.boxes) std::ranges::for_each(source.patches, check);
-  check_all(sources.everywhere);
-  check_all(sources.at);
-  check_all(sources.along);
-  check_all(sources.inside);
-  check_all(sources.fields);
-  check_all(sources.tables);
+  const std::size_t count = model.patches.size();
+  check_patches(sources.everywhere, "everywhere", count);
+  check_patches(sources.at, "at", count);
+  check_patches(sources.along, "along", count);
+  check_patches(sources.inside, "inside", count);
+  check_patches(sources.near, "near", count);
+  check_patches(sources.boxes, "boxes", count);
+  check_patches(sources.fields, "fields", count);
+  check_patches(sources.tables, "tables", count);
 }
 
 /// What the work for the control space of a patch goes by, roughly.
@@ -100,11 +118,11 @@ void tell_unsearched(const Model& model, const std::vector<ControlInput>& inputs
                      Notices& notices) {
   for (std::size_t p = 0; p < inputs.size(); ++p) {
     if (!inputs[p].sampling.is_search_incomplete) continue;
-    Notice notice = warning(
-        NoticeKind::UnsearchedSizes,
-        fmt::format("patch {}: the search for small sizes in its fields ended at {} evaluations; "
-                    "formulas that use each variable fewer times take fewer",
-                    model.patches[p].name, kSearchBudget));
+    Notice notice = warning_at(
+        label(model.patches[p]), NoticeKind::UnsearchedSizes,
+        fmt::format("the search for small sizes in its fields ended at {} evaluations; formulas "
+                    "that use each variable fewer times take fewer",
+                    kSearchBudget));
     notice.patch = static_cast<int>(p);
     notices.push_back(std::move(notice));
   }

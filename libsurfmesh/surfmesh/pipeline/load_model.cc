@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -46,11 +47,33 @@ void at_file(const std::string& location, Body body) {
   }
 }
 
+/// Note in the model the options of models that it was asked for as a whole.
+void note_options(const PipelineOptions& options, Model& model) {
+  for (const Option& option : option_table()) {
+    const std::string value = option.value_text(options);
+    if (option.group != OptionGroup::Cages || value == option.value_text({})) continue;
+    const MadeWith made{std::string(option.name()), value};
+    const auto known = std::find(model.made_with.begin(), model.made_with.end(), made);
+    if (known == model.made_with.end()) model.made_with.push_back(made);
+  }
+}
+
+/// What is asked for from outside replaces the options of a file.
+void set_given(const LoadOptions& given, PipelineOptions& options) {
+  const CageOptions& cages = given.cages;
+  if (cages.patches != PatchKind::Auto) options.patches = cages.patches;
+  if (cages.weld) options.weld = cages.weld;
+  if (cages.orient) options.orient = cages.orient;
+  if (cages.crease_angle) options.crease_angle = cages.crease_angle;
+  if (given.joining) options.joining = given.joining;
+}
+
 /// The model of a cage that a file holds.
 Model model_of(const Cage& cage, const std::filesystem::path& path, const CageOptions& options) {
   Model model;
   at_file(path.string(), [&] { model = model_from_cage(cage, options); });
-  for (Notice& notice : model.notices) notice.text.insert(0, path.string() + ": ");
+  for (Notice& notice : model.notices) locate(path.string(), notice);
+  for (Patch& patch : model.patches) patch.origin = path.string();
   model.notices.insert(model.notices.begin(), cage.notices.begin(), cage.notices.end());
   return model;
 }
@@ -70,10 +93,7 @@ ModelInput load_cage(const std::filesystem::path& path, const LoadOptions& optio
   context.throw_if_cancelled();
   ModelInput input;
   input.model = model_of(cage, path, cages);
-  input.options.patches = cages.patches;
-  input.options.weld = cages.weld;
-  input.options.orient = cages.orient;
-  input.options.crease_angle = cages.crease_angle;
+  set_given(options, input.options);
   return input;
 }
 
@@ -241,7 +261,7 @@ std::vector<int> patches_of(const SpaceSource& source, const ModelFile& file,
   const std::set<int> patches = patches_of(model, source.group);
   if (patches.empty()) {
     throw Error(ErrorCode::InvalidInput,
-                fmt::format("{}: {}: there is no group or patch {}{}", name, source.origin,
+                fmt::format("{}: {}/group: there is no group or patch {}{}", name, source.origin,
                             source.group, suggestion(file, model, source.group)));
   }
   return {patches.begin(), patches.end()};
@@ -250,11 +270,15 @@ std::vector<int> patches_of(const SpaceSource& source, const ModelFile& file,
 /// Adds a source of the model to those of the patches where it applies.
 class SpaceSourceAdder {
  public:
-  SpaceSourceAdder(std::vector<int> patches, bool is_everywhere, Sources& sources)
-      : patches_(std::move(patches)), is_everywhere_(is_everywhere), sources_(sources) {}
+  SpaceSourceAdder(std::vector<int> patches, bool is_everywhere, std::string origin,
+                   Sources& sources)
+      : patches_(std::move(patches)),
+        is_everywhere_(is_everywhere),
+        origin_(std::move(origin)),
+        sources_(sources) {}
 
   void operator()(const Size& size) const {
-    for (const int patch : patches_) sources_.everywhere.push_back({patch, size});
+    for (const int patch : patches_) sources_.everywhere.push_back({patch, size, origin_});
   }
 
   void operator()(FieldSource field) const {
@@ -277,13 +301,14 @@ class SpaceSourceAdder {
  private:
   std::vector<int> patches_;
   bool is_everywhere_;
+  std::string origin_;
   Sources& sources_;
 };
 
 void add_space_sources(const ModelFile& file, const std::string& name, ModelInput& input) {
   for (const SpaceSource& source : file.space_sources) {
     const SpaceSourceAdder add(patches_of(source, file, name, input.model), source.group.empty(),
-                               input.sources);
+                               fmt::format("{}: {}", name, source.origin), input.sources);
     std::visit(add, source.wish);
   }
 }
@@ -313,7 +338,7 @@ void add_along_sources(const ModelFile& file, const std::string& name, ModelInpu
   for (const AlongContour& along : file.along_contours) {
     at_file(fmt::format("{}: {}", name, along.origin), [&] {
       AlongSource source{along.patch, curves_on(input.model, along.contour, along.patch),
-                         along.wish};
+                         along.wish, fmt::format("{}: {}", name, along.origin)};
       if (source.curves.empty()) {
         throw Error(ErrorCode::InvalidInput,
                     fmt::format("{} is no contour or side of this patch", along.contour));
@@ -330,14 +355,16 @@ ModelInput load_model_file(const std::filesystem::path& path, const LoadOptions&
   ModelInput input;
   input.options = file_options(file, name);
   if (file.cages.empty()) check_without_cages(file, name, given.cages);
-  if (given.joining) input.options.joining = given.joining;
+  set_given(given, input.options);
   if (file.patches.empty() && input.options.joining) fail_joining(name);
   if (!file.patches.empty()) {
     const JoinOptions join{input.options.joining.value_or(JoinOptions().joining)};
     at_file(name, [&] { input.model = model_from_patches(file.patches, file.contours, join); });
-    for (Notice& notice : input.model.notices) notice.text.insert(0, name + ": ");
+    for (Notice& notice : input.model.notices) locate(name, notice);
+    for (Patch& patch : input.model.patches) patch.origin = name + ": " + patch.origin;
   }
   append_cages(file, name, given.cages, context, input);
+  note_options(input.options, input.model);
   input.sources = file.sources;
   for (const CageInput& cage : file.cages) input.files.push_back(cage.file);
   input.files.insert(input.files.end(), file.tables.begin(), file.tables.end());

@@ -31,6 +31,7 @@
 #include "surfmesh/pipeline/counted_surfaces.hh"
 #include "surfmesh/pipeline/fine_cage.hh"
 #include "surfmesh/pipeline/for_each_patch.hh"
+#include "surfmesh/pipeline/options_of_model.hh"
 #include "surfmesh/pipeline/patch_cache.hh"
 #include "surfmesh/pipeline/patch_names.hh"
 #include "surfmesh/pipeline/reach_sag.hh"
@@ -65,8 +66,9 @@ class Run {
       const RunContext& context)
       : model_(model), options_(options), context_(context), sizing_(sizing) {
     if (sizing.sag > 0) demands_.sag = sizing.sag;
-    report_.options = options;
+    report_.options = detail::options_in_effect(model, options);
     append(model.notices, report_.notices);
+    append(detail::options_too_late(model, options), report_.notices);
     append(unused_sizes(options), report_.notices);
   }
 
@@ -451,7 +453,27 @@ void add_qualities(Report& report) {
   }
 }
 
+/// Throws   MissingProperty for normals that are asked for after the mesh was made
+void check_output(const MeshResult& result) {
+  const bool has_normals = find(result.mesh, keys::corner_normal).is_valid();
+  if (!result.report.options.output.normals || has_normals) return;
+  throw Error(
+      ErrorCode::MissingProperty,
+      "the mesh has no normals of its corners (surf:normal): output.normals is an option of "
+      "mesh_model, and is set too late here");
+}
+
 }  // namespace
+
+void write_mesh(const MeshResult& result, const std::filesystem::path& path) {
+  check_output(result);
+  write_mesh(result.mesh, path, result.names, result.report.options.output);
+}
+
+void write_mesh(const MeshResult& result, OutputFile& file) {
+  check_output(result);
+  write_mesh(result.mesh, file, result.names, result.report.options.output);
+}
 
 MeshResult mesh_model(const Model& model, const Sources& sources, const PipelineOptions& options,
                       Observer* observer) {

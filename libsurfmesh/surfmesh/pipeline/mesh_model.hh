@@ -47,12 +47,11 @@ Report estimate_mesh(const Model& model, const Sources& sources = {},
                      const PipelineOptions& options = {}, Observer* observer = nullptr);
 
 /// Write the mesh of a result with the names of its patches and groups, and what its options ask
-/// for; see write_mesh.hh.
-inline void write_mesh(const MeshResult& result, const std::filesystem::path& path) {
-  write_mesh(result.mesh, path, result.names, result.report.options.output);
-}
-inline void write_mesh(const MeshResult& result, OutputFile& file) {
-  write_mesh(result.mesh, file, result.names, result.report.options.output);
-}
+/// for; see write_mesh.hh, also for formats that have no place for that (unused_options).
+///
+/// Throws   MissingProperty where report.options.output asks for normals that mesh_model was not
+///          asked for; otherwise as write_mesh of a mesh
+void write_mesh(const MeshResult& result, const std::filesystem::path& path);
+void write_mesh(const MeshResult& result, OutputFile& file);
 
 }  // namespace surfmesh

@@ -20,13 +20,13 @@ struct PipelineOptions {
   RefineOptions refine = {};
   ImproveOptions improve = {};
   OutputOptions output = {};
-  PatchKind patches =
-      PatchKind::Auto;              ///< of cages, used when a model is loaded; not used in meshing
-  std::optional<Length> weld = {};  ///< likewise; see CageOptions
-  std::optional<bool> orient = {};  ///< likewise
+  /// Of cages; see CageOptions. This and the next four act where a model is made; mesh_model warns
+  /// of those that its model was not made with.
+  PatchKind patches = PatchKind::Auto;
+  std::optional<Length> weld = {};          ///< likewise
+  std::optional<bool> orient = {};          ///< likewise
   std::optional<double> crease_angle = {};  ///< likewise, degrees
-  /// Likewise, of formula patches; see JoinOptions. Unset is its default.
-  std::optional<Length> joining = {};
+  std::optional<Length> joining = {};       ///< of formula patches; see JoinOptions
   int threads = 0;  ///< from 1 to 256; 0 is one per core. The mesh is always the same
   std::size_t max_elements = 50'000'000;  ///< more triangles end the run with an error. Above 0
 };

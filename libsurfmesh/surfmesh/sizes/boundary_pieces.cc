@@ -70,7 +70,7 @@ BoundaryPieces::BoundaryPieces(const Model& model, const std::vector<int>& patch
                                double tolerance, double least_gap, double reach)
     : model_(model), least_gap_(least_gap), reach_(reach) {
   for (const int p : patches) {
-    at_location(fmt::format("patch {}", model.patch(p).name), [&] { collect(p, tolerance); });
+    at_location(label(model.patch(p)), [&] { collect(p, tolerance); });
   }
   plant_tree();
   straighten();

@@ -10,6 +10,7 @@
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/metric/size_tensor.hh"
+#include "surfmesh/sizes/source_place.hh"
 #include "surfmesh/sizes/table_sizes.hh"
 
 namespace surfmesh {
@@ -110,9 +111,7 @@ double least_of_metric(const FieldSource& field, const Surface& surface, const U
   return least;
 }
 
-}  // namespace
-
-SizeTensor size_of_field(const FieldSource& field, const Surface& surface, const SurfacePoint& at) {
+SizeTensor size_of(const FieldSource& field, const Surface& surface, const SurfacePoint& at) {
   if (field.metric) {
     return size_from_metric_at(surface, at.uv, at.form, field.metric(at.uv, at.point));
   }
@@ -125,6 +124,12 @@ SizeTensor size_of_field(const FieldSource& field, const Surface& surface, const
                     size, at.uv.u, at.uv.v));
   }
   return isotropic(size);
+}
+
+}  // namespace
+
+SizeTensor size_of_field(const FieldSource& field, const Surface& surface, const SurfacePoint& at) {
+  return at_source(field, [&] { return size_of(field, surface, at); });
 }
 
 double least_length(const FieldSource& field, const Surface& surface, Uv uv) {

@@ -12,6 +12,7 @@
 #include "surfmesh/sizes/contour_curvature.hh"
 #include "surfmesh/sizes/features.hh"
 #include "surfmesh/sizes/proximity.hh"
+#include "surfmesh/sizes/source_place.hh"
 #include "surfmesh/sizes/table_sizes.hh"
 
 namespace surfmesh {
@@ -84,9 +85,10 @@ std::vector<PatchSources> model_sources(const Model& model, const Sources& sourc
 std::optional<Notice> clamp_notice(const Model& model, const Sources& sources,
                                    const SizeBounds& bounds) {
   std::size_t count = count_clamped(sources, bounds);
-  for (const TableSource& table : sources.tables) {
+  for (std::size_t i = 0; i < sources.tables.size(); ++i) {
+    const TableSource& table = sources.tables[i];
     const Patch& patch = model.patch(table.patch);
-    count += at_location(fmt::format("patch {}", patch.name),
+    count += at_location(fmt::format("{}: patch {}", place_of(table, "tables", i), patch.name),
                          [&] { return count_clamped(table, *patch.surface, bounds); });
   }
   if (count == 0) return std::nullopt;

@@ -11,16 +11,31 @@
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/sizes/place_sources.hh"
+#include "surfmesh/sizes/source_place.hh"
 
 namespace surfmesh {
 namespace {
 
-/// Give each source to its patch.
+/// Give each source to its patch, with the place where it is given.
 template <class Source>
-void give(const std::vector<Source>& all, std::vector<Source> PatchSources::*member,
-          std::vector<PatchSources>& patches) {
-  for (const Source& source : all) {
-    (patches.at(static_cast<std::size_t>(source.patch)).*member).push_back(source);
+void give(const std::vector<Source>& all, std::string_view list,
+          std::vector<Source> PatchSources::*member, std::vector<PatchSources>& patches) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    auto& own = patches.at(static_cast<std::size_t>(all[i].patch)).*member;
+    own.push_back(all[i]);
+    own.back().origin = place_of(all[i], list, i);
+  }
+}
+
+/// Run `body` with each source of a list. Its errors say which it was.
+template <class Source, class Body>
+void for_each_source(const std::vector<Source>& all, std::string_view list, Body body) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    try {
+      body(all[i]);
+    } catch (const Error& error) {
+      throw Error(error.code(), fmt::format("{}: {}", place_of(all[i], list, i), error.what()));
+    }
   }
 }
 
@@ -58,14 +73,14 @@ using SizesInSpace = std::map<std::vector<int>, std::vector<PlacedSize>>;
 
 SizesInSpace sizes_in_space(const Sources& sources, const ResolvedSizing& sizing) {
   SizesInSpace sizes;
-  for (const NearSource& source : sources.near) {
+  for_each_source(sources.near, "near", [&](const NearSource& source) {
     std::vector<PlacedSize>& own = sizes[source.patches];
     add_near(source, sizing.bounds, own);
     if (sizing.grade == 0) check_radius(source, own.back());
-  }
-  for (const BoxSource& source : sources.boxes) {
+  });
+  for_each_source(sources.boxes, "boxes", [&](const BoxSource& source) {
     add_box(source, sizing.bounds, sizes[source.patches]);
-  }
+  });
   return sizes;
 }
 
@@ -78,18 +93,20 @@ void give_trees(SizesInSpace all, double grade, std::vector<PatchSources>& patch
   }
 }
 
-/// The sizes of whole patches, each once.
-std::vector<Size> different_sizes(const std::vector<EverywhereSource>& sources) {
+/// Sources of whole patches, of those of the same size the first, with their places.
+std::vector<EverywhereSource> different_sizes(const std::vector<EverywhereSource>& sources) {
   std::set<std::tuple<double, bool, double, bool, double>> known;
-  std::vector<Size> sizes;
-  for (const EverywhereSource& source : sources) {
-    const auto& [along, across, angle] = source.size;
+  std::vector<EverywhereSource> different;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const auto& [along, across, angle] = sources[i].size;
     const bool is_new =
         known.insert({along.value, along.is_relative, across.value, across.is_relative, angle})
             .second;
-    if (is_new) sizes.push_back(source.size);
+    if (!is_new) continue;
+    different.push_back(sources[i]);
+    different.back().origin = place_of(sources[i], "everywhere", i);
   }
-  return sizes;
+  return different;
 }
 
 }  // namespace
@@ -107,27 +124,29 @@ std::optional<double> PatchSources::precision() const {
 std::vector<PatchSources> sources_by_patch(const Sources& sources, const ResolvedSizing& sizing,
                                            std::size_t patches) {
   std::vector<PatchSources> result(patches);
-  give(sources.everywhere, &PatchSources::everywhere, result);
-  give(sources.at, &PatchSources::at, result);
-  give(sources.along, &PatchSources::along, result);
-  give(sources.inside, &PatchSources::inside, result);
-  give(sources.fields, &PatchSources::fields, result);
-  give(sources.tables, &PatchSources::tables, result);
+  give(sources.everywhere, "everywhere", &PatchSources::everywhere, result);
+  give(sources.at, "at", &PatchSources::at, result);
+  give(sources.along, "along", &PatchSources::along, result);
+  give(sources.inside, "inside", &PatchSources::inside, result);
+  give(sources.fields, "fields", &PatchSources::fields, result);
+  give(sources.tables, "tables", &PatchSources::tables, result);
   give_trees(sizes_in_space(sources, sizing), sizing.grade, result);
   return result;
 }
 
 std::size_t count_clamped(const Sources& sources, const SizeBounds& bounds) {
   ClampCounter counter(bounds);
-  for (const Size& size : different_sizes(sources.everywhere)) counter.add(size);
-  for (const AtSource& source : sources.at) {
+  for_each_source(different_sizes(sources.everywhere), "everywhere",
+                  [&](const EverywhereSource& source) { counter.add(source.size); });
+  for_each_source(sources.at, "at", [&](const AtSource& source) {
     counter.add(source.size);
     counter.add(source.outer);
-  }
-  for (const AlongSource& source : sources.along) counter.add(source.wish);
-  for (const InsideSource& source : sources.inside) counter.add(source.wish);
-  for (const NearSource& source : sources.near) counter.add(source.wish);
-  for (const BoxSource& source : sources.boxes) counter.add(source.wish);
+  });
+  const auto add_wish = [&](const auto& source) { counter.add(source.wish); };
+  for_each_source(sources.along, "along", add_wish);
+  for_each_source(sources.inside, "inside", add_wish);
+  for_each_source(sources.near, "near", add_wish);
+  for_each_source(sources.boxes, "boxes", add_wish);
   return counter.count();
 }
 

@@ -8,6 +8,7 @@
 #include "surfmesh/metric/minimum.hh"
 #include "surfmesh/metric/size_tensor.hh"
 #include "surfmesh/sizes/place_sources.hh"
+#include "surfmesh/sizes/source_place.hh"
 
 namespace surfmesh {
 namespace {
@@ -43,21 +44,25 @@ void add_curve_nodes(const Curve& curve, const Size& wish, const SizeField& fiel
   add(1);
 }
 
+ControlNode node_of(const AtSource& source, const Surface& surface, const SizeBounds& bounds) {
+  const SizeTensor size = bounds.clamp(bounds.tensor(source.size));
+  ControlNode node = node_at(inside_domain(surface, source.at), surface, size);
+  node.radius = bounds.radius(source.radius);
+  if (node.radius > 0 || source.outer) node.inner = size;
+  if (source.outer) {
+    node.outer_radius = bounds.radius(source.outer->radius);
+    node.size = node.outer = bounds.clamp(bounds.tensor(source.outer->size));
+  }
+  return node;
+}
+
 }  // namespace
 
 std::vector<ControlNode> point_nodes(const std::vector<AtSource>& sources, const Surface& surface,
                                      const SizeBounds& bounds) {
   std::vector<ControlNode> nodes;
   for (const AtSource& source : sources) {
-    const SizeTensor size = bounds.clamp(bounds.tensor(source.size));
-    ControlNode node = node_at(inside_domain(surface, source.at), surface, size);
-    node.radius = bounds.radius(source.radius);
-    if (node.radius > 0 || source.outer) node.inner = size;
-    if (source.outer) {
-      node.outer_radius = bounds.radius(source.outer->radius);
-      node.size = node.outer = bounds.clamp(bounds.tensor(source.outer->size));
-    }
-    nodes.push_back(node);
+    nodes.push_back(at_source(source, [&] { return node_of(source, surface, bounds); }));
   }
   return nodes;
 }

@@ -18,6 +18,7 @@
 #include "surfmesh/sizes/field_size.hh"
 #include "surfmesh/sizes/place_sources.hh"
 #include "surfmesh/sizes/point_nodes.hh"
+#include "surfmesh/sizes/source_place.hh"
 #include "surfmesh/sizes/table_sizes.hh"
 
 namespace surfmesh {
@@ -104,29 +105,38 @@ std::size_t SizeField::cell_at(Uv uv) const {
 
 void SizeField::add_all_sources(const PatchSources& sources, double grade, double precision) {
   for (const EverywhereSource& source : sources.everywhere) {
-    const SizeTensor size = bounds_.clamp(bounds_.tensor(source.size));
+    const SizeTensor size =
+        at_source(source, [&] { return bounds_.clamp(bounds_.tensor(source.size)); });
     everywhere_ = everywhere_ ? bounds_.clamp(minimum(*everywhere_, size)) : size;
   }
   fields_ = sources.fields;
   fans_ = sources.fans;
   rings_ = sources.rings;
   for (const TableSource& source : sources.tables) {
-    tables_.push_back(std::make_shared<NodeInterpolation>(
-        interpolate_table(source, surface_, bounds_, precision)));
+    tables_.push_back(at_source(source, [&] {
+      return std::make_shared<NodeInterpolation>(
+          interpolate_table(source, surface_, bounds_, precision));
+    }));
   }
   std::vector<PlacedSize> placed;
   for (const InsideSource& source : sources.inside) {
-    areas_.push_back({source.polygon, bounds_.clamp(bounds_.tensor(source.wish.size))});
-    add_border(source, surface_, bounds_, placed);
+    at_source(source, [&] {
+      areas_.push_back({source.polygon, bounds_.clamp(bounds_.tensor(source.wish.size))});
+      add_border(source, surface_, bounds_, placed);
+    });
   }
-  for (const AlongSource& source : sources.along) add_along(source, surface_, bounds_, placed);
+  for (const AlongSource& source : sources.along) {
+    at_source(source, [&] { add_along(source, surface_, bounds_, placed); });
+  }
   const bool is_interpolated =
       !has_area_source() && (!placed.empty() || !sources.trees.empty()) && !sources.at.empty();
   if (is_interpolated) {
     tables_.push_back(
         std::make_shared<NodeInterpolation>(surface_, point_nodes(sources.at, surface_, bounds_)));
   }
-  for (const AtSource& source : sources.at) add_at(source, surface_, bounds_, placed);
+  for (const AtSource& source : sources.at) {
+    at_source(source, [&] { add_at(source, surface_, bounds_, placed); });
+  }
   add_required_points(sources);
   if (grade == 0) add_nearest_points(sources);
   add_cells();

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "surfmesh/core/interval.hh"
@@ -56,8 +57,8 @@ inline constexpr LengthRange kHmax = {"hmax"};
 
 /// Wanted edge lengths: l_s along the first axis turned by `angle`, l_t across.
 struct Size {
-  Length along;
-  Length across;
+  Length along = {};
+  Length across = {};
   double angle = 0;  ///< radians, from the first tangent axis (along p_u)
 
   static Size isotropic(Length length) { return {length, length}; }
@@ -67,15 +68,15 @@ struct Size {
 /// the length `radius` given here.
 /// Source   paper, section 3.1: M′ and r′
 struct Outer {
-  Size size;
-  Length radius;
+  Size size = {};
+  Length radius = {};
 };
 
 /// A size around a point or curve. It holds within `radius` and, with `outer`, changes to the outer
 /// size beyond that. From there it grows by the grade; without gradation it has no effect farther
 /// away. Distances are measured in space.
 struct LocalSize {
-  Size size;
+  Size size = {};
   Length radius = {};
   std::optional<Outer> outer = {};
 };
@@ -83,44 +84,57 @@ struct LocalSize {
 /// An area source: one size in the whole patch.
 struct EverywhereSource {
   int patch = -1;
-  Size size;
+  Size size = {};
+  /// Where it is given (a file and JSON pointer), for messages; empty if in C++.
+  std::string origin = {};
 };
 
 /// A node source: a size at one point of a patch, in any form of the paper's section 3.1.
 struct AtSource {
   int patch = -1;
-  Uv at;
-  Size size;
+  Uv at = {};
+  Size size = {};
   Length radius = {};
   std::optional<Outer> outer = {};
+  /// Where it is given (a file and JSON pointer), for messages; empty if in C++.
+  std::string origin = {};
 };
 
 /// A size along curves in the parameters of a patch.
 struct AlongSource {
   int patch = -1;
-  std::vector<std::shared_ptr<const Curve>> curves;
-  LocalSize wish;
+  std::vector<std::shared_ptr<const Curve>> curves = {};
+  LocalSize wish = {};
+  /// Where it is given (a file and JSON pointer), for messages; empty if in C++.
+  std::string origin = {};
 };
 
 /// An area source: a size inside a polygon in the parameters of a patch, its border included.
 struct InsideSource {
   int patch = -1;
-  std::vector<Uv> polygon;  ///< at least three corners, in either direction, without crossings
-  LocalSize wish;
+  /// At least three corners, in either direction, without crossings.
+  std::vector<Uv> polygon = {};
+  LocalSize wish = {};
+  /// Where it is given (a file and JSON pointer), for messages; empty if in C++.
+  std::string origin = {};
 };
 
 /// A size near a point or a polyline in space. With a radius, a point is a ball.
 struct NearSource {
-  std::vector<Vec3> line;  ///< one point or more
-  LocalSize wish;
+  std::vector<Vec3> line = {};  ///< one point or more
+  LocalSize wish = {};
   std::vector<int> patches = {};  ///< where it applies; empty for every patch
+  /// Where it is given (a file and JSON pointer), for messages; empty if in C++.
+  std::string origin = {};
 };
 
 /// A size inside a box in space, its faces included.
 struct BoxSource {
-  Eigen::AlignedBox3d box;
-  LocalSize wish;
+  Eigen::AlignedBox3d box = {};
+  LocalSize wish = {};
   std::vector<int> patches = {};  ///< where it applies; empty for every patch
+  /// Where it is given (a file and JSON pointer), for messages; empty if in C++.
+  std::string origin = {};
 };
 
 /// Bounds of the entries of a metric.
@@ -144,13 +158,15 @@ struct FieldSource {
   std::function<Interval(const UvBox&, const Eigen::AlignedBox3d&)> size_bounds = {};
   std::function<MetricBounds(const UvBox&, const Eigen::AlignedBox3d&)> metric_bounds = {};
   bool uses_position = true;  ///< false: function and bounds do not read the position in space
+  /// Where it is given (a file and JSON pointer), for messages; empty if in C++.
+  std::string origin = {};
 
   bool has_bounds() const { return metric ? bool(metric_bounds) : bool(size_bounds); }
 };
 
 /// A point of a table: a size, or if `metric` is set, the metric in (u,v).
 struct TableNode {
-  Uv uv;
+  Uv uv = {};
   Size size = {};
   Metric metric = {};
 };
@@ -160,12 +176,14 @@ struct TableSource {
   int patch = -1;
   std::vector<TableNode> nodes = {};
   std::optional<double> precision = {};  ///< overrides that of the options
+  /// Where it is given (a file and JSON pointer), for messages; empty if in C++.
+  std::string origin = {};
 };
 
 /// All user-requested sizes, apart from curvature.
 struct Sources {
-  std::vector<EverywhereSource> everywhere;
-  std::vector<AtSource> at;
+  std::vector<EverywhereSource> everywhere = {};
+  std::vector<AtSource> at = {};
   std::vector<AlongSource> along = {};
   std::vector<InsideSource> inside = {};
   std::vector<NearSource> near = {};
