@@ -27,8 +27,8 @@ constexpr const char* kFooter =
     "  self_intersections (no fault), closed, manifold, oriented, area, volume (null unless "
     "closed\n"
     "  and oriented), box, angles (degrees), edge_lengths, shape, stored_metric, fit (or null)\n"
-    "A mesh in .om is judged by the metric it was made by. Sizes among the flags ask for exact "
-    "ones.\n"
+    "Judged by the metric of an .om file; else, or with sizes, by that of a run; distance by "
+    "--sag.\n"
     "Example:\n  surfmesh check knob.om --model knob.obj --json\n";
 
 ModelInput read_model_with(const std::string& path, Scheme scheme, const Settings& settings,
@@ -38,12 +38,15 @@ ModelInput read_model_with(const std::string& path, Scheme scheme, const Setting
   return input;
 }
 
-/// Sizes asked for on the command line judge a mesh; otherwise those that it was made by do.
+/// Sizes asked for on the command line judge a mesh; otherwise those that it was made by do. A sag
+/// is a distance, no size.
 JudgedBy judged_by(const Settings& settings) {
-  const bool asks_for_sizes = std::any_of(
-      settings.begin(), settings.end(),
-      [](const auto& setting) { return find_option(setting.first).group == OptionGroup::Sizes; });
-  return asks_for_sizes ? JudgedBy::ExactSizes : JudgedBy::StoredMetric;
+  const bool asks_for_sizes =
+      std::any_of(settings.begin(), settings.end(), [](const auto& setting) {
+        return find_option(setting.first).group == OptionGroup::Sizes &&
+               setting.first != ranges::kSag.name;
+      });
+  return asks_for_sizes ? JudgedBy::SizesOfRun : JudgedBy::StoredMetric;
 }
 
 }  // namespace

@@ -204,8 +204,11 @@ TEST(MeasureDistance, RefusesPatchesThatTheModelDoesNotHave) {
   const Model model = testing::model_of({testing::rectangle(0, 0, 1, 1)});
   PolyMesh mesh = testing::plane_grid(1, 1);
   mesh.property(find(mesh, keys::face_patch), FaceHandle(1)) = 3;
-  EXPECT_EQ(error_of([&] { measure_distance(mesh, model, SurfaceSearch(model), false); }),
-            "invalid input: face 1 lies on patch 3, but the model has 1 patches");
+  EXPECT_EQ(
+      error_of([&] { measure_distance(mesh, model, SurfaceSearch(model), false); }),
+      "invalid input: face 1 lies on patch 3, but the model has 1 patch, counted from 0; was the "
+      "mesh made of another model, or with other options of its cages (patches, weld, "
+      "scheme)?");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -38,7 +39,7 @@ TEST_F(CheckProgram, ProjectsMeshesWithoutParameters) {
   for (const std::string model : {"knob.obj", "sphere.json", "torus.json", "cylinder.json"}) {
     mesh(model);
     EXPECT_EQ(run("convert a.om a.obj --quiet"), 0);
-    // A size among the flags asks for exact sizes, by which both are judged then.
+    // A size among the flags asks for those of a run, by which both are judged then.
     const std::string of_model = " --curvature 0.25 --model '" + own_model(model) + "'";
     const Json own = check(0, "a.om" + of_model)["fit"];
     const Json projected = check(0, "a.obj" + of_model)["fit"];
@@ -51,9 +52,48 @@ TEST_F(CheckProgram, ProjectsMeshesWithoutParameters) {
   }
 }
 
+/// A file without a metric is judged by that of a run, which is the one it was made by.
+TEST_F(CheckProgram, JudgesAMeshWithoutAMetricByThatOfARun) {
+  for (const std::string& options : {std::string(), std::string(" --hmax 4%")}) {
+    EXPECT_EQ(run("mesh '" + own_model("knob.obj") + "' -o a.om --report r.json" + options), 0);
+    const Json made = Json::parse(read_text(folder_ / "r.json"))["edges"];
+    for (const char* ending : {"obj", "stl"}) {
+      const std::string file = std::string("a.") + ending;
+      EXPECT_EQ(run("convert a.om " + file + " --quiet"), 0);
+      const std::string arguments = file + " --model '" + own_model("knob.obj") + "'" + options;
+      const Json fit = check(0, arguments)["fit"];
+      EXPECT_FALSE(fit["exact_sizes"]);
+      EXPECT_FALSE(fit["stored_metric"]);
+      EXPECT_NEAR(fit["edges"]["mean"], made["mean"], 2e-3) << file;
+      EXPECT_NEAR(fit["edges"]["unit_fraction"], made["unit_fraction"], 5e-3) << file;
+      EXPECT_EQ(run("check " + arguments), 0);
+      EXPECT_TRUE(says("the mesh has none: that of a run on the model, with these options"));
+    }
+  }
+}
+
+TEST_F(CheckProgram, TellsAMeshThatIsFartherThanTheSag) {
+  mesh("knob.obj");
+  EXPECT_EQ(run("convert a.om a.obj --quiet"), 0);
+  for (const char* file : {"a.om", "a.obj"}) {
+    const std::string arguments = std::string(file) + " --model '" + own_model("knob.obj") + "'";
+    const Json without = check(0, arguments)["fit"];
+    EXPECT_TRUE(without["sag"].is_null());
+    const double reached = without["distance"]["max"];
+    const Json kept = check(0, fmt::format("{} --sag {}", arguments, 1.001 * reached));
+    EXPECT_EQ(kept["fit"]["sag"], 1.001 * reached);
+    const Json missed = check(3, fmt::format("{} --sag {}", arguments, 0.999 * reached));
+    ASSERT_EQ(missed["notices"].size(), 1u);
+    EXPECT_EQ(missed["notices"][0]["kind"], "sag_not_reached");
+    EXPECT_EQ(missed["notices"][0]["severity"], "shortfall");
+    EXPECT_EQ(missed["notices"][0]["point"], missed["fit"]["distance"]["max_at"]);
+    EXPECT_TRUE(says("not reached: the mesh is ")) << err_;
+  }
+}
+
 TEST_F(CheckProgram, MeasuresInTheSizesAskedFor) {
   mesh("torus.json", "--set grade=0");
-  const std::string arguments = "a.om --model '" + own_model("torus.json") + "'";
+  const std::string arguments = "a.om --set grade=0 --model '" + own_model("torus.json") + "'";
   const double mean = check(0, arguments + " --set curvature=0.25")["fit"]["edges"]["mean"];
   EXPECT_NEAR(mean, 1, 0.05);
   EXPECT_NEAR(check(0, arguments + " --set curvature=0.125")["fit"]["edges"]["mean"], 2 * mean,
@@ -73,11 +113,13 @@ TEST_F(CheckProgram, JudgesAMeshByTheMetricThatItWasMadeBy) {
   }
 }
 
-TEST_F(CheckProgram, JudgesByExactSizesOnlyWhereSizesAreGiven) {
+TEST_F(CheckProgram, JudgesByTheSizesOfARunWhereSizesAreGiven) {
   mesh("torus.json");
   const std::string arguments = "a.om --model '" + own_model("torus.json") + "'";
   EXPECT_TRUE(check(0, arguments + " --set threads=1")["fit"]["stored_metric"]);
   EXPECT_FALSE(check(0, arguments + " --hmax 10%")["fit"]["stored_metric"]);
+  // A sag is a distance.
+  EXPECT_TRUE(check(0, arguments + " --sag 10%")["fit"]["stored_metric"]);
 }
 
 TEST_F(CheckProgram, HasTheDocumentedKeys) {
@@ -123,7 +165,10 @@ TEST_F(CheckProgram, TellsDegenerateTrianglesOfStl) {
 TEST_F(CheckProgram, TellsMeshesOfAnotherModel) {
   mesh("cylinder.json");
   EXPECT_EQ(run("check a.om --model '" + own_model("wave.json") + "'"), 1);
-  EXPECT_TRUE(says("lies on patch 1, but the model has 1 patches")) << err_;
+  EXPECT_TRUE(
+      says("lies on patch 1, but the model has 1 patch, counted from 0; was the mesh made of "
+           "another model, or with other options of its cages (patches, weld, scheme)?"))
+      << err_;
   mesh("wave.json", "--hmax 4 --curvature 0");
   const Json json = check(3, "a.om --model '" + own_model("plate.json") + "'");
   EXPECT_FALSE(json["clean"]);

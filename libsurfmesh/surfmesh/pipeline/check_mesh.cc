@@ -12,10 +12,12 @@
 #include <utility>
 
 #include "surfmesh/assemble/promised_topology.hh"
+#include "surfmesh/control/surface_metric_field.hh"
 #include "surfmesh/core/counted.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/run_context.hh"
 #include "surfmesh/metric/tensor.hh"
+#include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/notice_json.hh"
 #include "surfmesh/quality/contour_distance.hh"
 #include "surfmesh/quality/project_mesh.hh"
@@ -108,10 +110,10 @@ std::vector<std::unique_ptr<SizeField>> size_fields(const ModelInput& input) {
   return fields;
 }
 
-/// Give the corners the metric of the exact sizes. Corners of one vertex with one patch and (u,v)
-/// are evaluated once.
-void attach_exact_metric(PolyMesh& mesh, const ModelInput& input, const RunContext& context) {
-  const auto fields = size_fields(input);
+/// Give each corner the metric at its (u,v) of its patch. Corners of one vertex with one patch and
+/// (u,v) are evaluated once.
+template <class MetricAt>
+void attach_metric(PolyMesh& mesh, const RunContext& context, MetricAt metric_at) {
   const auto uv_of = require(mesh, keys::corner_uv);
   const auto patch_of = require(mesh, keys::face_patch);
   detach(mesh, keys::corner_metric);
@@ -128,12 +130,32 @@ void attach_exact_metric(PolyMesh& mesh, const ModelInput& input, const RunConte
       if (patch != corner_patch || !(uv == corner_uv)) {
         patch = corner_patch;
         uv = corner_uv;
-        const SizeField::Sample sample = fields[static_cast<std::size_t>(patch)]->at(uv);
-        metric = metric_from_size(sample.form, sample.size);
+        metric = metric_at(static_cast<std::size_t>(patch), uv);
       }
       mesh.property(metric_of, corner) = metric;
     }
   }
+}
+
+void attach_exact_metric(PolyMesh& mesh, const ModelInput& input, const RunContext& context) {
+  const auto fields = size_fields(input);
+  attach_metric(mesh, context, [&](std::size_t patch, Uv uv) {
+    const SizeField::Sample sample = fields[patch]->at(uv);
+    return metric_from_size(sample.form, sample.size);
+  });
+}
+
+/// The metric that a run would make a mesh by.
+void attach_metric_of_run(PolyMesh& mesh, const ModelInput& input, Observer* observer) {
+  const RunContext context(observer, input.options.max_elements);
+  const ResolvedSizing sizing = resolve(input.options.sizing, input.model.diagonal);
+  const ControlSpaces control =
+      make_control_spaces(input.model, input.sources, sizing, input.options.control, context);
+  std::vector<QueryHint> hints(control.spaces.size());
+  attach_metric(mesh, context, [&](std::size_t patch, Uv uv) {
+    const SurfaceMetricField field(*input.model.patches[patch].surface, *control.spaces[patch]);
+    return field.at(uv, hints[patch]);
+  });
 }
 
 /// The fault of this kind, made if there is none.
@@ -141,6 +163,20 @@ MeshFault& fault_of_kind(std::vector<MeshFault>& faults, const char* kind) {
   const auto found = std::find_if(faults.begin(), faults.end(),
                                   [&](const MeshFault& fault) { return fault.kind == kind; });
   return found != faults.end() ? *found : faults.emplace_back(MeshFault{kind, 0, {}});
+}
+
+/// Tell that a mesh is farther from its model than asked for.
+Notice far_notice(const ModelFit& fit) {
+  const SurfaceDistance& distance = fit.distance;
+  Notice notice = shortfall(
+      NoticeKind::SagNotReached,
+      fmt::format(
+          "the mesh is {:.4g} from the model at {}, in face {}{}; sag = {:.4g} is asked for",
+          distance.max, point_text(distance.max_at), distance.max_face,
+          fit.max_contour.empty() ? "" : " on contour " + fit.max_contour, *fit.sag));
+  notice.point = distance.max_at;
+  notice.contour = distance.max_contour;
+  return notice;
 }
 
 Json histogram_json(const std::vector<HistogramBin>& bins) {
@@ -227,9 +263,11 @@ Json fit_json(const ModelFit& fit) {
   return {{"projected", fit.is_projected},
           {"unjudged_faces", fit.distance.unjudged},
           {"stored_metric", fit.is_by_stored_metric},
+          {"exact_sizes", fit.is_by_exact_sizes},
           {"other_sizes", fit.has_other_sizes},
           {"edges", edges_json(fit.sizes.edges)},
           {"quality", quality_json(fit.sizes.quality)},
+          {"sag", fit.sag ? Json(*fit.sag) : Json(nullptr)},
           {"distance",
            {{"max", distance.max},
             {"mean", distance.mean},
@@ -319,19 +357,28 @@ class Lines {
                       "do not tell: {}",
                       fit.distance.unjudged));
     }
-    if (!fit.is_by_stored_metric) {
+    if (!fit.is_by_stored_metric) add_sizes(fit);
+    add("distance", fmt::format("greatest {:.3g} in face {}{} at {}, mean {:.3g}", fit.distance.max,
+                                fit.distance.max_face,
+                                fit.max_contour.empty() ? "" : " on contour " + fit.max_contour,
+                                point_text(fit.distance.max_at), fit.distance.mean));
+  }
+
+  void add_sizes(const ModelFit& fit) {
+    if (fit.is_by_exact_sizes) {
       add("metric", "the exact sizes of the model");
       if (fit.has_other_sizes) {
         add("",
             "without grade, corrections of the sag and interpolation of `at`, which make a mesh "
             "finer by right");
       }
-      add_metric(fit.sizes);
+    } else {
+      add("metric", "the mesh has none: that of a run on the model, with these options");
+      if (fit.has_other_sizes) {
+        add("", "without corrections of the sag, which make a mesh finer by right");
+      }
     }
-    add("distance", fmt::format("greatest {:.3g} in face {}{} at {}, mean {:.3g}", fit.distance.max,
-                                fit.distance.max_face,
-                                fit.max_contour.empty() ? "" : " on contour " + fit.max_contour,
-                                point_text(fit.distance.max_at), fit.distance.mean));
+    add_metric(fit.sizes);
   }
 
   void add_faults(const std::vector<MeshFault>& faults) {
@@ -393,10 +440,15 @@ ModelFit measure_fit(MeshFile& mesh, const ModelInput& input, JudgedBy judged_by
   fit.differences = compare_with_promise(mesh.mesh, input.model);
   fit.is_by_stored_metric =
       judged_by == JudgedBy::StoredMetric && !fit.is_projected && has_metric(mesh.mesh);
-  if (!fit.is_by_stored_metric) {
-    const Sizing& sizing = input.options.sizing;
+  const Sizing& sizing = input.options.sizing;
+  if (sizing.sag) fit.sag = sizing.sag->in_units(input.model.diagonal);
+  fit.is_by_exact_sizes = judged_by == JudgedBy::ExactSizes;
+  if (fit.is_by_exact_sizes) {
     fit.has_other_sizes = sizing.grade > 0 || sizing.sag || !input.sources.at.empty();
     attach_exact_metric(mesh.mesh, input, context);
+  } else if (!fit.is_by_stored_metric) {
+    fit.has_other_sizes = sizing.sag.has_value();
+    attach_metric_of_run(mesh.mesh, input, observer);
   }
   fit.sizes = measure_metric(mesh.mesh);
   return fit;
@@ -409,6 +461,7 @@ void add_fit(MeshCheck& check, ModelFit fit) {
   for (const auto& faults : {fit.distance.faults, fit.differences}) {
     check.faults.insert(check.faults.end(), faults.begin(), faults.end());
   }
+  if (fit.sag && fit.distance.max > *fit.sag) check.notices.push_back(far_notice(fit));
   check.fit = std::move(fit);
 }
 

@@ -24,7 +24,8 @@ struct MetricFit {
 
 /// The sizes by which a mesh is judged.
 enum class JudgedBy {
-  StoredMetric,  ///< that of its corners, which it was made by, if they have one; else exact sizes
+  StoredMetric,  ///< of its corners, which it was made by, if they have one; else those of a run
+  SizesOfRun,    ///< of the control spaces of a run on the model, which know all but the sag
   ExactSizes,    ///< of the area sources of a model
 };
 
@@ -32,9 +33,11 @@ enum class JudgedBy {
 struct ModelFit {
   bool is_projected = false;         ///< the mesh has no (u,v): nearest points were used
   bool is_by_stored_metric = false;  ///< the sizes below are those that the mesh was made by
-  /// True if the model has more sources than the sizes below include: the mesh may rightly be
-  /// finer. Sizes `at` points and gradation are known only to the control space.
+  bool is_by_exact_sizes = false;    ///< if neither, they are those of the control space of a run
+  /// True if more is asked for than the sizes below include: the mesh may rightly be finer. Exact
+  /// sizes do not know sizes `at` points and gradation, nor those of a run corrections of the sag.
   bool has_other_sizes = false;
+  std::optional<double> sag;  ///< asked for, model units
   MetricFit sizes;
   /// Its greatest distance is that of measure_sag, as in the report of a run. If the mesh is
   /// projected, faces are compared one way only; contours always are.
@@ -80,13 +83,15 @@ std::optional<MetricFit> measure_stored_metric(const PolyMesh& mesh);
 ///          surf:patch (face), surf:metric (halfedge; optional)
 /// Writes   surf:uv (halfedge) and surf:patch (face) if the mesh is projected; surf:metric
 ///          (halfedge), which replaces that of the mesh where exact sizes judge it
-/// Cost     about 90 surface evaluations per triangle
+/// Cost     about 90 surface evaluations per triangle, and the control spaces of a run for a mesh
+///          without a metric
 /// Throws   InvalidInput for a patch that the model does not have; Cancelled by the observer, which
 ///          may be null
 ModelFit measure_fit(MeshFile& mesh, const ModelInput& input,
                      JudgedBy judged_by = JudgedBy::StoredMetric, Observer* observer = nullptr);
 
-/// Add the fit of a mesh, with its faults, to its check. Of duplicate_vertex, only those remain
+/// Add the fit of a mesh, with its faults, to its check, and a shortfall (SagNotReached) where a
+/// sag is asked for and the mesh is farther from its model. Of duplicate_vertex, only those remain
 /// that the model does not promise.
 void add_fit(MeshCheck& check, ModelFit fit);
 
@@ -98,8 +103,9 @@ void add_fit(MeshCheck& check, ModelFit fit);
 /// angles (min, max, min_face, max_face, histogram), edge_lengths (min, mean, max), shape (min,
 /// mean, below_0.3); stored_metric, null for a mesh that has none: edges (count, mean, stddev, min,
 /// max, unit_fraction, histogram), quality (min, mean, below_0.3); with a model fit, else null:
-/// projected, stored_metric (true if that judges it), other_sizes, edges and quality likewise,
-/// distance (max, mean, max_face, max_at, max_corner).
+/// projected, stored_metric (true if that judges it), exact_sizes (likewise), other_sizes, edges
+/// and quality likewise, sag (asked for, or null), distance (max, mean, max_face, max_at,
+/// max_corner).
 std::string to_json(const MeshCheck& check);
 
 /// The check in a few lines for a terminal, with the first faults.

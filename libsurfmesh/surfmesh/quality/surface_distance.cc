@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "surfmesh/core/counted.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/quality/face_corners.hh"
@@ -89,8 +90,10 @@ class DistanceMeter {
     const int patch = mesh_.property(patch_of_, fh);
     if (patch < 0 || static_cast<std::size_t>(patch) >= model_.patches.size()) {
       throw Error(ErrorCode::InvalidInput,
-                  fmt::format("face {} lies on patch {}, but the model has {} patches", fh.idx(),
-                              patch, model_.patches.size()));
+                  fmt::format("face {} lies on patch {}, but the model has {}, counted from 0; was "
+                              "the mesh made of another model, or with other options of its cages "
+                              "(patches, weld, scheme)?",
+                              fh.idx(), patch, counted(model_.patches.size(), "patch", "patches")));
     }
     return model_.surface(patch);
   }
