@@ -105,6 +105,7 @@ class MeshRun {
     tell_rounding(result, mesh_path);
     append(unused_options(result.mesh, mesh_path, result.report.options.output),
            result.report.notices);
+    append(changed_names(result.mesh, mesh_path, result.names), result.report.notices);
     OutputFile& mesh_file = outputs.add(mesh_path);
     write_mesh(result, mesh_file);
     mesh_file.finish();

@@ -441,6 +441,19 @@ TEST(MendCage, ChecksItsInput) {
             "invalid option: weld = 10 leaves no face of the cage (its diagonal is 3.46)");
 }
 
+TEST(MendCage, TellsHowManyFacesVanishWhereVerticesAreWelded) {
+  Cage cage;
+  cage.points = {{0, 0, 0}, {0.1, 0, 0}, {3, 0, 0}, {0, 4, 0}, {0.1, 4, 0}, {3, 4, 0}};
+  cage.faces = {{0, 1, 4, 3}, {1, 2, 5, 4}};
+  const MendedCage mended = mend_cage(cage, {.weld = 0.2});
+  EXPECT_EQ(mended.cage.faces.size(), 1u);
+  ASSERT_EQ(mended.notices.size(), 2u);
+  EXPECT_EQ(mended.notices[1].kind, NoticeKind::LostFaces);
+  EXPECT_EQ(mended.notices[1].text,
+            "weld = 0.2 leaves out 1 of 2 faces, which have no area then, the first: face 0 at "
+            "(0.05, 2, 0); the diagonal of the cage is 5");
+}
+
 TEST(CoincidentPoints, AreWithinTheTolerance) {
   const std::vector<Vec3> row = {{0, 0, 0}, {0.9, 0, 0}, {1.8, 0, 0}, {2.7, 0, 0}, {0, 0, 5}};
   EXPECT_EQ(coincident_points(row, 1), (std::vector<int>{0, 0, 2, 2, 4}));

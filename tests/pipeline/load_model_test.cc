@@ -321,6 +321,72 @@ TEST(LoadModel, JoinsSidesWithinTheJoiningOfTheFileOrThatGiven) {
             std::string::npos);
 }
 
+/// A box of 2 × 2 quads in a plane, the right half with vertices of its own and in a group.
+constexpr const char* kTornSheet =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\n"
+    "g left\nf 1 2 3 4\ng right\nf 5 6 7 8\n";
+
+TEST(LoadModel, MakesCreasesAroundGroupsWhereVerticesAreWelded) {
+  const TestFolder folder;
+  write_text(folder / "a.obj", kTornSheet);
+  const auto write = [&](const std::string& weld, const std::string& group) {
+    write_text(folder / "a.json", R"({"cages": [{"name": "a", "file": "a.obj", "weld": )" + weld +
+                                      R"(, "creases": [{"group": ")" + group + R"("}]}]})");
+  };
+  write("false", "right");
+  EXPECT_NE(fault(folder / "a.json").find("vertices that are not welded make none"),
+            std::string::npos);
+  write("true", "right");
+  const Model model = load_model(folder / "a.json").model;
+  ASSERT_EQ(model.patches.size(), 2u);
+  std::size_t shared = 0;
+  for (const Contour& contour : model.contours) {
+    if (contour.uses.size() != 2) continue;
+    ++shared;
+    EXPECT_FALSE(contour.is_smooth) << contour.name;
+  }
+  EXPECT_EQ(shared, 1u);
+}
+
+TEST(LoadModel, TellsThatAWholeCageHasNoBorderForACrease) {
+  const TestFolder folder;
+  write_text(folder / "a.obj", kTornSheet);
+  write_text(folder / "a.json", R"({"cages": [{"name": "sheet", "file": "a.obj",
+                                               "creases": [{"group": "sheet"}]}]})");
+  EXPECT_EQ(fault(folder / "a.json"),
+            "invalid input: " + (folder / "a.json").string() +
+                ": /cages/0/creases/0: sheet is the whole cage; a crease is the border of a group "
+                "in its file, which has left, right");
+}
+
+/// The notices of names that mean two things, for a source of this group.
+std::vector<std::string> ambiguous(const std::string& group) {
+  const TestFolder folder;
+  write_text(folder / "a.obj", kTornSheet);
+  write_text(folder / "a.json", R"({"patches": [{"name": "left", "surface": {"z": "3"},
+      "domain": {"u": [0, 1], "v": [0, 1]}}], "cages": [{"name": "right", "file": "a.obj"},
+      {"name": "other", "file": "a.obj"}], "sources": [{"group": ")" +
+                                    group + R"(", "size": 0.1}]})");
+  std::vector<std::string> texts;
+  for (const Notice& notice : load_model(folder / "a.json").model.notices) {
+    if (notice.kind != NoticeKind::AmbiguousName) continue;
+    texts.push_back(notice.text.substr(notice.location_size));
+    EXPECT_EQ(notice.text.substr(0, notice.location_size),
+              (folder / "a.json").string() + ": /sources/0/group: ");
+  }
+  return texts;
+}
+
+TEST(LoadModel, TellsNamesThatMeanTwoThings) {
+  EXPECT_EQ(ambiguous("left"),
+            std::vector<std::string>{
+                "left is the name of a patch and of a group; the source applies to all of them"});
+  EXPECT_EQ(ambiguous("right"),
+            std::vector<std::string>{
+                "right is the name of a cage and of a group; the source applies to all of them"});
+  EXPECT_TRUE(ambiguous("other").empty());
+}
+
 /// Two unit squares, side by side.
 std::string two_squares(const std::string& sources) {
   return R"({"patches": [

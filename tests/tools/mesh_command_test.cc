@@ -204,6 +204,19 @@ TEST_F(MeshProgram, TellsWhereNormalsHaveNoPlace) {
   EXPECT_EQ(Json::parse(read_text(folder_ / "a.json"))["notices"][0]["kind"], "unused_option");
 }
 
+TEST_F(MeshProgram, TellsNamesThatAFileChanges) {
+  write_text(folder_ / "a.json", R"({"patches": [
+      {"name": "box x", "surface": {"z": "0"}, "domain": {"u": [0, 1], "v": [0, 1]}}]})");
+  EXPECT_EQ(run("mesh a.json -o a.obj --report r.json"), 0);
+  EXPECT_TRUE(
+      says("warning: a.obj: 1 name of a patch or group is changed to be words of their "
+           "own, the first: box x is box_x"))
+      << err_;
+  EXPECT_NE(read_text(folder_ / "r.json").find("changed_names"), std::string::npos);
+  EXPECT_EQ(run("mesh a.json -o a.ply"), 0);
+  EXPECT_FALSE(says("changed")) << err_;
+}
+
 TEST_F(MeshProgram, TellsItsVersion) {
   EXPECT_EQ(run("--version"), 0);
   EXPECT_EQ(out_, "surfmesh " SURFMESH_VERSION "\n");

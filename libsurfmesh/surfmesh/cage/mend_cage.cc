@@ -34,7 +34,7 @@ std::string counted(std::size_t count, const char* one, const char* many) {
 class Mender {
  public:
   Mender(const Cage& cage, const MendOptions& options)
-      : options_(options), diagonal_(diagonal(cage)) {
+      : original_(cage), options_(options), diagonal_(diagonal(cage)) {
     result_.cage = cage;
     result_.stand_ins.resize(cage.faces.size());
     std::iota(result_.stand_ins.begin(), result_.stand_ins.end(), 0);
@@ -60,10 +60,17 @@ class Mender {
     return result_.cage.points[static_cast<std::size_t>(vertex)];
   }
 
-  Vec3 middle_of(int f) {
+  Vec3 middle_of(const std::vector<int>& corners) const {
     Vec3 sum = Vec3::Zero();
-    for (const int vertex : face(f)) sum += point(vertex);
-    return sum / static_cast<double>(face(f).size());
+    for (const int vertex : corners) sum += point(vertex);
+    return sum / static_cast<double>(corners.size());
+  }
+
+  Vec3 middle_of(int f) { return middle_of(face(f)); }
+
+  /// Of a face before vertices were welded.
+  Vec3 middle_of_original(int f) const {
+    return middle_of(original_.faces[static_cast<std::size_t>(f)]);
   }
 
   void tell(NoticeKind kind, const Vec3& at, std::string text) {
@@ -83,15 +90,20 @@ class Mender {
                               ranges::kWeld.name, options_.weld, diagonal_));
     }
     const Vec3& at = point(report.onto[0]);
-    std::string text =
-        fmt::format("welded {} onto others, the first: vertex {} onto vertex {} at {}",
-                    counted(report.vertices.size(), "vertex", "vertices"), report.vertices[0],
-                    report.onto[0], point_text(at));
-    if (!report.collapsed.empty()) {
-      text += fmt::format("; left out {} of no area then, the first: face {}",
-                          counted(report.collapsed.size(), "face", "faces"), report.collapsed[0]);
-    }
-    tell(NoticeKind::IgnoredInput, at, std::move(text));
+    tell(NoticeKind::IgnoredInput, at,
+         fmt::format("welded {} onto others, the first: vertex {} onto vertex {} at {}",
+                     counted(report.vertices.size(), "vertex", "vertices"), report.vertices[0],
+                     report.onto[0], point_text(at)));
+    if (!report.collapsed.empty()) tell_collapsed(report.collapsed);
+  }
+
+  void tell_collapsed(const std::vector<int>& collapsed) {
+    const Vec3 at = middle_of_original(collapsed[0]);
+    tell(NoticeKind::LostFaces, at,
+         fmt::format("{} = {:.3g} leaves out {} of {} faces, which have no area then, the first: "
+                     "face {} at {}; the diagonal of the cage is {:.3g}",
+                     ranges::kWeld.name, options_.weld, collapsed.size(), faces().size(),
+                     collapsed[0], point_text(at), diagonal_));
   }
 
   void leave_out_copies() {
@@ -247,6 +259,7 @@ class Mender {
     }
   }
 
+  const Cage& original_;
   MendOptions options_;
   double diagonal_;
   MendedCage result_;

@@ -17,6 +17,12 @@
 
 namespace surfmesh {
 
+/// A name, and what it is in a file.
+struct ChangedName {
+  std::string name;
+  std::string word;
+};
+
 /// A format of meshes. Each is made in the file that is named after it and stands in the table of
 /// mesh_format.cc; no other code chooses by it.
 ///
@@ -45,6 +51,10 @@ struct MeshFormat {
   /// Never null. As what_is_lost of write_mesh.hh.
   std::vector<std::string> (*what_is_lost)(const PolyMesh& mesh, const MeshNames& names,
                                            const OutputOptions& options) = nullptr;
+
+  /// The names of patches and groups that are other words in the file, with those; null where
+  /// names stay as they are, or there are none.
+  std::vector<ChangedName> (*changed_names)(const PolyMesh& mesh, const MeshNames& names) = nullptr;
 };
 
 std::span<const MeshFormat> mesh_formats();

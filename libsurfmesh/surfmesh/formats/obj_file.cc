@@ -299,23 +299,26 @@ void write_obj(const PolyMesh& mesh, const MeshNames& names, const OutputOptions
 }
 
 /// Names that are other words in an OBJ file.
-std::size_t count_changed_names(const MeshNames& names) {
+std::vector<ChangedName> changed_in_obj(const PolyMesh& mesh, const MeshNames& names) {
+  std::vector<ChangedName> changed;
+  if (!find(mesh, keys::face_patch).is_valid()) return changed;
   const ObjWords words(names, names.patches.size());
-  std::size_t count = 0;
+  const auto compare = [&](const std::string& name, const std::string& word) {
+    if (name != word) changed.push_back({name, word});
+  };
   for (std::size_t p = 0; p < names.patches.size(); ++p) {
-    if (!names.patches[p].empty() && names.patches[p] != words.patches[p]) ++count;
+    if (!names.patches[p].empty()) compare(names.patches[p], words.patches[p]);
   }
   for (std::size_t g = 0; g < names.groups.size(); ++g) {
-    if (names.groups[g].name != words.groups[g]) ++count;
+    compare(names.groups[g].name, words.groups[g]);
   }
-  return count;
+  return changed;
 }
 
 std::vector<std::string> lost_in_obj(const PolyMesh& mesh, const MeshNames& names,
                                      const OutputOptions& options) {
   std::vector<std::string> lost = lost_properties(mesh, options);
-  const std::size_t count =
-      find(mesh, keys::face_patch).is_valid() ? count_changed_names(names) : 0;
+  const std::size_t count = changed_in_obj(mesh, names).size();
   if (count > 0) {
     lost.insert(lost.begin(), fmt::format("{} names of patches and groups, which are changed to be "
                                           "words of their own",
@@ -339,7 +342,8 @@ MeshFormat obj_format() {
           .parse_cage = parse_obj,
           .write = write_obj,
           .has_corner_values = true,
-          .what_is_lost = lost_in_obj};
+          .what_is_lost = lost_in_obj,
+          .changed_names = changed_in_obj};
 }
 
 }  // namespace surfmesh

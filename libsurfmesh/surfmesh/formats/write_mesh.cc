@@ -5,6 +5,7 @@
 
 #include <string_view>
 
+#include "surfmesh/core/counted.hh"
 #include "surfmesh/core/option_range.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/formats/mesh_format.hh"
@@ -43,6 +44,20 @@ Notices unused_options(const PolyMesh& mesh, const std::filesystem::path& path,
     notices.push_back(unused(ranges::kUv.name, "parameters (u,v) of the corners", path, has_place));
   }
   return notices;
+}
+
+Notices changed_names(const PolyMesh& mesh, const std::filesystem::path& path,
+                      const MeshNames& names) {
+  const MeshFormat& format = format_of(path);
+  if (!format.changed_names) return {};
+  const std::vector<ChangedName> changed = format.changed_names(mesh, names);
+  if (changed.empty()) return {};
+  return {warning(
+      NoticeKind::ChangedNames,
+      fmt::format(
+          "{}: {} changed to be words of their own, the first: {} is {}", path.string(),
+          counted(changed.size(), "name of a patch or group is", "names of patches and groups are"),
+          changed.front().name, changed.front().word))};
 }
 
 void write_mesh(const PolyMesh& mesh, OutputFile& file, const MeshNames& names,

@@ -59,6 +59,12 @@ std::vector<std::string> what_is_lost(const PolyMesh& mesh, const std::filesyste
 Notices unused_options(const PolyMesh& mesh, const std::filesystem::path& path,
                        const OutputOptions& options);
 
+/// Warn about names of patches and groups that are others in the file: those with blanks in .obj.
+///
+/// Throws   InvalidInput for an unknown ending
+Notices changed_names(const PolyMesh& mesh, const std::filesystem::path& path,
+                      const MeshNames& names);
+
 /// How far positions move when a mesh is written in a format of single precision.
 struct Rounding {
   double greatest_move = 0;  ///< of a vertex, model units; 0 where the format keeps all digits

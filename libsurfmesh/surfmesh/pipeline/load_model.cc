@@ -2,6 +2,7 @@
 #include "surfmesh/pipeline/load_model.hh"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -16,6 +17,7 @@
 
 #include "surfmesh/cage/creases.hh"
 #include "surfmesh/cage/mend_cage.hh"
+#include "surfmesh/cage/weld_cage.hh"
 #include "surfmesh/core/at_location.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/length.hh"
@@ -195,30 +197,66 @@ void check_without_cages(const ModelFile& file, const std::string& name, const C
   }
 }
 
+/// The cage with its vertices welded, which keep their numbers.
+Cage welded(const Cage& cage, const std::optional<Length>& tolerance) {
+  Cage result = cage;
+  if (!tolerance || tolerance->value == 0) return result;
+  check_option(ranges::kWeld, tolerance);
+  weld(result, coincident_vertices(result, tolerance->in_units(diagonal(cage))));
+  return result;
+}
+
+/// The whole cage has no border to make a crease of.
+[[noreturn]] void fail_whole_cage(const Cage& cage, const std::string& name) {
+  std::vector<std::string_view> groups;
+  for (const Cage::FaceGroup& group : cage.groups) groups.push_back(group.name);
+  throw Error(
+      ErrorCode::InvalidInput,
+      fmt::format("{} is the whole cage; a crease is the border of a group in its file, "
+                  "which has {}",
+                  name, groups.empty() ? "none" : fmt::format("{}", fmt::join(groups, ", "))));
+}
+
+/// Add a crease at the border of a group. Where vertices are welded, its edges are there only then.
+void add_group_crease(const CageInput& input, const CreaseInput& crease,
+                      const std::optional<Length>& tolerance, Cage& cage) {
+  const auto is_meant = [&](const Cage::FaceGroup& group) { return group.name == crease.group; };
+  const bool is_group = std::any_of(cage.groups.begin(), cage.groups.end(), is_meant);
+  if (!is_group && crease.group == input.name) fail_whole_cage(cage, input.name);
+  Cage joined = welded(cage, tolerance);
+  add_crease_around(crease.group, crease.sharpness, joined);
+  cage.creases = std::move(joined.creases);
+}
+
 /// Add the creases that a model file gives a cage.
-void add_creases(const CageInput& input, const std::string& name, Cage& cage) {
+void add_creases(const CageInput& input, const std::string& name,
+                 const std::optional<Length>& tolerance, Cage& cage) {
   for (const CreaseInput& crease : input.creases) {
     at_file(fmt::format("{}: {}", name, crease.origin), [&] {
       if (crease.group.empty()) {
         add_crease(crease.vertices, crease.sharpness, cage);
       } else {
-        add_crease_around(crease.group, crease.sharpness, cage);
+        add_group_crease(input, crease, tolerance, cage);
       }
     });
   }
 }
 
 /// Read the cages of a model file and add them to the model.
-void append_cages(const ModelFile& file, const std::string& name, const CageOptions& given,
-                  const RunContext& context, ModelInput& result) {
+///
+/// Returns  the groups that are whole cages
+std::set<std::size_t> append_cages(const ModelFile& file, const std::string& name,
+                                   const CageOptions& given, const RunContext& context,
+                                   ModelInput& result) {
   Model& model = result.model;
+  std::set<std::size_t> whole_cages;
   for (const CageInput& input : file.cages) {
     const CageOptions options = options_of(input, given, result.options);
     const std::string location = fmt::format("{}: {}/file", name, input.origin);
     Cage cage;
     at_file(location, [&] { cage = read_cage(input.file); });
     context.throw_if_cancelled();
-    add_creases(input, name, cage);
+    add_creases(input, name, options.weld, cage);
     Model part;
     at_file(location, [&] { part = model_of(cage, input.file, options); });
     Group& whole = part.groups.emplace_back();
@@ -226,19 +264,52 @@ void append_cages(const ModelFile& file, const std::string& name, const CageOpti
     for (std::size_t p = 0; p < part.patches.size(); ++p)
       whole.patches.push_back(static_cast<int>(p));
     append(model, std::move(part), input.name + ":");
+    whole_cages.insert(model.groups.size() - 1);
   }
+  return whole_cages;
 }
 
-/// The patches of a group, a cage, or the patch of this name.
-std::set<int> patches_of(const Model& model, const std::string& name) {
-  std::set<int> result;
-  for (const Group& group : model.groups) {
-    if (group.name == name) result.insert(group.patches.begin(), group.patches.end());
+/// What a name may mean: the patches of groups of cages' files, of a cage, and the patch.
+struct NamedPatches {
+  std::set<int> of_groups;
+  std::set<int> of_cage;
+  std::set<int> patch;
+
+  std::set<int> all() const {
+    std::set<int> result = of_groups;
+    result.insert(of_cage.begin(), of_cage.end());
+    result.insert(patch.begin(), patch.end());
+    return result;
   }
+
+  /// What it means, if that is more than one thing and they are not the same patches.
+  std::vector<std::string_view> meanings() const {
+    std::vector<std::string_view> words;
+    std::set<std::set<int>> different;
+    const auto add = [&](const std::set<int>& patches, std::string_view what) {
+      if (!patches.empty() && different.insert(patches).second) words.push_back(what);
+    };
+    add(patch, "a patch");
+    add(of_cage, "a cage");
+    add(of_groups, "a group");
+    if (words.size() < 2) words.clear();
+    return words;
+  }
+};
+
+NamedPatches named_patches(const Model& model, const std::set<std::size_t>& whole_cages,
+                           const std::string& name) {
+  NamedPatches found;
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
-    if (model.patches[p].name == name) result.insert(static_cast<int>(p));
+    if (model.patches[p].name == name) found.patch.insert(static_cast<int>(p));
   }
-  return result;
+  for (std::size_t g = 0; g < model.groups.size(); ++g) {
+    const Group& group = model.groups[g];
+    if (group.name != name) continue;
+    std::set<int>& kind = whole_cages.contains(g) ? found.of_cage : found.of_groups;
+    kind.insert(group.patches.begin(), group.patches.end());
+  }
+  return found;
 }
 
 /// The group or formula patch that was probably meant.
@@ -250,15 +321,29 @@ std::string suggestion(const ModelFile& file, const Model& model, const std::str
   return meant ? fmt::format(", did you mean {}?", *meant) : "";
 }
 
+/// Tell that a name means more than one thing, all of which are taken.
+void tell_meanings(const SpaceSource& source, const NamedPatches& found, const std::string& name,
+                   Model& model) {
+  const auto meanings = found.meanings();
+  if (meanings.empty()) return;
+  model.notices.push_back(
+      warning_at(fmt::format("{}: {}/group", name, source.origin), NoticeKind::AmbiguousName,
+                 fmt::format("{} is the name of {}; the source applies to all of them",
+                             source.group, fmt::join(meanings, " and of "))));
+}
+
 /// The patches where a source of the model applies, or of its group.
 std::vector<int> patches_of(const SpaceSource& source, const ModelFile& file,
-                            const std::string& name, const Model& model) {
+                            const std::string& name, const std::set<std::size_t>& whole_cages,
+                            Model& model) {
   if (source.group.empty()) {
     std::vector<int> all(model.patches.size());
     std::iota(all.begin(), all.end(), 0);
     return all;
   }
-  const std::set<int> patches = patches_of(model, source.group);
+  const NamedPatches found = named_patches(model, whole_cages, source.group);
+  tell_meanings(source, found, name, model);
+  const std::set<int> patches = found.all();
   if (patches.empty()) {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("{}: {}/group: there is no group or patch {}{}", name, source.origin,
@@ -305,10 +390,12 @@ class SpaceSourceAdder {
   Sources& sources_;
 };
 
-void add_space_sources(const ModelFile& file, const std::string& name, ModelInput& input) {
+void add_space_sources(const ModelFile& file, const std::string& name,
+                       const std::set<std::size_t>& whole_cages, ModelInput& input) {
   for (const SpaceSource& source : file.space_sources) {
-    const SpaceSourceAdder add(patches_of(source, file, name, input.model), source.group.empty(),
-                               fmt::format("{}: {}", name, source.origin), input.sources);
+    const SpaceSourceAdder add(patches_of(source, file, name, whole_cages, input.model),
+                               source.group.empty(), fmt::format("{}: {}", name, source.origin),
+                               input.sources);
     std::visit(add, source.wish);
   }
 }
@@ -363,12 +450,12 @@ ModelInput load_model_file(const std::filesystem::path& path, const LoadOptions&
     for (Notice& notice : input.model.notices) locate(name, notice);
     for (Patch& patch : input.model.patches) patch.origin = name + ": " + patch.origin;
   }
-  append_cages(file, name, given.cages, context, input);
+  const auto whole_cages = append_cages(file, name, given.cages, context, input);
   note_options(input.options, input.model);
   input.sources = file.sources;
   for (const CageInput& cage : file.cages) input.files.push_back(cage.file);
   input.files.insert(input.files.end(), file.tables.begin(), file.tables.end());
-  add_space_sources(file, name, input);
+  add_space_sources(file, name, whole_cages, input);
   add_along_sources(file, name, input);
   return input;
 }

@@ -36,6 +36,7 @@
 #include "surfmesh/pipeline/patch_names.hh"
 #include "surfmesh/pipeline/reach_sag.hh"
 #include "surfmesh/pipeline/set_option.hh"
+#include "surfmesh/pipeline/unused_sources.hh"
 #include "surfmesh/quality/patch_measures.hh"
 
 namespace surfmesh {
@@ -490,6 +491,9 @@ MeshResult mesh_model(const Model& model, const Sources& sources, const Pipeline
   result.names = mesh_names(model);
   result.report.patches = measure_patches(result.mesh, result.names);
   add_qualities(result.report);
+  append(
+      detail::unused_sources(result.mesh, model, sources, resolve(options.sizing, model.diagonal)),
+      result.report.notices);
   return result;
 }
 

@@ -86,10 +86,10 @@ constexpr OptionGroup kCages = OptionGroup::Cages;
 constexpr auto kTable = std::to_array<Option>({
     {kSizes, true, "", "share of the radius of curvature; off with size, by default with sag",
      kCurvature},
-    {kSizes, true, kLengthUnit, "one length everywhere, whatever the other sizes are",
+    {kSizes, true, kLengthUnit, "one length everywhere, whatever the other sizes are; 0 is off",
      length(
          ranges::kSize, [](auto& o) -> auto& { return o.sizing.size; })},
-    {kSizes, true, kLengthUnit, "greatest distance between mesh and surface",
+    {kSizes, true, kLengthUnit, "greatest distance between mesh and surface; 0 is off",
      length(
          ranges::kSag, [](auto& o) -> auto& { return o.sizing.sag; })},
     {kSizes, true, kLengthUnit, "lower bound of all sizes",
@@ -168,7 +168,8 @@ constexpr auto kTable = std::to_array<Option>({
     {kCages, true, "", "patches of a cage: its faces, or blocks of quads (auto: blocks)",
      number(
          ranges::kPatches, [](auto& o) -> auto& { return o.patches; })},
-    {kCages, true, kLengthUnit, "distance within which vertices of a cage become one", kWeld},
+    {kCages, true, kLengthUnit, "distance within which vertices of a cage become one; 0 is off",
+     kWeld},
     {kCages, false, kLengthUnit, "distance within which sides of formula patches become one",
      kJoining},
     {kCages, true, "", "faces of a cage turned to agree with their neighbours", kOrient},

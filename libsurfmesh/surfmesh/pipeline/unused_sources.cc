@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/pipeline/unused_sources.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "surfmesh/core/properties.hh"
+#include "surfmesh/geometry/box_tree.hh"
+#include "surfmesh/quality/triangle_distance.hh"
+#include "surfmesh/sizes/source_place.hh"
+
+namespace surfmesh::detail {
+namespace {
+
+using Box = BoxTree::Box;
+using Triangle = std::array<Vec3, 3>;
+
+/// The surface lies beside its triangles by no more than this share of their extent.
+constexpr double kBulge = 0.1;
+
+/// Points at which a curve is looked at.
+constexpr int kCurvePoints = 64;
+
+/// The text after the place of a source that nothing comes to.
+constexpr const char* kEffect =
+    "; it has no effect, or only where its size grows from there by the grade";
+
+/// Places of sources, in space or in (u,v), and which of them a triangle comes to.
+class Places {
+ public:
+  /// A source; its places follow.
+  void add_source(std::string origin, std::string reason, std::vector<int> patches) {
+    sources_.push_back({std::move(origin), std::move(reason), std::move(patches)});
+  }
+
+  void add_box(const Box& box) { add({box, Vec3::Zero(), -1}); }
+
+  void add_ball(const Vec3& centre, double radius) {
+    const Vec3 reach = Vec3::Constant(radius);
+    add({Box(centre - reach, centre + reach), centre, radius});
+  }
+
+  void finish() {
+    std::vector<Box> boxes;
+    for (const Place& place : places_) boxes.push_back(place.box);
+    tree_.emplace(std::move(boxes));
+  }
+
+  bool is_empty() const { return places_.empty(); }
+
+  void meet(int patch, const Triangle& triangle) {
+    Box box;
+    for (const Vec3& corner : triangle) box.extend(corner);
+    const double bulge = kBulge * box.diagonal().norm();
+    box.min().array() -= bulge;
+    box.max().array() += bulge;
+    tree_->visit(box, [&](std::size_t i) {
+      const Place& place = places_[i];
+      Source& source = sources_[place.source];
+      if (source.is_met || !applies(source, patch)) return;
+      source.is_met = place.radius < 0 ||
+                      triangle_distance(place.centre, triangle).distance <= place.radius + bulge;
+    });
+  }
+
+  void tell(Notices& notices) const {
+    for (const Source& source : sources_) {
+      if (source.is_met) continue;
+      notices.push_back(
+          warning_at(source.origin, NoticeKind::UnusedSource, source.reason + kEffect));
+      if (source.patches.size() == 1) notices.back().patch = source.patches.front();
+    }
+  }
+
+ private:
+  struct Source {
+    std::string origin;
+    std::string reason;
+    std::vector<int> patches;  ///< empty for all
+    bool is_met = false;
+  };
+
+  struct Place {
+    Box box;
+    Vec3 centre;
+    double radius = -1;  ///< of a ball; negative for a box
+    std::size_t source = 0;
+  };
+
+  void add(Place place) {
+    place.source = sources_.size() - 1;
+    places_.push_back(place);
+  }
+
+  static bool applies(const Source& source, int patch) {
+    return source.patches.empty() ||
+           std::find(source.patches.begin(), source.patches.end(), patch) != source.patches.end();
+  }
+
+  std::vector<Source> sources_;
+  std::vector<Place> places_;
+  std::optional<BoxTree> tree_;  ///< of the places, once all are known
+};
+
+/// How far a size near a place matters: as far as it holds and, if it is given at points, as far as
+/// it grows up to hmax.
+double reach_of(const LocalSize& wish, const ResolvedSizing& sizing) {
+  const SizeBounds& bounds = sizing.bounds;
+  double reach = bounds.radius(wish.radius);
+  if (wish.outer) reach += bounds.radius(wish.outer->radius);
+  if (reach > 0 || sizing.grade == 0) return reach;
+  if (sizing.grade == 1) return std::numeric_limits<double>::infinity();
+  const SizeLengths lengths = bounds.clamped(wish.size);
+  return (bounds.hmax - std::min(lengths.along, lengths.across)) / std::log(sizing.grade);
+}
+
+void add_near(const NearSource& source, std::string origin, const ResolvedSizing& sizing,
+              Places& places) {
+  places.add_source(std::move(origin), "no patch comes near enough to this place for its size",
+                    source.patches);
+  const double reach = reach_of(source.wish, sizing);
+  if (source.line.size() == 1) places.add_ball(source.line.front(), reach);
+  for (std::size_t i = 1; i < source.line.size(); ++i) {
+    const Vec3 &a = source.line[i - 1], &b = source.line[i];
+    const Vec3 wide = Vec3::Constant(reach);
+    places.add_box(Box(a.cwiseMin(b) - wide, a.cwiseMax(b) + wide));
+  }
+}
+
+void add_inner(const BoxSource& source, std::string origin, const SizeBounds& bounds,
+               Places& places) {
+  places.add_source(std::move(origin), "no patch has a point in this box", source.patches);
+  const double outer = source.wish.outer ? bounds.radius(source.wish.outer->radius) : 0;
+  const Vec3 wide = Vec3::Constant(bounds.radius(source.wish.radius) + outer);
+  places.add_box(Box(source.box.min() - wide, source.box.max() + wide));
+}
+
+Places places_in_space(const Sources& sources, const ResolvedSizing& sizing) {
+  Places places;
+  for (std::size_t i = 0; i < sources.near.size(); ++i) {
+    add_near(sources.near[i], place_of(sources.near[i], "near", i), sizing, places);
+  }
+  for (std::size_t i = 0; i < sources.boxes.size(); ++i) {
+    add_inner(sources.boxes[i], place_of(sources.boxes[i], "boxes", i), sizing.bounds, places);
+  }
+  places.finish();
+  return places;
+}
+
+/// A point of the (u,v) of a patch: patches lie one above the other.
+Vec3 plane_point(Uv uv, int patch) { return {uv.u, uv.v, static_cast<double>(patch)}; }
+
+template <class Points>
+Box plane_box_of(const Points& points, int patch) {
+  Box box;
+  for (const Uv uv : points) box.extend(plane_point(uv, patch));
+  return box;
+}
+
+std::vector<Uv> points_of(const Curve& curve) {
+  std::vector<Uv> points;
+  for (int i = 0; i <= kCurvePoints; ++i) {
+    points.push_back(curve.evaluate(static_cast<double>(i) / kCurvePoints));
+  }
+  return points;
+}
+
+Places places_in_domains(const Model& model, const Sources& sources) {
+  Places places;
+  const auto add = [&](const auto& source, const char* list, std::size_t i, const char* what) {
+    places.add_source(place_of(source, list, i),
+                      fmt::format("{} lies outside of the loops of patch {}", what,
+                                  model.patch(source.patch).name),
+                      {source.patch});
+  };
+  for (std::size_t i = 0; i < sources.at.size(); ++i) {
+    const AtSource& source = sources.at[i];
+    add(source, "at", i, "this point");
+    places.add_box(plane_box_of(std::vector{source.at}, source.patch));
+  }
+  for (std::size_t i = 0; i < sources.along.size(); ++i) {
+    const AlongSource& source = sources.along[i];
+    add(source, "along", i, "this curve");
+    for (const auto& curve : source.curves) {
+      const std::vector<Uv> points = points_of(*curve);
+      for (std::size_t k = 1; k < points.size(); ++k) {
+        places.add_box(plane_box_of(std::vector{points[k - 1], points[k]}, source.patch));
+      }
+    }
+  }
+  for (std::size_t i = 0; i < sources.inside.size(); ++i) {
+    add(sources.inside[i], "inside", i, "this polygon");
+    places.add_box(plane_box_of(sources.inside[i].polygon, sources.inside[i].patch));
+  }
+  places.finish();
+  return places;
+}
+
+}  // namespace
+
+Notices unused_sources(const PolyMesh& mesh, const Model& model, const Sources& sources,
+                       const ResolvedSizing& sizing) {
+  Places in_space = places_in_space(sources, sizing);
+  Places in_domains = places_in_domains(model, sources);
+  Notices notices;
+  if (in_space.is_empty() && in_domains.is_empty()) return notices;
+  const auto patch_of = require(mesh, keys::face_patch);
+  const auto uv_of = require(mesh, keys::corner_uv);
+  for (const auto face : mesh.faces()) {
+    const int patch = mesh.property(patch_of, face);
+    Triangle in_mesh, in_domain;
+    std::size_t k = 0;
+    for (const auto corner : face.halfedges()) {
+      in_mesh[k] = to_eigen(mesh.point(corner.to()));
+      in_domain[k++] = plane_point(mesh.property(uv_of, corner), patch);
+    }
+    if (!in_space.is_empty()) in_space.meet(patch, in_mesh);
+    if (!in_domains.is_empty()) in_domains.meet(patch, in_domain);
+  }
+  in_space.tell(notices);
+  in_domains.tell(notices);
+  return notices;
+}
+
+}  // namespace surfmesh::detail
