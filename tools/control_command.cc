@@ -68,9 +68,11 @@ int ControlCommand::write_control_meshes(Progress& progress) const {
   for (const auto& [name, value] : settings) set_option(input.options, name, value);
   ControlSpaces control;
   with_threads(input.options.threads, [&] {
-    control = make_control_spaces(input.model, input.sources,
-                                  resolve(input.options.sizing, input.model.diagonal),
-                                  input.options.control, RunContext(&progress));
+    at_input(input_, [&] {
+      control = make_control_spaces(input.model, input.sources,
+                                    resolve(input.options.sizing, input.model.diagonal),
+                                    input.options.control, RunContext(&progress));
+    });
   });
   const std::vector<ControlPicture> pictures = pictures_of(input.model, control);
   Notices notices = input.model.notices;

@@ -56,7 +56,7 @@ class MeshRun {
   void read(const std::string& path, Progress& progress) {
     const double start = processor_seconds();
     input_ = load_model(path, load_options_, &progress);
-    given_ = options_of_file(input_.options);
+    given_ = options_of_file(input_.options, input_.model);
     for (const auto& [name, value] : settings_) {
       set_option(input_.options, name, value);
       add_given({name, value, OptionOrigin::CommandLine}, given_);
@@ -74,14 +74,17 @@ class MeshRun {
 
   /// Made where it is returned to: a mesh cannot be moved, and a copy takes time.
   MeshResult mesh(const std::string& path, Progress& progress) const {
-    MeshResult result = mesh_model(input_.model, input_.sources, input_.options, &progress);
+    MeshResult result = at_input(
+        path, [&] { return mesh_model(input_.model, input_.sources, input_.options, &progress); });
     describe(path, result.report);
     throw_if_signalled();
     return result;
   }
 
   Report estimate(const std::string& path, Progress& progress) const {
-    Report report = estimate_mesh(input_.model, input_.sources, input_.options, &progress);
+    Report report = at_input(path, [&] {
+      return estimate_mesh(input_.model, input_.sources, input_.options, &progress);
+    });
     describe(path, report);
     throw_if_signalled();
     return report;

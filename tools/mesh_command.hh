@@ -4,11 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <string>
+#include <string_view>
 
 #include "exit_status.hh"
 #include "progress.hh"
 #include "settings.hh"
 #include "surfmesh/cage/cage.hh"
+#include "surfmesh/core/error.hh"
 #include "surfmesh/core/notice.hh"
 
 namespace surfmesh {
@@ -44,5 +46,17 @@ class MeshCommand {
   bool is_quiet_ = false;
   bool is_dry_run_ = false;
 };
+
+/// Run `body`. Errors that do not tell a place in the input get its path in front.
+template <class Body>
+auto at_input(const std::string& path, Body body) {
+  try {
+    return body();
+  } catch (const Error& error) {
+    const bool has_place = std::string_view(error.what()).starts_with(path + ":");
+    if (has_place || error.code() == ErrorCode::Cancelled) throw;
+    throw Error(error.code(), path + ": " + error.what());
+  }
+}
 
 }  // namespace surfmesh

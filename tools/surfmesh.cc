@@ -64,6 +64,9 @@ int run(int argc, char** argv) {
   if (const std::string fault = surfmesh::one_dash_fault(app, arguments); !fault.empty()) {
     return tell_wrong_usage(app, fault);
   }
+  if (const std::string fault = surfmesh::command_fault(app, arguments); !fault.empty()) {
+    return tell_wrong_usage(app, fault);
+  }
   try {
     std::reverse(arguments.begin(), arguments.end());  // as the parser takes them
     app.parse(std::move(arguments));

@@ -76,6 +76,15 @@ std::string one_dash_fault(const CLI::App& app, const std::vector<std::string>& 
   return unknown_option(app, *wrong);
 }
 
+std::string command_fault(const CLI::App& app, const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front().starts_with('-')) return {};
+  const auto commands = app.get_subcommands({});
+  const bool is_known = std::any_of(commands.begin(), commands.end(), [&](const CLI::App* command) {
+    return command->get_name() == arguments.front();
+  });
+  return is_known ? std::string() : unknown_command(app, arguments.front());
+}
+
 std::string help_line(const CLI::App& app) {
   const CLI::App& command = innermost(app);
   return &command == &app ? "surfmesh --help"

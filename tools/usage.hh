@@ -15,6 +15,10 @@ std::string usage_fault(const CLI::App& app, const CLI::ParseError& error);
 /// them for -h and show the help. Empty if there is none; -o may have its file right behind it.
 std::string one_dash_fault(const CLI::App& app, const std::vector<std::string>& arguments);
 
+/// What is wrong with the command, which comes first: it is not known, whatever follows. Empty if
+/// nothing is, or there is none.
+std::string command_fault(const CLI::App& app, const std::vector<std::string>& arguments);
+
 /// The command line that shows the help for what was asked: "surfmesh mesh --help".
 std::string help_line(const CLI::App& app);
 

@@ -60,12 +60,26 @@ TEST(NoticeLines, ListAFewOfAKind) {
 }
 
 TEST(NoticeLines, CountTheSameAtOtherLocations) {
-  const Notices notices = {warning(NoticeKind::TurnedLoop, "a.json: loop 0: it is turned"),
-                           warning(NoticeKind::TurnedLoop, "a.json: loop 1: it is turned"),
-                           warning(NoticeKind::TurnedLoop, "patch a, loop 2: it is not")};
+  const auto turned = NoticeKind::TurnedLoop;
+  Notices notices = {warning_at("loop 0", turned, "it is turned"),
+                     warning_at("loop 1", turned, "it is turned"),
+                     warning_at("patch a, loop 2", turned, "it is not")};
+  for (std::size_t i = 0; i < 2; ++i) locate("a.json", notices[i]);
   EXPECT_EQ(lines_of(notices),
             (std::vector<std::string>{"warning: a.json: loop 0: it is turned (and 1 more)",
                                       "warning: patch a, loop 2: it is not"}));
+}
+
+TEST(NoticeLines, KeepApartWhatDiffersBeforeAColonOfTheText) {
+  const auto kind = NoticeKind::UnjoinedSides;
+  const Notices notices = {warning(kind, "sides a and b nearly meet: joining = 1e-3 joins them"),
+                           warning(kind, "sides c and d nearly meet: joining = 1e-3 joins them")};
+  EXPECT_EQ(lines_of(notices).size(), 2u);
+}
+
+TEST(NoticeLines, KeepApartWhatDiffersInSeverity) {
+  const auto kind = NoticeKind::SurfaceJump;
+  EXPECT_EQ(lines_of({warning(kind, "it jumps"), shortfall(kind, "it jumps")}).size(), 2u);
 }
 
 }  // namespace

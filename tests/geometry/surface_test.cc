@@ -208,12 +208,17 @@ TEST(FormulaSurface, ReportsWhereItIsNotFinite) {
       << text;
   EXPECT_TRUE(geometry_message([&] {
                 surface.evaluate({-1, 0}, Order::Position);
-              }).ends_with("is not finite: z"));
+              })
+                  .ends_with("is not finite: z; let the domain keep away from it, or give the "
+                             "surface a value there, in formulas by if(...)"));
   const FormulaSurface blunt({"sign(u)*abs(u)^1.5", "v", "abs(u)^1.2"}, kDomain);
   EXPECT_NO_THROW(blunt.evaluate({0, 0}, Order::First));
-  EXPECT_TRUE(geometry_message([&] {
-                blunt.evaluate({0, 0}, Order::Second);
-              }).ends_with("is not finite: second derivatives of x, z"));
+  EXPECT_TRUE(
+      geometry_message([&] {
+        blunt.evaluate({0, 0}, Order::Second);
+      })
+          .ends_with("is not finite: second derivatives of x, z; let the domain begin "
+                     "beside it, or write the surface so that it has a tangent plane there"));
 }
 
 TEST(FormulaSurface, ReadsCommonPartsByName) {

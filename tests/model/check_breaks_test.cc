@@ -62,6 +62,33 @@ TEST(CheckBreaks, TellsAJumpWithItsPlace) {
       << notice.text;
 }
 
+TEST(CheckBreaks, TellsTheGreatestHeightAlongALine) {
+  const std::vector<std::string> told = shortfalls_of("v*step(0.37,u)");
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_TRUE(
+      told[0].starts_with("patch a: its surface jumps by up to 1 at (u,v) = (0.37, 1), "
+                          "along u = 0.37"))
+      << told[0];
+}
+
+TEST(CheckBreaks, TellsThatThereMayBeMoreJumps) {
+  const std::vector<std::string> told = shortfalls_of("floor(10*u)");
+  ASSERT_GE(told.size(), 3U);
+  const std::string more = "; there may be more, which the search left out";
+  EXPECT_TRUE(told.back().ends_with(more)) << told.back();
+  EXPECT_FALSE(told.front().ends_with(more)) << told.front();
+  const std::vector<std::string> all = shortfalls_of("step(0.37,u)+step(0.61,v)");
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_FALSE(all.back().ends_with(more)) << all.back();
+}
+
+TEST(CheckBreaks, TellsZeroWithoutTheRoundingOfTheSearch) {
+  const std::vector<std::string> told = shortfalls_of("sign(u)", {-0.55, 0.45, 0, 1});
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_NE(told[0].find("at (u,v) = (0, "), std::string::npos) << told[0];
+  EXPECT_NE(told[0].find("along u = 0, "), std::string::npos) << told[0];
+}
+
 TEST(CheckBreaks, TellsAJumpOfTheSideAlone) {
   const std::vector<std::string> told = shortfalls_of("mod(u,1)");
   ASSERT_EQ(told.size(), 1U);

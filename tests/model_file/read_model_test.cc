@@ -330,6 +330,15 @@ TEST(ReadModelFaults, OfNestingWithoutEnd) {
   EXPECT_NE(fault(std::string(100000, '[')).find("the nesting is too deep"), std::string::npos);
 }
 
+TEST(ReadModelFaults, OfKeysThatBelongElsewhere) {
+  EXPECT_EQ(fault(model("\"cages\": []")),
+            " /patches/0/cages: unknown key, cages belongs in the model itself");
+  EXPECT_EQ(fault(model("", "\"loops\": []")), " /loops: unknown key, loops belongs in a patch");
+  EXPECT_EQ(fault(source("\"size\": 1, \"at\": [0, 0], \"sharpness\": 1")),
+            " /patches/0/sources/0/sharpness: unknown key, sharpness belongs in the creases of a "
+            "cage");
+}
+
 TEST(ReadModelFaults, OfUnknownKeysWithASuggestion) {
   EXPECT_EQ(fault(model("", "\"sizign\": {}")), " /sizign: unknown key, did you mean sizing?");
   EXPECT_EQ(fault(model("\"source\": []")),

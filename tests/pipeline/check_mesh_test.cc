@@ -53,7 +53,8 @@ TEST(CheckMesh, TellsTrianglesThatTheReaderLeftOut) {
   ASSERT_EQ(check.faults.size(), 1u);
   EXPECT_EQ(check.faults[0].kind, "degenerate_face");
   EXPECT_EQ(check.faults[0].count, 2u);
-  EXPECT_EQ(check.faults[0].places[1], "triangle 7 of the file has two equal corners");
+  EXPECT_EQ(check.faults[0].places[1],
+            "face 7 of the file does not have three different corners, or no inside");
 }
 
 TEST(CheckMesh, HasOneFaultOfAKind) {

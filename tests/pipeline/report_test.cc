@@ -133,10 +133,13 @@ TEST(ReportJson, ListsEveryOptionWithItsEffectiveValue) {
 TEST(ReportJson, TellsOptionsAsGivenAndFrom) {
   Report report = example();
   set_option(report.options, "hmin", "0.07%");
-  report.given = options_of_file(report.options);
+  Model model;
+  model.made_with = {{"weld", "0.01"}, {"weld", "0.02", "knob:"}, {"patches", "auto", "knob:"}};
+  report.given = options_of_file(report.options, model);
   add_given({"hmax", "5%", OptionOrigin::CommandLine}, report.given);
   EXPECT_EQ(Json::parse(to_json(report))["given"],
             Json::parse(R"({"hmin": {"value": "0.07%", "from": "model file"},
+                            "knob:weld": {"value": "0.02", "from": "model file"},
                             "hmax": {"value": "5%", "from": "command line"}})"));
 }
 

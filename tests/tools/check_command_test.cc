@@ -152,14 +152,30 @@ TEST_F(CheckProgram, TellsFaultsAndTheirPlaces) {
   EXPECT_TRUE(says("duplicate_vertex: 1\n            vertices 2 and 4 at (1, 1, 0)")) << out_;
 }
 
-TEST_F(CheckProgram, TellsDegenerateTrianglesOfStl) {
+TEST_F(CheckProgram, TellsDegenerateFacesOfEveryFormat) {
+  const std::string fault =
+      "face 1 of the file does not have three different corners, or no inside";
+  const auto expect_fault = [&](const std::string& file) {
+    const Json json = check(3, file);
+    ASSERT_EQ(json["faults"].size(), 1u) << file;
+    EXPECT_EQ(json["faults"][0]["kind"], "degenerate_face") << file;
+    EXPECT_EQ(json["faults"][0]["places"][0], fault) << file;
+    EXPECT_TRUE(says("left out")) << err_;
+  };
+  write_text(folder_ / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 1\n");
+  expect_fault("a.obj");
+  write_text(folder_ / "a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 0\n");
+  expect_fault("a.off");
+  write_text(folder_ / "a.ply",
+             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+             "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
+             "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 0\n");
+  expect_fault("a.ply");
   write_text(folder_ / "a.stl",
              "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
              "endfacet\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 0\nendloop\n"
              "endfacet\nendsolid\n");
-  const Json json = check(3, "a.stl");
-  EXPECT_EQ(json["faults"][0]["kind"], "degenerate_face");
-  EXPECT_EQ(json["faults"][0]["places"][0], "triangle 1 of the file has two equal corners");
+  expect_fault("a.stl");
 }
 
 TEST_F(CheckProgram, TellsMeshesOfAnotherModel) {

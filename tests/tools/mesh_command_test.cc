@@ -411,9 +411,32 @@ TEST_F(MeshProgram, TellsWhatItDidNotReach) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out.obj"));
 }
 
+TEST_F(MeshProgram, TellsTheFormatsThatParaviewReads) {
+  EXPECT_EQ(run("mesh '" + own_model("cube.obj") + "' -o a.vtu"), 1);
+  EXPECT_TRUE(
+      says("a.vtu: the ending of a mesh is .obj, .off, .ply, .stl or .om; ParaView and VTK "
+           "read .ply, .obj and .stl, and only control spaces are written to .vtu"))
+      << err_;
+}
+
+TEST_F(MeshProgram, ReportsTheOptionsOfACage) {
+  write_text(folder_ / "a.json", R"({"cages": [{"name": "cube", "file": ")" +
+                                     own_model("cube.obj") + R"(", "crease_angle": 30}]})");
+  EXPECT_EQ(run("mesh a.json -o a.obj --report report.json"), 0) << err_;
+  EXPECT_EQ(report()["given"],
+            Json::parse(R"({"cube:crease_angle": {"value": "30", "from": "model file"}})"));
+  EXPECT_EQ(run("mesh a.json -o a.obj --report report.json --crease-angle 40"), 0) << err_;
+  EXPECT_EQ(report()["given"],
+            Json::parse(R"({"crease_angle": {"value": "40", "from": "command line"}})"));
+  EXPECT_EQ(report()["options"]["crease_angle"], 40);
+  EXPECT_TRUE(report()["notices"].empty());
+}
+
 TEST_F(MeshProgram, TellsWrongUsage) {
   expect_wrong_usage(run(""), "subcommand");
   expect_wrong_usage(run("mess"), "there is no command mess, did you mean mesh?");
+  expect_wrong_usage(run("mess --help"), "there is no command mess, did you mean mesh?");
+  expect_wrong_usage(run("frob --help"), "there is no command frob");
   expect_wrong_usage(run("mesh"), "INPUT");
   expect_wrong_usage(run("mesh '" + own_model("cube.obj") + "'"), "--output");
   expect_wrong_usage(mesh("cube.obj", "--colour red"), "--colour");

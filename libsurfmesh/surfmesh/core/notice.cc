@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace surfmesh {
@@ -20,19 +21,18 @@ std::string line_of(const Notice& notice) {
   return fmt::format("{}: {}{}", front, notice.text, more);
 }
 
-/// What a text says without the location before it: "the loop is turned" of "patch a: the loop is
+/// What a notice says without the location before it: "the loop is turned" of "patch a: the loop is
 /// turned".
-std::string_view without_location(std::string_view text) {
-  const std::size_t colon = text.rfind(": ");
-  return colon == text.npos ? text : text.substr(colon);
+std::string_view without_location(const Notice& notice) {
+  return std::string_view(notice.text).substr(std::min(notice.location_size, notice.text.size()));
 }
 
 /// Of notices that differ only in the location the first, counting the others.
 Notices with_alike_counted(const Notices& notices) {
   Notices result;
-  std::map<std::pair<NoticeKind, std::string_view>, std::size_t> index_of;
+  std::map<std::tuple<NoticeKind, Severity, std::string_view>, std::size_t> index_of;
   for (const Notice& notice : notices) {
-    const std::pair key(notice.kind, without_location(notice.text));
+    const std::tuple key(notice.kind, notice.severity, without_location(notice));
     const auto [found, is_new] = index_of.emplace(key, result.size());
     if (is_new) {
       result.push_back(notice);

@@ -55,6 +55,7 @@ class CageText {
 
   /// The faces that were left out, as the file counts them from 0.
   const std::vector<int>& left_out() const { return left_out_; }
+  std::vector<std::size_t> left_out_of_mesh() const { return {left_out_.begin(), left_out_.end()}; }
 
   /// Throws   InvalidInput if the cage has no vertices or no faces
   void check_not_empty() const;

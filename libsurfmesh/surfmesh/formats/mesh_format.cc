@@ -70,8 +70,14 @@ const MeshFormat* find_format(const std::filesystem::path& path) {
 
 const MeshFormat& format_of(const std::filesystem::path& path) {
   if (const MeshFormat* format = find_format(path)) return *format;
-  throw Error(ErrorCode::InvalidInput,
-              fmt::format("{}: the ending of a mesh is {}", path.string(), mesh_endings()));
+  const bool is_for_paraview = lower_case_ending(path) == ".vtu";
+  throw Error(
+      ErrorCode::InvalidInput,
+      fmt::format("{}: the ending of a mesh is {}{}", path.string(), mesh_endings(),
+                  is_for_paraview
+                      ? "; ParaView and VTK read .ply, .obj and .stl, and only control spaces are "
+                        "written to .vtu"
+                      : ""));
 }
 
 std::string mesh_endings() {

@@ -34,6 +34,7 @@ class ObjReader {
   Cage read();
 
   const ObjLabels& labels() const { return labels_; }
+  std::vector<std::size_t> left_out() const { return text_.left_out_of_mesh(); }
 
   /// What the file has at its corners, which is not read.
   std::vector<std::string> unread() const;
@@ -173,6 +174,7 @@ void ObjReader::check_references() const {
 MeshArraysFile parse_obj_mesh(std::string text, const std::string& name) {
   ObjReader reader(text, name, ReadFor::Mesh);
   MeshArraysFile file = arrays_of(reader.read());
+  file.degenerate_faces = reader.left_out();
   file.mesh.patches = reader.labels().patches(file.mesh.names);
   file.unread = reader.unread();
   return file;

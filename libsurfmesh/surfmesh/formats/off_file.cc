@@ -39,6 +39,8 @@ class OffReader {
     return text_.finish();
   }
 
+  std::vector<std::size_t> left_out() const { return text_.left_out_of_mesh(); }
+
  private:
   std::string_view read_header();
   void read_prefix(std::string_view prefix, std::string_view word);
@@ -177,13 +179,16 @@ void OffReader::read_end() {
 
 /// Nearly all files have a line for each vertex and face. In the others every value counts, so a
 /// file with a fault cannot be taken for one of them.
-Cage read_off(std::string_view text, const std::string& name, ReadFor purpose) {
+///
+/// Returns  what `take` makes of a reader
+template <class Take>
+auto read_off(std::string_view text, const std::string& name, ReadFor purpose, Take take) {
   try {
-    return OffReader(text, name, purpose, Layout::Lines).read();
+    return take(OffReader(text, name, purpose, Layout::Lines));
   } catch (const Error&) {
     const std::exception_ptr fault = std::current_exception();
     try {
-      return OffReader(text, name, purpose, Layout::Free).read();
+      return take(OffReader(text, name, purpose, Layout::Free));
     } catch (const Error&) {
       std::rethrow_exception(fault);
     }
@@ -191,7 +196,11 @@ Cage read_off(std::string_view text, const std::string& name, ReadFor purpose) {
 }
 
 MeshArraysFile parse_off_mesh(std::string text, const std::string& name) {
-  return arrays_of(read_off(text, name, ReadFor::Mesh));
+  return read_off(text, name, ReadFor::Mesh, [](OffReader reader) {
+    MeshArraysFile file = arrays_of(reader.read());
+    file.degenerate_faces = reader.left_out();
+    return file;
+  });
 }
 
 void write_off(const PolyMesh& mesh, const MeshNames&, const OutputOptions&, OutputFile& file) {
@@ -217,7 +226,7 @@ std::vector<std::string> lost_in_off(const PolyMesh& mesh, const MeshNames& name
 }  // namespace
 
 Cage parse_off(std::string_view text, const std::string& name) {
-  return read_off(text, name, ReadFor::Cage);
+  return read_off(text, name, ReadFor::Cage, [](OffReader reader) { return reader.read(); });
 }
 
 MeshFormat off_format() {

@@ -72,8 +72,7 @@ class BinaryValues {
     }
     Notices notices;
     for (const auto& [count, text] : warnings_) {
-      notices.push_back(
-          warning(NoticeKind::IgnoredInput, fmt::format("{}: {}", scanner_.name(), text)));
+      notices.push_back(warning_at(scanner_.name(), NoticeKind::IgnoredInput, text));
       notices.back().count = count;
     }
     return notices;
@@ -266,9 +265,11 @@ class BodyReader {
   }
 
   void add_face() {
+    const std::size_t number = count_++;
     switch (mend_corners(corners_)) {
       case CornerFault::TooFew:
         values_.warn(text_of(CornerFault::TooFew));
+        file_.degenerate_faces.push_back(number);
         if (!file_.mesh.patches.empty()) file_.mesh.patches.pop_back();
         return;
       case CornerFault::Twice:
@@ -299,6 +300,7 @@ class BodyReader {
   const Header& header_;
   Values values_;
   MeshArraysFile file_;
+  std::size_t count_ = 0;  ///< of the faces so far
   std::vector<int> corners_;
   std::size_t vertex_count_ = 0;
 };

@@ -18,7 +18,7 @@ namespace {
 void check_faces(const MeshArraysFile& file, const std::string& name) {
   if (!file.mesh.faces.empty()) return;
   const char* reason = file.degenerate_faces.empty() ? "the file has no faces"
-                                                     : "all triangles have two equal corners";
+                                                     : "no face has three different corners";
   throw Error(ErrorCode::InvalidInput, fmt::format("{}: {}", name, reason));
 }
 
@@ -29,12 +29,6 @@ MeshFile mesh_from(MeshArraysFile file, const std::string& name) {
   const MeshArrays& set = file.mesh;
   const Separation separation =
       build_faces(result.mesh, set.points.size(), set.faces, FirstSide::ToFirstCorner);
-  if (!file.degenerate_faces.empty()) {
-    result.notices.push_back(warning(
-        NoticeKind::IgnoredInput,
-        fmt::format("{}: {} triangles with two equal corners are left out, the first is number {}",
-                    name, file.degenerate_faces.size(), file.degenerate_faces.front())));
-  }
   if (separation.cut_edges > 0 || !separation.copied.empty()) {
     result.notices.push_back(warning(
         NoticeKind::CutEdges,

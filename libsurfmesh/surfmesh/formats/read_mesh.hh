@@ -16,8 +16,8 @@ namespace surfmesh {
 struct MeshArraysFile {
   MeshArrays mesh;  ///< without values at corners
   Notices notices;  ///< with file and line
-  /// Faces of an .stl file that are left out of the mesh because two of their corners are one
-  /// point, counted from 0 in the file.
+  /// Faces that are left out of the mesh because they do not have three different corners, or no
+  /// inside, counted from 0 in the file. Notices tell them, too.
   std::vector<std::size_t> degenerate_faces;
   /// What the file has besides and is not read, in plain English: "normals (vn)".
   std::vector<std::string> unread = {};

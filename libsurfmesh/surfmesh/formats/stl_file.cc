@@ -86,10 +86,17 @@ class TriangleCollector {
 
   void begin_solid(std::string name) { file_.mesh.names.patches.push_back(std::move(name)); }
 
-  MeshArraysFile finish() {
+  /// `name` is that of the file, for messages.
+  MeshArraysFile finish(const std::string& name) {
     if (file_.mesh.names.patches.size() < 2) {
       file_.mesh.names.patches.clear();
       file_.mesh.patches.clear();
+    }
+    if (!file_.degenerate_faces.empty()) {
+      file_.notices.push_back(warning_at(
+          name, NoticeKind::IgnoredInput,
+          fmt::format("{} triangles with two equal corners are left out, the first is number {}",
+                      file_.degenerate_faces.size(), file_.degenerate_faces.front())));
     }
     return std::move(file_);
   }
@@ -125,11 +132,11 @@ MeshArraysFile parse_binary(std::string_view bytes, const std::string& name) {
     scanner.skip(sizeof(std::uint16_t));
     triangles.add(points);
   }
-  MeshArraysFile file = triangles.finish();
+  MeshArraysFile file = triangles.finish(name);
   if (scanner.rest() > 0) {
-    file.notices.push_back(warning(
-        NoticeKind::IgnoredInput,
-        fmt::format("{}: {} bytes after the last triangle are ignored", name, scanner.rest())));
+    file.notices.push_back(
+        warning_at(name, NoticeKind::IgnoredInput,
+                   fmt::format("{} bytes after the last triangle are ignored", scanner.rest())));
   }
   return file;
 }
@@ -160,7 +167,7 @@ class TextReader {
       }
     }
     if (is_in_solid_) scanner_.fail("the file ends before endsolid");
-    return triangles_.finish();
+    return triangles_.finish(scanner_.name());
   }
 
  private:

@@ -63,6 +63,10 @@ constexpr int kDirections = 8;
 /// Distance along a line of constant u or v at which it is tested.
 constexpr double kAlongLine = 0x1p-6;
 
+/// Steps along the line of a jump at whose ends its height is compared, and what counts as higher.
+constexpr int kStepsOnLine = 32;
+constexpr double kHigher = 0x1p-20;
+
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// The width of a side of a cell, in units of the width at which it is a point.
@@ -76,6 +80,8 @@ struct Hazard {
   const Instruction* step = nullptr;
   std::vector<UvBox> cells = {};
   bool is_settled = false;
+  bool has_lines = false;         ///< it breaks along lines of constant u or v
+  std::vector<Uv> harmless = {};  ///< points where it does not break, though its bounds let it
 };
 
 class Search {
@@ -102,7 +108,9 @@ class Search {
   double jump_at(Uv point) const;
   template <class Test>
   BreakLine line_through(Uv point, Test is_break) const;
+  void look_along_line(FormulaBreak& found) const;
 
+  bool may_be_more() const;
   bool is_point(const UvBox& cell) const;
   bool is_partly_inside(const UvBox& cell) const;
   std::pair<UvBox, UvBox> halves(const UvBox& cell) const;
@@ -139,11 +147,24 @@ std::vector<FormulaBreak> Search::run() {
   divide();
   for (std::size_t descent = 0; descent < kMostDescents; ++descent) {
     for (Hazard& hazard : hazards_) {
-      if (is_done()) return std::move(found_);
+      if (is_done()) break;
       if (!hazard.is_settled) follow(hazard, descent);
     }
   }
+  if (!found_.empty()) found_.back().may_be_more = may_be_more();
   return std::move(found_);
+}
+
+/// True if an operation that breaks along lines may do so along others, too.
+bool Search::may_be_more() const {
+  return std::ranges::any_of(hazards_, [&](const Hazard& hazard) {
+    const auto is_seen = [&](const UvBox& cell) {
+      return is_on_known_line(cell) || std::ranges::any_of(hazard.harmless, [&](Uv point) {
+               return cell.u.contains(point.u) || cell.v.contains(point.v);
+             });
+    };
+    return hazard.has_lines && !std::ranges::all_of(hazard.cells, is_seen);
+  });
 }
 
 /// Bound all registers for parameters in a cell.
@@ -262,11 +283,13 @@ void Search::judge(Hazard& hazard, Uv point) {
     found.line = line_through(point, is_infinite);
   } else {
     found.height = jump_at(point);
-    if (found.height == 0) return;
-    found.beside = moved(point, 0, kBeside);
+    if (found.height == 0) return hazard.harmless.push_back(point);
     found.line = line_through(point, is_jump);
+    look_along_line(found);
+    found.beside = moved(found.at, 0, kBeside);
   }
   hazard.is_settled = found.line == BreakLine::Other;
+  hazard.has_lines |= !hazard.is_settled;
   found_.push_back(found);
 }
 
@@ -360,6 +383,23 @@ BreakLine Search::line_through(Uv point, Test is_break) const {
   };
   if (goes_on(0, 1)) return BreakLine::ConstantU;
   return goes_on(1, 0) ? BreakLine::ConstantV : BreakLine::Other;
+}
+
+/// Take the place where a jump is highest, of some along its line.
+void Search::look_along_line(FormulaBreak& found) const {
+  if (found.line == BreakLine::Other) return;
+  const bool is_along_v = found.line == BreakLine::ConstantU;
+  const Interval& range = is_along_v ? task_.box.v : task_.box.u;
+  for (int i = 0; i <= kStepsOnLine; ++i) {
+    const double s = range.lower + range.width() * i / kStepsOnLine;
+    const Uv at = is_along_v ? Uv{found.at.u, s} : Uv{s, found.at.v};
+    const double height = jump_at(at);
+    if (height > (1 + kHigher) * found.height) {
+      found.at = at;
+      found.height = height;
+      found.is_greatest = true;
+    }
+  }
 }
 
 }  // namespace

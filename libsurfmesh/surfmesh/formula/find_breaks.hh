@@ -21,7 +21,9 @@ struct FormulaBreak {
   Uv at = {};                                 ///< v is 0 for formulas of one variable
   Uv beside = {};                             ///< a point on one side of a jump
   double height = 0;                          ///< of a jump: the distance of the results
+  bool is_greatest = false;  ///< the point is where the jump is highest, of some along the line
   BreakLine line = BreakLine::Other;
+  bool may_be_more = false;  ///< of the last one: the search ended before all places were seen
 };
 
 /// Where breaks are looked for.
@@ -42,8 +44,9 @@ inline constexpr std::size_t kMostBreaks = 4;
 /// two sides, 2^-30 of the box from it, differ by the same amount as at 2^-45. The
 /// results are infinite there if they go on growing, at least as by a logarithm, from 2^-12 to
 /// 2^-24 of the box. So kinks, steep slopes, roots and removable quotients such as sin(u)/u are
-/// none. Along lines of constant u or v each line gives one jump, along others each operation.
-/// The search ends at the first point of infinity.
+/// none. Along lines of constant u or v each line gives one jump, at the highest of some places on
+/// it; along others each operation gives one, at any place. The search ends at the first point of
+/// infinity.
 ///
 /// Error    not found are breaks below 1e-6 (jumps) or about 1e-2 (infinity) of `size`; those that
 ///          two operations make together; and those of an operation that mostly is harmless, for

@@ -45,8 +45,13 @@ void check(const Domain& domain) {
 void throw_not_finite(const Jet& jet, Uv uv, Order order) {
   const char* what = order == Order::Position ? "position" : "position or a derivative";
   throw Error(ErrorCode::Geometry,
-              fmt::format("the {} of the surface at (u,v) = ({}, {}) is not finite: {}", what, uv.u,
-                          uv.v, worst_part(jet, order)));
+              fmt::format("the {} of the surface at (u,v) = ({}, {}) is not finite: {}; {}", what,
+                          uv.u, uv.v, worst_part(jet, order),
+                          jet.point.allFinite()
+                              ? "let the domain begin beside it, or write the surface so that it "
+                                "has a tangent plane there"
+                              : "let the domain keep away from it, or give the surface a value "
+                                "there, in formulas by if(...)"));
 }
 
 }  // namespace surfmesh

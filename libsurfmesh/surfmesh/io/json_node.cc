@@ -134,13 +134,20 @@ void JsonNode::fail_type(std::string_view wanted) const {
 }
 
 JsonNode JsonNode::child(const Json& json, const std::string& token) const {
-  return {json, file_, fmt::format("{}/{}", pointer_, escaped(token))};
+  return {json, file_, fmt::format("{}/{}", pointer_, escaped(token)), places_};
+}
+
+std::string JsonNode::advice_for(std::string_view key,
+                                 std::initializer_list<std::string_view> known) const {
+  const auto place = places_ ? places_->find(key) : KeyPlaces::const_iterator();
+  if (!places_ || place == places_->end()) return suggestion(key, known);
+  return fmt::format(", {} belongs in {}", key, place->second);
 }
 
 void JsonNode::expect_keys(std::initializer_list<std::string_view> known) const {
   for (const auto& [key, node] : members()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    node.fail("unknown key" + suggestion(key, known));
+    node.fail("unknown key" + advice_for(key, known));
   }
 }
 

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "surfmesh/io/key_places.hh"
+
 namespace surfmesh {
 
 using Json = nlohmann::ordered_json;
@@ -24,8 +26,10 @@ Json parse_json(std::string_view text, const std::string& name);
 /// The JSON value must outlive it. All its functions throw InvalidInput for what does not fit.
 class JsonNode {
  public:
-  JsonNode(const Json& json, std::string file, std::string pointer = "")
-      : json_(&json), file_(std::move(file)), pointer_(std::move(pointer)) {}
+  /// `places` may be null, and must outlive all nodes.
+  JsonNode(const Json& json, std::string file, std::string pointer = "",
+           const KeyPlaces* places = nullptr)
+      : json_(&json), file_(std::move(file)), pointer_(std::move(pointer)), places_(places) {}
 
   /// Throw InvalidInput with "file: /pointer: reason".
   [[noreturn]] void fail(std::string_view reason) const;
@@ -36,7 +40,8 @@ class JsonNode {
   /// The file and the pointer: "a.json: /sources/2".
   std::string place() const { return file_ + ": " + pointer_; }
 
-  /// Fail unless this is an object with no other keys than these.
+  /// Fail unless this is an object with no other keys than these; tell where another one belongs,
+  /// or what was probably meant.
   void expect_keys(std::initializer_list<std::string_view> known) const;
   bool has(std::string_view key) const { return json_->contains(key); }
   std::optional<JsonNode> find(std::string_view key) const;
@@ -55,10 +60,12 @@ class JsonNode {
  private:
   JsonNode child(const Json& json, const std::string& token) const;
   [[noreturn]] void fail_type(std::string_view wanted) const;
+  std::string advice_for(std::string_view key, std::initializer_list<std::string_view> known) const;
 
   const Json* json_;
   std::string file_;
   std::string pointer_;
+  const KeyPlaces* places_;
 };
 
 }  // namespace surfmesh

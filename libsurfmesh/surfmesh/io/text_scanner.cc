@@ -168,7 +168,7 @@ Notices WarningList::notices() const {
   Notices notices;
   for (const Entry& entry : sorted) {
     notices.push_back(
-        warning(NoticeKind::IgnoredInput, fmt::format("{}:{}: {}", name_, entry.line, entry.text)));
+        warning_at(fmt::format("{}:{}", name_, entry.line), NoticeKind::IgnoredInput, entry.text));
     notices.back().count += static_cast<std::size_t>(entry.more);
   }
   return notices;

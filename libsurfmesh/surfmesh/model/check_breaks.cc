@@ -24,6 +24,9 @@ namespace {
 /// A jump this near to a side, as a share of the domain, is between the side and what is beside it.
 constexpr double kAtSide = 1e-9;
 
+/// A parameter of less than this share of the domain is 0: breaks are found to 2^-44 of it.
+constexpr double kZero = 0x1p-40;
+
 /// A jump of less than this share of the diagonal is no cliff between elements of any usual size,
 /// and may come from rounded coefficients.
 constexpr double kSmallJump = 1e-4;
@@ -100,16 +103,26 @@ std::string jump_advice(const FormulaBreak& found, const Domain& domain) {
   }
 }
 
+/// A parameter that is 0 but for the rounding of the search, as it is told.
+double told(double x, double span) { return std::abs(x) < kZero * span ? 0 : x; }
+
+FormulaBreak told(FormulaBreak found, const Domain& domain) {
+  found.at.u = told(found.at.u, domain.u1 - domain.u0);
+  found.at.v = told(found.at.v, domain.v1 - domain.v0);
+  return found;
+}
+
 Notice notice_of(const FormulaBreak& found, const PatchInput& patch, double diagonal) {
   const bool is_small = found.height < kSmallJump * diagonal;
   Notice notice = {.kind = NoticeKind::SurfaceJump,
                    .severity = is_small ? Severity::Warning : Severity::Shortfall,
-                   .text = fmt::format("{}: its surface jumps by {:.3g} at (u,v) = ({:.6g}, "
+                   .text = fmt::format("its surface jumps by {}{:.3g} at (u,v) = ({:.6g}, "
                                        "{:.6g}){}, as {} does{}: {}",
-                                       label(patch), found.height, found.at.u, found.at.v,
-                                       line_text(found), name_of(found.operation),
+                                       found.is_greatest ? "up to " : "", found.height, found.at.u,
+                                       found.at.v, line_text(found), name_of(found.operation),
                                        is_small ? "" : ", and the mesh has a cliff there",
                                        jump_advice(found, patch.surface->domain()))};
+  locate(label(patch), notice);
   notice.point = patch.surface->evaluate(found.beside, Order::Position).point;
   return notice;
 }
@@ -213,7 +226,8 @@ void check_curve(const FormulaCurveOrSpaceCurve* curve) {
                 inside)
           : "divide it there, each part with a formula of its own";
   throw Error(ErrorCode::Geometry, fmt::format("the curve {} at t = {:.6g}, as {} does: {}", what,
-                                               first.at.u, name_of(first.operation), advice));
+                                               told(first.at.u, range.to - range.from),
+                                               name_of(first.operation), advice));
 }
 
 }  // namespace
@@ -224,10 +238,15 @@ void check_breaks(const std::vector<PatchInput>& patches, Model& model) {
     const auto* surface = dynamic_cast<const FormulaSurface*>(patch.surface.get());
     if (!surface || !may_break(surface->program())) continue;
     const int index = static_cast<int>(p);
-    for (const FormulaBreak& found : breaks_of(*surface, model, index, !patch.loops.empty())) {
+    const auto breaks = breaks_of(*surface, model, index, !patch.loops.empty());
+    for (const FormulaBreak& each : breaks) {
+      const FormulaBreak found = told(each, surface->domain());
       if (found.is_infinite) throw_infinite(found, patch);
       model.notices.push_back(notice_of(found, patch, model.diagonal));
       model.notices.back().patch = index;
+    }
+    if (!breaks.empty() && breaks.back().may_be_more) {
+      model.notices.back().text += "; there may be more, which the search left out";
     }
   }
 }

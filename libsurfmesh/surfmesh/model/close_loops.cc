@@ -116,9 +116,8 @@ void LoopCloser::add_loops(int index, std::vector<Chain> loops) {
   for (const std::size_t l : order) {
     const bool is_turned = (areas[l] > 0) != (l == order[0]);
     if (is_turned) {
-      Notice notice = warning(
-          NoticeKind::TurnedLoop,
-          fmt::format("{}: the loop runs the wrong way round; it is turned", loop_label(input, l)));
+      Notice notice = warning_at(loop_label(input, l), NoticeKind::TurnedLoop,
+                                 "the loop runs the wrong way round; it is turned");
       notice.patch = index;
       model_.notices.push_back(std::move(notice));
       std::reverse(loops[l].begin(), loops[l].end());
@@ -178,12 +177,11 @@ void LoopCloser::warn_of_near_parts(int index, const PatchInput& patch,
   for (const NearParts& near : gaps) {
     if (!regions.is_in_material(lerp(near.at_a, near.at_b, 0.5))) continue;
     const Vec3 at = point_at(near.at_a);
-    Notice notice = warning(
-        NoticeKind::NarrowGap,
-        fmt::format("{}: contours {} and {} nearly meet at (u,v) = ({:.6g}, {:.6g}): the gap "
-                    "between them is {:.3g}",
-                    label(patch), near.a, near.b, near.at_a.u, near.at_a.v,
-                    (at - point_at(near.at_b)).norm()));
+    Notice notice = warning_at(
+        label(patch), NoticeKind::NarrowGap,
+        fmt::format("contours {} and {} nearly meet at (u,v) = ({:.6g}, {:.6g}): the gap between "
+                    "them is {:.3g}",
+                    near.a, near.b, near.at_a.u, near.at_a.v, (at - point_at(near.at_b)).norm()));
     notice.patch = index;
     notice.point = at;
     model_.notices.push_back(std::move(notice));

@@ -300,16 +300,14 @@ void Trimmer::warn_of_unused() {
     const ContourInput& part = parts_.at(input.name).front();
     if (!contours_.has(part)) {
       model_.notices.push_back(
-          warning(NoticeKind::UnusedContour,
-                  fmt::format("{}: no loop names it, it is left out", label(input))));
+          warning_at(label(input), NoticeKind::UnusedContour, "no loop names it, it is left out"));
       continue;
     }
     for (const ContourInput::On& on : input.on) {
       const int index = patch_numbers_.at(on.patch);
       if (mentions_.contains({&part, index})) continue;
-      Notice notice =
-          warning(NoticeKind::UnusedContour,
-                  fmt::format("{}: no loop of patch {} names it", label(input), on.patch));
+      Notice notice = warning_at(label(input), NoticeKind::UnusedContour,
+                                 fmt::format("no loop of patch {} names it", on.patch));
       notice.patch = index;
       model_.notices.push_back(std::move(notice));
     }

@@ -93,11 +93,32 @@ void read_options(const JsonNode& root, const char* key, ModelFile& model) {
   }
 }
 
+/// Where the keys of model files belong; those that are known at a place are never looked up.
+KeyPlaces places_of_keys(const KeyPlaces& options) {
+  KeyPlaces places = options;
+  for (const char* key : {"patches", "cages", "contours", "constants", "sizing", "options"}) {
+    places[key] = "the model itself";
+  }
+  for (const char* key : {"surface", "domain", "loops"}) places[key] = "a patch";
+  for (const char* key : {"file", "scheme", "creases"}) places[key] = "a cage";
+  for (const char* key : {"range", "xyz", "on"}) places[key] = "a contour";
+  for (const char* key : {"vertices", "sharpness"}) places[key] = "the creases of a cage";
+  for (const char* key :
+       {"everywhere", "at", "along", "inside", "field", "table", "radius", "outer", "angle"}) {
+    places[key] = "sources";
+  }
+  for (const char* key : {"near", "group"}) places[key] = "the sources of the model";
+  for (const char* key : {"box", "ball"}) places[key] = "the inside of a source of the model";
+  for (const char* key : {"x", "y", "z"}) places[key] = "a surface, or the xyz of a contour";
+  return places;
+}
+
 }  // namespace
 
-ModelFile parse_model(std::string_view text, const std::string& name) {
+ModelFile parse_model(std::string_view text, const std::string& name, const KeyPlaces& options) {
   const Json json = parse_json(text, name);
-  const JsonNode root(json, name);
+  const KeyPlaces places = places_of_keys(options);
+  const JsonNode root(json, name, "", &places);
   root.expect_keys(
       {"$schema", "constants", "patches", "cages", "contours", "sources", "sizing", "options"});
   ModelFile model;
@@ -119,8 +140,8 @@ ModelFile parse_model(std::string_view text, const std::string& name) {
   return model;
 }
 
-ModelFile read_model(const std::filesystem::path& path) {
-  return parse_model(read_file(path), path.string());
+ModelFile read_model(const std::filesystem::path& path, const KeyPlaces& options) {
+  return parse_model(read_file(path), path.string(), options);
 }
 
 }  // namespace surfmesh

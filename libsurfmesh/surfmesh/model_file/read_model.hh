@@ -10,6 +10,7 @@
 
 #include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/cage/creases.hh"
+#include "surfmesh/io/key_places.hh"
 #include "surfmesh/model/join_sides.hh"
 #include "surfmesh/sizes/sizing.hh"
 
@@ -77,9 +78,9 @@ struct ModelFile {
 ///
 /// Angles are in degrees in the file and in radians in the result. Domains, constants and the
 /// points of `at` may be numbers, or expressions of the constants defined before. Options are kept
-/// as text; load_model reads them.
+/// as text; load_model reads them. `options` tells where they belong, for messages.
 /// Throws   Io if the file cannot be read; InvalidInput as parse_model
-ModelFile read_model(const std::filesystem::path& path);
+ModelFile read_model(const std::filesystem::path& path, const KeyPlaces& options = {});
 
 /// Read a model from JSON text. Messages begin with `name`, and paths of cages are relative to its
 /// folder. The files of cages are not read, those of tables are.
@@ -87,6 +88,7 @@ ModelFile read_model(const std::filesystem::path& path);
 /// Throws   InvalidInput with name:line:column if the text is not JSON; with the JSON pointer for
 ///          an unknown, missing or repeated key, a value of the wrong type or out of its range, a
 ///          formula that cannot be read, a name that is unknown or used twice
-ModelFile parse_model(std::string_view text, const std::string& name);
+ModelFile parse_model(std::string_view text, const std::string& name,
+                      const KeyPlaces& options = {});
 
 }  // namespace surfmesh

@@ -415,7 +415,8 @@ MeshCheck check_mesh(const MeshArraysFile& file, Observer* observer) {
   check.faults = check.faces.faults;
   for (const std::size_t face : file.degenerate_faces) {
     fault_of_kind(check.faults, "degenerate_face").add([&] {
-      return fmt::format("triangle {} of the file has two equal corners", face);
+      return fmt::format("face {} of the file does not have three different corners, or no inside",
+                         face);
     });
   }
   return check;

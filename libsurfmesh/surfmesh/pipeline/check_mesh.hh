@@ -65,8 +65,8 @@ struct MeshCheck {
 
 /// Check a mesh by itself, exactly as it was read from a file.
 ///
-/// Faults are those of check_face_set, and degenerate_face for triangles of .stl files with two
-/// equal corners.
+/// Faults are those of check_face_set, and degenerate_face for faces of the file that do not have
+/// three different corners.
 ///
 /// Cost     about 3 µs a triangle, most of it for self-intersections; see there
 /// Throws   Cancelled by the observer, which may be null

@@ -110,8 +110,8 @@ void tell_missed(const PrecisionSample& sample, Notices& notices) {
   notices.push_back(warning(
       NoticeKind::MissedPrecision,
       fmt::format("the control space misses its precision ({:.3g}) at {:.2g} % of a sample of "
-                  "points, by up to {:.3g}; precision = {:.3g} helps",
-                  sample.asked, 100 * sample.share_over(), sample.greatest, 0.5 * sample.asked)));
+                  "points, by up to {:.3g}; a lower precision makes more control nodes there",
+                  sample.asked, 100 * sample.share_over(), sample.greatest)));
 }
 
 void tell_unsearched(const Model& model, const std::vector<ControlInput>& inputs,

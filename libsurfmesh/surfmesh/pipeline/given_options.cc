@@ -12,13 +12,20 @@ std::string_view name(OptionOrigin origin) {
   return origin == OptionOrigin::ModelFile ? "model file" : "command line";
 }
 
-std::vector<GivenOption> options_of_file(const PipelineOptions& options) {
+std::vector<GivenOption> options_of_file(const PipelineOptions& options, const Model& model) {
   const PipelineOptions defaults;
   std::vector<GivenOption> given;
   for (const Option& option : option_table()) {
     std::string value = option.value_text(options);
     if (value == option.value_text(defaults)) continue;
     given.push_back({std::string(option.name()), std::move(value), OptionOrigin::ModelFile});
+  }
+  for (const MadeWith& made : model.made_with) {
+    const bool is_of_all =
+        made.part.empty() || find_option(made.option).value_text(options) == made.value;
+    if (!is_of_all) {
+      given.push_back({made.part + made.option, made.value, OptionOrigin::ModelFile});
+    }
   }
   return given;
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "surfmesh/model/model.hh"
 #include "surfmesh/pipeline/options.hh"
 
 namespace surfmesh {
@@ -24,8 +25,9 @@ struct GivenOption {
   friend bool operator==(const GivenOption&, const GivenOption&) = default;
 };
 
-/// The options of a model file that differ from their defaults, in the order of the option table.
-std::vector<GivenOption> options_of_file(const PipelineOptions& options);
+/// The options of a model file that differ from their defaults, in the order of the option table,
+/// then those that its cages have of their own, named "<cage>:<option>".
+std::vector<GivenOption> options_of_file(const PipelineOptions& options, const Model& model);
 
 /// Add an option, or replace what was given for it before.
 void add_given(GivenOption option, std::vector<GivenOption>& given);

@@ -136,6 +136,15 @@ void check_bounds(const Sizing& sizing) {
                                                     to_text(sizing.hmin), to_text(sizing.hmax)));
 }
 
+/// Where the options belong in a file.
+KeyPlaces places_of_options() {
+  KeyPlaces places;
+  for (const Option& option : option_table()) {
+    places.emplace(option.name(), option.group == OptionGroup::Sizes ? "sizing" : "options");
+  }
+  return places;
+}
+
 PipelineOptions file_options(const ModelFile& file, const std::string& name) {
   PipelineOptions options;
   std::vector<std::string> bounds;  // where they stand
@@ -438,7 +447,7 @@ void add_along_sources(const ModelFile& file, const std::string& name, ModelInpu
 ModelInput load_model_file(const std::filesystem::path& path, const LoadOptions& given,
                            const RunContext& context) {
   const std::string name = path.string();
-  const ModelFile file = read_model(path);
+  const ModelFile file = read_model(path, places_of_options());
   ModelInput input;
   input.options = file_options(file, name);
   if (file.cages.empty()) check_without_cages(file, name, given.cages);
