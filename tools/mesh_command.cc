@@ -169,7 +169,7 @@ int tell_failure(const std::exception& error, Progress& progress) {
 
 void MeshCommand::add_to(CLI::App& app) {
   CLI::App* command =
-      app.add_subcommand("mesh", "Mesh a control cage or a model file with triangles.");
+      app.add_subcommand("mesh", "Mesh a control cage or a model file with triangles or quads.");
   command->footer(kFooter);
   add_files(*command);
   using enum OptionGroup;
@@ -188,7 +188,7 @@ void MeshCommand::add_files(CLI::App& command) {
       .add_option("-o,--output", output_,
                   fmt::format("mesh to write: {}; .om keeps everything", mesh_endings()))
       ->type_name("FILE");
-  command.add_flag("--dry-run", is_dry_run_, "estimate the number of triangles; needs no --output");
+  command.add_flag("--dry-run", is_dry_run_, "estimate the number of elements; needs no --output");
   command.parse_complete_callback([this] {
     if (output_.empty() && !is_dry_run_) throw CLI::RequiredError("--output");
   });

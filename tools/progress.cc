@@ -31,15 +31,15 @@ void Progress::at_work(std::size_t elements, int pass) {
   show();
 }
 
-/// "mesh 3/48, 120000 triangles, pass 2, 1.4 s"
+/// "mesh 3/48, 120000 elements, pass 2, 1.4 s"
 void Progress::show() {
   last_ = Clock::now();
   has_line_ = true;
   const double seconds = std::chrono::duration<double>(last_ - start_).count();
-  const std::string triangles =
-      elements_ > 0 ? fmt::format(", {} triangles", elements_) : std::string();
+  const std::string elements =
+      elements_ > 0 ? fmt::format(", {} elements", elements_) : std::string();
   const std::string pass = pass_ > 1 ? fmt::format(", pass {}", pass_) : std::string();
-  tell(fmt::format("\r\x1b[K{} {}/{}{}{}, {:.1f} s", stage_, done_, total_, triangles, pass,
+  tell(fmt::format("\r\x1b[K{} {}/{}{}{}, {:.1f} s", stage_, done_, total_, elements, pass,
                    seconds));
   std::fflush(stderr);
 }

@@ -8,6 +8,7 @@
 
 #include "support/errors.hh"
 #include "support/meshes.hh"
+#include "support/quad_meshes.hh"
 #include "surfmesh/cage/cage_from_mesh.hh"
 
 namespace surfmesh {
@@ -88,6 +89,15 @@ TEST(CopyResult, IsExactInDoubleMeshes) {
   expect_same_connectivity(source, target);
   expect_same_properties(source, target);
   for (const VertexHandle vh : source.vertices()) EXPECT_EQ(source.point(vh), target.point(vh));
+}
+
+TEST(CopyResult, CopiesQuads) {
+  const PolyMesh source = with_properties(testing::quad_grid(testing::GridNumbers(5, 4)));
+  DoublePolyMesh target;
+  copy_result(source, target);
+  expect_same_connectivity(source, target);
+  expect_same_properties(source, target);
+  for (const auto fh : target.faces()) EXPECT_EQ(target.valence(fh), 4u);
 }
 
 TEST(CopyResult, RoundsPointsOfFloatMeshes) {

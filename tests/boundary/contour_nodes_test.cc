@@ -27,8 +27,10 @@ using testing::UniformSizes;
 /// The error of a MetricArc, of two of them.
 constexpr double kArcError = 2e-3;
 
-BoundaryNodes place(const Model& model, double size, int multiple = 1) {
-  return place_contour_nodes(model, UniformSizes(model, size), {multiple});
+constexpr SegmentParity kAnyOrEven[] = {SegmentParity::Any, SegmentParity::EvenContours};
+
+BoundaryNodes place(const Model& model, double size, SegmentParity parity = SegmentParity::Any) {
+  return place_contour_nodes(model, UniformSizes(model, size), {parity});
 }
 
 const Contour& contour(const Model& model, std::string_view name) {
@@ -112,8 +114,8 @@ TEST(ContourNodes, HaveNoSegmentLongerThanTheRootOfTwoInAnyPatch) {
   const Model model = model_of({testing::rectangle(0, 0, 1, 1), testing::rectangle(1, 0, 2, 1)});
   const auto below = isotropic_field([](Uv uv) { return 0.01 + 0.3 * uv.v; });
   const auto above = isotropic_field([](Uv uv) { return 0.012 + 0.3 * (1 - uv.v); });
-  for (const int multiple : {1, 2, 4}) {
-    const BoundaryNodes nodes = place_contour_nodes(model, {&below, &above}, {multiple});
+  for (const SegmentParity parity : kAnyOrEven) {
+    const BoundaryNodes nodes = place_contour_nodes(model, {&below, &above}, {parity});
     for (const double l : lengths(nodes_of(model, nodes, "p0:u1"), 0, below)) {
       EXPECT_LE(l, std::numbers::sqrt2 * (1 + kArcError));
     }
@@ -129,8 +131,8 @@ TEST(ContourNodes, AreNotManyMoreThanTheFinestPatchWantsAtEachPlace) {
   const auto first = isotropic_field([](Uv uv) { return uv.v < 0.8 ? 0.01 : 0.01 / 1.8; });
   const auto second = isotropic_field([](Uv uv) { return uv.v < 0.8 ? 0.01 / 1.43 : 1.0; });
   const double wanted = 100 * (0.8 * 1.43 + 0.2 * 1.8);
-  for (const int multiple : {1, 2}) {
-    const BoundaryNodes nodes = place_contour_nodes(model, {&first, &second}, {multiple});
+  for (const SegmentParity parity : kAnyOrEven) {
+    const BoundaryNodes nodes = place_contour_nodes(model, {&first, &second}, {parity});
     EXPECT_LE(count(model, nodes, "p0:u1"), 1.25 * wanted + 1);
     for (const double l : lengths(nodes_of(model, nodes, "p0:u1"), 1, second)) {
       EXPECT_LE(l, std::numbers::sqrt2 * (1 + kArcError));
@@ -141,11 +143,11 @@ TEST(ContourNodes, AreNotManyMoreThanTheFinestPatchWantsAtEachPlace) {
 TEST(ContourNodes, MakeLoopsThatDoNotCrossWhereTheirCurvesDoNot) {
   for (const double gap : {0.1, 0.01, 1e-3, 1e-5}) {
     const Model model = testing::narrow_ring(1 - gap);
-    for (const int multiple : {1, 2}) {
-      const BoundaryNodes nodes = place(model, 1.2, multiple);
+    for (const SegmentParity parity : kAnyOrEven) {
+      const BoundaryNodes nodes = place(model, 1.2, parity);
       const auto& outer = nodes_of(model, nodes, "outer").uv[0];
       const auto& inner = nodes_of(model, nodes, "hole").uv[0];
-      EXPECT_EQ((outer.size() - 1) % static_cast<std::size_t>(multiple), 0u);
+      EXPECT_TRUE(parity == SegmentParity::Any || (outer.size() - 1) % 2 == 0);
       EXPECT_TRUE(detail::crossing_segments(
                       {{outer.begin(), outer.end() - 1}, {inner.begin(), inner.end() - 1}})
                       .empty())
@@ -158,28 +160,26 @@ TEST(ContourNodes, MakeLoopsThatDoNotCrossWhereTheirCurvesDoNot) {
 TEST(ContourNodes, HaveNoLongSegmentWhereTheirNumberIsRoundedDown) {
   const Model model = model_of({testing::rectangle(0, 0, 1, 1)});
   for (const double length : {1.45, 2.9, 5.8}) {
-    for (const int multiple : {1, 2, 4}) {
+    for (const SegmentParity parity : kAnyOrEven) {
       const UniformSizes field(model, 1 / length);
-      const BoundaryNodes nodes = place_contour_nodes(model, field, {multiple});
+      const BoundaryNodes nodes = place_contour_nodes(model, field, {parity});
       for (const double l : lengths(nodes_of(model, nodes, "p0:v0"), 0, field[0])) {
-        EXPECT_LE(l, std::numbers::sqrt2) << length << " " << multiple;
+        EXPECT_LE(l, std::numbers::sqrt2) << length;
       }
     }
   }
 }
 
-TEST(ContourNodes, AreAMultiple) {
+TEST(ContourNodes, AreEvenOnEachContour) {
   const std::vector<Model> models = {
       model_of({testing::rectangle(0, 0, 1, 0.7), testing::rectangle(1, 0, 2, 0.7)}),
       model_of({testing::sphere()}), model_of({testing::whole_torus()})};
   for (const Model& model : models) {
-    for (const int multiple : {2, 3, 4}) {
-      for (const double size : {0.013, 0.1, 0.33, 100.0}) {
-        const BoundaryNodes nodes = place(model, size, multiple);
-        for (std::size_t c = 0; c < model.contours.size(); ++c) {
-          if (model.contours[c].is_degenerate) continue;
-          EXPECT_EQ(nodes.contours[c].segment_count() % multiple, 0) << model.contours[c].name;
-        }
+    for (const double size : {0.013, 0.1, 0.33, 100.0}) {
+      const BoundaryNodes nodes = place(model, size, SegmentParity::EvenContours);
+      for (std::size_t c = 0; c < model.contours.size(); ++c) {
+        if (model.contours[c].is_degenerate) continue;
+        EXPECT_EQ(nodes.contours[c].segment_count() % 2, 0) << model.contours[c].name;
       }
     }
   }
@@ -267,7 +267,8 @@ TEST(ContourNodes, OfAContourWithoutUsesAreNone) {
 
 TEST(ContourNodes, AreTheSameEveryTime) {
   const Model model = model_of({testing::sphere(0, 2), testing::sphere(2, 2 * pi)});
-  const BoundaryNodes a = place(model, 0.07, 2), b = place(model, 0.07, 2);
+  const BoundaryNodes a = place(model, 0.07, SegmentParity::EvenContours),
+                      b = place(model, 0.07, SegmentParity::EvenContours);
   ASSERT_EQ(a.contours.size(), b.contours.size());
   for (std::size_t c = 0; c < a.contours.size(); ++c) {
     EXPECT_EQ(a.contours[c].points, b.contours[c].points);
@@ -282,19 +283,10 @@ TEST(ContourNodes, TellTheQueriesTheyCost) {
   EXPECT_LE(queries, 8 * 400U);
 }
 
-TEST(ContourDemands, RefuseAMultipleOfLessThanOne) {
-  const Model model = model_of({testing::rectangle(0, 0, 1, 1)});
-  for (const int bad : {0, -2}) {
-    const std::string error = error_of([&] { place(model, 0.1, bad); });
-    EXPECT_EQ(error.rfind(name(ErrorCode::InvalidInput), 0), 0U) << error;
-    EXPECT_NE(error.find("multiple"), std::string::npos) << error;
-  }
-}
-
 TEST(ContourNodes, AreAsManyAsTheSagTakes) {
   const Model model = testing::square_with_hole(0.5);
   for (const double sag : {0.05, 0.005, 0.001}) {
-    const auto nodes = place_contour_nodes(model, UniformSizes(model, 0.2), {1, sag});
+    const auto nodes = place_contour_nodes(model, UniformSizes(model, 0.2), {.sag = sag});
     const ContourNodes& hole = nodes_of(model, nodes, "hole");
     double greatest = 0;
     for (std::size_t i = 0; i + 1 < hole.points.size(); ++i) {
@@ -353,7 +345,7 @@ TEST_F(ContourMemoryTest, DividesContoursOfAnotherFactorAnew) {
 TEST(ContourNodes, RefuseASagThatIsNone) {
   const Model model = testing::unit_square();
   EXPECT_NE(error_of([&] {
-              place_contour_nodes(model, UniformSizes(model, 1), {1, 0.0});
+              place_contour_nodes(model, UniformSizes(model, 1), {.sag = 0.0});
             }).find("a sag of 0 "),
             std::string::npos);
 }

@@ -54,10 +54,5 @@ TEST(CheckOption, RefusesCastsThatAreNoChoice) {
             "invalid option: letter = 17 is outside its range: a or b");
 }
 
-TEST(FailOption, TellsWhatIsNotBuiltYet) {
-  EXPECT_EQ(error_of([] { fail_option(ranges::kQuads, "true"); }),
-            "invalid option: quads = true is not built yet; now there is off");
-}
-
 }  // namespace
 }  // namespace surfmesh

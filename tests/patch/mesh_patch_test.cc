@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/assembled.hh"
+#include "support/domain_meshes.hh"
 #include "support/errors.hh"
 #include "support/models.hh"
 
@@ -46,6 +47,41 @@ TEST_F(MeshPatch, CountsItsElements) {
   const std::size_t before = context.elements_left();
   const PatchResult result = mesh_patch(task(), context);
   EXPECT_EQ(before - context.elements_left(), result.mesh.mesh->n_faces());
+}
+
+/// A rectangle by the nodes of its one loop.
+PatchBoundary boundary_of(const std::vector<Uv>& nodes) {
+  PatchBoundary boundary;
+  boundary.loops.emplace_back();
+  for (const Uv& uv : nodes) {
+    boundary.loops[0].push_back({uv, static_cast<int>(boundary.loops[0].size()), 0});
+  }
+  return boundary;
+}
+
+TEST_F(MeshPatch, FillsAPatchWithQuads) {
+  const auto field = testing::isotropic_field(0.1);
+  const std::vector<Uv> loop = testing::with_nodes(testing::kUnitSquare, field);
+  const PatchResult result = mesh_patch({.surface = model_.surface(0),
+                                         .field = field,
+                                         .boundary = boundary_of(loop),
+                                         .quads = {.is_on = true}});
+  EXPECT_EQ(result.mesh.mesh->n_faces(), 100u);
+  EXPECT_GT(result.seconds[Stage::Quad], 0);
+  EXPECT_GT(result.queries[Stage::Quad].total(), 0u);
+}
+
+TEST_F(MeshPatch, TellsTheTriangleThatIsLeftBetweenAnOddNumberOfNodes) {
+  PatchTask odd = task();
+  odd.quads.is_on = true;
+  const std::size_t nodes = odd.boundary.loops[0].size() + odd.boundary.loops[1].size();
+  ASSERT_EQ(nodes % 2, 1u);  // the hole has 19 segments
+  const PatchResult result = mesh_patch(std::move(odd));
+  std::size_t triangles = 0;
+  for (const FaceHandle fh : result.mesh.mesh->faces()) {
+    triangles += result.mesh.mesh->valence(fh) == 3 ? 1 : 0;
+  }
+  EXPECT_EQ(triangles, 1u);
 }
 
 TEST_F(MeshPatch, EndsWhereThereAreTooManyElements) {

@@ -94,6 +94,31 @@ TEST(MeshModel, HasOneLengthEverywhereAndTellsWhatHasNoEffectBeside) {
   EXPECT_EQ(told.mesh.triangles, report.mesh.triangles);
 }
 
+TEST(MeshModel, TellsOfWaysToQuadsThatHaveNoEffect) {
+  PipelineOptions options;
+  options.sizing.size = Length::units(1);
+  options.quads = {.is_on = false, .method = QuadMethod::Frontal, .front = QuadFront::LeeLo};
+  EXPECT_EQ(texts_of(mesh_model(wave(), {}, options).report.notices),
+            std::vector<std::string>{"quad_method has no effect without quads"});
+  options.quads = {.is_on = true, .front = QuadFront::LeeLo};
+  EXPECT_EQ(texts_of(mesh_model(wave(), {}, options).report.notices),
+            std::vector<std::string>{"quad_front has no effect without quad_method = frontal"});
+  options.quads.method = QuadMethod::Frontal;
+  EXPECT_TRUE(mesh_model(wave(), {}, options).report.notices.empty());
+}
+
+TEST(MeshModel, ConvertsTrianglesToQuads) {
+  PipelineOptions options;
+  options.sizing.size = Length::units(0.5);
+  options.quads = {.is_on = true, .method = QuadMethod::Frontal};
+  const MeshResult result = mesh_model(wave(), {}, options);
+  EXPECT_EQ(result.report.mesh.triangles, 0U);
+  EXPECT_EQ(result.report.mesh.quads, result.mesh.n_faces());
+  EXPECT_GT(result.report.edges.unit_fraction, 0.95);
+  EXPECT_GT(result.report.seconds[Stage::Improve], 0);
+  EXPECT_GT(result.report.seconds[Stage::Quad], 0);
+}
+
 TEST(MeshModel, ReachesGoodFiguresOnTheWave) {
   PipelineOptions options;
   options.sizing = {.curvature = 0.15, .hmax = Length::units(1), .stretch = 5};

@@ -67,6 +67,8 @@ const std::map<std::string_view, Case> kCases = {
     {"normals", {"on"}},
     {"uv", {"on"}},
     {"quads", {"on"}},
+    {"quad_method", {"frontal", "torus.json", {{"quads", "on"}}}},
+    {"quad_front", {"lee-lo", "torus.json", {{"quads", "on"}, {"quad_method", "frontal"}}}},
     {"threads", {"1"}},
     {"max_elements", {"10"}},
 };

@@ -21,10 +21,13 @@ Report example() {
                     shortfall(NoticeKind::TurnedTriangles, "a shortfall")};
   report.notices[1].patch = 0;
   report.notices[1].point = Vec3(1, 2, 3);
-  report.patches = {{"wing", {}, 1, 0.5}};
-  report.mesh = {3, 1, 0, 1, false, 1};
+  report.patches = {{.name = "wing", .groups = {}, .triangles = 1, .area = 0.5}};
+  report.mesh = {5, 1, 1, 1, false, 1};
   report.edges.histogram = {{0, 0.25, 7}};
+  report.quality.count = 1;
   report.quality.below_0_3 = 0.5;
+  report.quads.count = 1;
+  report.quads.fraction = 0.5;
   report.control.nodes = 10;
   report.control.faces = 20;
   report.control.classes = {3, 10, 7};
@@ -52,7 +55,7 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
                                  "given",
                                  "options",
                                  "notices",
-                                 "estimated_triangles",
+                                 "estimated_elements",
                                  "mesh",
                                  "patches",
                                  "groups",
@@ -71,8 +74,11 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
   EXPECT_EQ(keys_of(json["edges"]),
             (Keys{"count", "mean", "stddev", "min", "max", "unit_fraction", "histogram"}));
   EXPECT_EQ(keys_of(json["quality"]), (Keys{"min", "mean", "below_0.3", "worst"}));
-  EXPECT_EQ(keys_of(json["quads"]),
-            (Keys{"fraction", "min_scaled_jacobian", "mean_scaled_jacobian"}));
+  EXPECT_EQ(
+      keys_of(json["quads"]),
+      (Keys{"fraction", "min_scaled_jacobian", "mean_scaled_jacobian",
+            "min_scaled_jacobian_in_space", "mean_scaled_jacobian_in_space", "inverted",
+            "below_0.1", "folded_in_space", "irregular_vertices", "worst", "worst_in_space"}));
   EXPECT_EQ(keys_of(json["sag"]), (Keys{"asked", "reached", "evaluations"}));
   EXPECT_EQ(keys_of(json["control"]),
             (Keys{"kind", "nodes", "faces", "precision", "classes", "queries", "answers"}));
@@ -98,6 +104,7 @@ TEST(ReportJson, HasTheFigures) {
   const Json json = Json::parse(to_json(example()));
   EXPECT_EQ(json["mesh"]["closed"], false);
   EXPECT_EQ(json["quality"]["below_0.3"], 0.5);
+  EXPECT_EQ(json["quads"]["fraction"], 0.5);
   EXPECT_EQ(json["edges"]["histogram"], Json::parse(R"([{"from": 0.0, "to": 0.25, "count": 7}])"));
   EXPECT_TRUE(json["sag"]["asked"].is_null());
 }
@@ -145,10 +152,12 @@ TEST(ReportJson, TellsOptionsAsGivenAndFrom) {
 
 TEST(ReportJson, SumsPatchesByGroup) {
   Report report = example();
-  report.patches = {{"a", {"g"}, 1, 0.5, 0.9}, {"b", {"h", "g"}, 2, 1.5, 0.7}, {"c", {}, 4, 1}};
+  report.patches = {
+      {"a", {"g"}, 1, 0, 0, 0.5, 0.9}, {"b", {"h", "g"}, 2, 0, 0, 1.5, 0.7}, {"c", {}, 4, 0, 0, 1}};
   const Json json = Json::parse(to_json(report));
-  EXPECT_EQ(json["groups"][0], Json::parse(R"({"name": "g", "patches": 2, "triangles": 3,
-                                               "area": 2.0, "least_quality": 0.7})"));
+  EXPECT_EQ(json["groups"][0],
+            Json::parse(R"({"name": "g", "patches": 2, "triangles": 3, "quads": 0, "area": 2.0,
+                            "least_quality": 0.7, "least_scaled_jacobian": null})"));
   EXPECT_EQ(json["groups"][1]["name"], "h");
   EXPECT_TRUE(json["patches"][2]["least_quality"].is_null());
 }

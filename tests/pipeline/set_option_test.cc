@@ -117,14 +117,6 @@ TEST(SetOption, SetsTheNumberOfThreads) {
       "invalid option: threads = 257 is outside its range: all, or a whole number from 1 to 256");
 }
 
-TEST(SetOption, SaysWhatIsNotBuiltYet) {
-  const std::vector<std::pair<std::string, std::string>> cases = {{"quads", "true"}};
-  for (const auto& [name, value] : cases) {
-    const std::string front = "invalid option: " + name + " = " + value + " is not built yet; ";
-    EXPECT_TRUE(fault(name, value).starts_with(front)) << fault(name, value);
-  }
-}
-
 TEST(SetOption, SetsWhatIsAPatchOfACage) {
   PipelineOptions options;
   EXPECT_EQ(to_text(get_option(options, "patches")), "auto");

@@ -24,10 +24,12 @@ PolyMesh example() {
   return mesh;
 }
 
-TEST(MeasurePatches, TellsNameGroupsTrianglesAndArea) {
+TEST(MeasurePatches, TellsNameGroupsFacesAndArea) {
   const auto patches = measure_patches(example(), {{"left", "none"}, {{"a", {0, 2}}, {"b", {2}}}});
   const std::vector<PatchMeasure> wanted = {
-      {"left", {"a"}, 2, 1.0}, {"none", {}, 0, 0.0}, {"", {"a", "b"}, 1, 0.5}};
+      {.name = "left", .groups = {"a"}, .quads = 1, .area = 1.0},
+      {.name = "none"},
+      {.groups = {"a", "b"}, .triangles = 1, .area = 0.5}};
   EXPECT_EQ(patches, wanted);
 }
 

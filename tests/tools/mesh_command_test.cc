@@ -260,7 +260,7 @@ TEST_F(MeshProgram, ShowsStagesAndPatchesOnATerminal) {
 TEST_F(MeshProgram, EstimatesInADryRun) {
   EXPECT_EQ(run("mesh '" + own_model("wave.json") + "' --dry-run --report report.json"), 0) << err_;
   EXPECT_NE(out_.find("estimate about 1.45e+04 triangles"), std::string::npos) << out_;
-  EXPECT_NEAR(report()["estimated_triangles"].get<double>(), 14500, 100);
+  EXPECT_NEAR(report()["estimated_elements"].get<double>(), 14500, 100);
   EXPECT_EQ(folder_.count(), 1);
   for (const char* figure : {"mesh", "edges", "quality", "diagonal", "triangles_per_second"}) {
     EXPECT_TRUE(report()[figure].is_null()) << figure;
@@ -447,7 +447,7 @@ TEST_F(MeshProgram, TellsWrongUsage) {
 
 TEST_F(MeshProgram, TellsWrongSettings) {
   expect_wrong_usage(mesh("cube.obj", "--set hmn=1"), "did you mean hmin?");
-  expect_wrong_usage(mesh("cube.obj", "--set quads=true"), "quads = true is not built yet");
+  expect_wrong_usage(mesh("cube.obj", "--set quads=maybe"), "quads = maybe is outside its range");
   expect_wrong_usage(mesh("cube.obj", "--patches all"), "patches = all is outside its range");
   expect_wrong_usage(mesh("cube.obj", "--set smoothing=much"), "outside its range");
 }

@@ -104,7 +104,8 @@ class PatchFaces {
       visit_turned();
     }
     for (const PoleFan& fan : patch_.boundary.fans) {
-      for (std::size_t i = 0; i + 1 < fan.ring.size(); ++i) {
+      const auto step = static_cast<std::size_t>(fan.segments_per_face);
+      for (std::size_t i = 0; i + step < fan.ring.size(); i += step) {
         fill_from_fan(fan, i, face);
         visit_turned();
       }
@@ -138,16 +139,20 @@ class PatchFaces {
 
   void fill_from_fan(const PoleFan& fan, std::size_t i, PatchFace& face) const {
     const std::size_t count = fan.ring.size() - 1;
-    const int near = fan.ring[i], far = fan.ring[i + 1];
+    const auto step = static_cast<std::size_t>(fan.segments_per_face);
+    const int near = fan.ring[i], far = fan.ring[i + step];
     // The metric is singular at the pole; its corner takes that of the ring.
-    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+    const double share =
+        (static_cast<double>(i) + 0.5 * static_cast<double>(step)) / static_cast<double>(count);
     face.pole = {point_on_pole(fan, share), mean(value(near).metric, value(far).metric)};
     const HalfedgeHandle none;
-    face.corners[0] = {fan.pole, -1, i + 1 == count ? fan.contour_from : -1, none};
-    face.corners[1] = {vertices_[static_cast<std::size_t>(far)], far, -1, none};
-    face.corners[2] = {vertices_[static_cast<std::size_t>(near)], near,
-                       i == 0 ? fan.contour_to : -1, none};
-    face.count = 3;
+    face.corners[0] = {fan.pole, -1, i + step == count ? fan.contour_from : -1, none};
+    for (std::size_t k = 0; k <= step; ++k) {
+      const int node = fan.ring[i + step - k];
+      face.corners[k + 1] = {vertices_[static_cast<std::size_t>(node)], node, -1, none};
+    }
+    face.count = step + 2;
+    if (i == 0) face.corners[face.count - 1].contour = fan.contour_to;
   }
 
   const PatchMesh& patch_;

@@ -77,8 +77,7 @@ bool ContourDivision::halve_long_segments() {
 
 void ContourDivision::even_out(int least, int multiple) {
   const std::size_t count = segment_count();
-  std::vector<double> sums = {0};
-  for (std::size_t i = 0; i < count; ++i) sums.push_back(sums.back() + longest(i));
+  const std::vector<double> sums = longest_sums();
   const long wanted =
       std::max<long>(rounded_up(least, multiple), multiple * std::lround(sums.back() / multiple));
   if (wanted >= static_cast<long>(count)) return;
@@ -105,13 +104,30 @@ bool ContourDivision::halve_crossing(std::size_t i) {
 }
 
 void ContourDivision::round_up_to(int multiple) {
-  while (segment_count() % static_cast<std::size_t>(multiple) != 0) {
-    std::size_t worst = 0;
-    for (std::size_t i = 1; i < segment_count(); ++i) {
-      if (longest(i) > longest(worst)) worst = i;
-    }
-    halve(worst);
+  while (segment_count() % static_cast<std::size_t>(multiple) != 0) halve_longest();
+}
+
+void ContourDivision::change_count(int by) {
+  const Parameters before = parameters_;
+  spread(longest_sums(), static_cast<long>(segment_count()) + by);
+  if (is_increasing()) return;
+  parameters_ = before;
+  halve_longest();
+}
+
+void ContourDivision::halve_longest() {
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < segment_count(); ++i) {
+    if (longest(i) > longest(worst)) worst = i;
   }
+  halve(worst);
+}
+
+/// The sums of longest(i) up to each node.
+std::vector<double> ContourDivision::longest_sums() const {
+  std::vector<double> sums = {0};
+  for (std::size_t i = 0; i < segment_count(); ++i) sums.push_back(sums.back() + longest(i));
+  return sums;
 }
 
 ContourNodes ContourDivision::nodes() const {

@@ -48,6 +48,12 @@ class ContourDivision {
   /// Halve the longest segments until their number is a multiple.
   void round_up_to(int multiple);
 
+  /// Sum of the segments' lengths, each in the metric in which it is longest.
+  double longest_sum() const { return longest_sums().back(); }
+
+  /// Place the nodes anew with one segment more or less; with one more where that fails.
+  void change_count(int by);
+
   const Parameters& parameters() const { return parameters_; }
   void set_parameters(Parameters parameters) { parameters_ = std::move(parameters); }
 
@@ -71,6 +77,8 @@ class ContourDivision {
   void spread(const std::vector<double>& sums, long count);
   bool is_increasing() const;
   double longest(std::size_t i) const;
+  std::vector<double> longest_sums() const;
+  void halve_longest();
   bool can_halve(std::size_t i, double shortest) const;
   void halve(std::size_t i);
 

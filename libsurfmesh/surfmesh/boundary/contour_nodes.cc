@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "surfmesh/boundary/contour_division.hh"
 #include "surfmesh/boundary/contour_memory.hh"
+#include "surfmesh/boundary/even_counts.hh"
 #include "surfmesh/boundary/segment_counts.hh"
 #include "surfmesh/boundary/uncrossing.hh"
 #include "surfmesh/core/error.hh"
@@ -16,10 +18,6 @@ namespace surfmesh {
 namespace {
 
 void check(const ContourDemands& demands) {
-  if (demands.multiple < 1) {
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("the number of segments cannot be a multiple of {}", demands.multiple));
-  }
   for (const double factor : demands.more_segments) {
     if (factor >= 1 && std::isfinite(factor)) continue;
     throw Error(ErrorCode::InvalidInput,
@@ -49,6 +47,7 @@ class Divider {
         demands_(demands),
         context_(context),
         memory_(memory),
+        multiple_(demands.parity == SegmentParity::EvenContours ? 2 : 1),
         least_(model),
         divisions_(model.contours.size()),
         queries_(model.contours.size()) {}
@@ -65,6 +64,17 @@ class Divider {
     });
   }
 
+  /// Give contours further nodes where loops cross, and every patch an even number if that is asked
+  /// for. Each may spoil what the other did.
+  void settle() {
+    uncross(model_, divisions_, multiple_, context_);
+    if (demands_.parity != SegmentParity::EvenPatches) return;
+    for (int round = 0; round < kMostRounds && has_odd_patch(); ++round) {
+      make_patches_even(model_, least_, round == 0 && !demands_.sag, divisions_);
+      uncross(model_, divisions_, multiple_, context_);
+    }
+  }
+
   ContourDivisions& divisions() { return divisions_; }
 
   /// What the contours took that were not known.
@@ -75,6 +85,13 @@ class Divider {
   }
 
  private:
+  static constexpr int kMostRounds = 10;
+
+  bool has_odd_patch() const {
+    const std::vector<char> is_odd = odd_patches(model_, divisions_);
+    return std::find(is_odd.begin(), is_odd.end(), 1) != is_odd.end();
+  }
+
   double more(std::size_t c) const {
     return demands_.more_segments.empty() ? 1 : demands_.more_segments[c];
   }
@@ -82,12 +99,12 @@ class Divider {
   void divide(std::size_t c) {
     const Contour& contour = model_.contours[c];
     ContourDivision& division = divisions_[c].emplace(model_, contour, fields_, context_);
-    division.divide(least_(contour), demands_.multiple, demands_.sag, more(c));
+    division.divide(least_(contour), multiple_, demands_.sag, more(c));
     if (division.halve_long_segments() && !demands_.sag) {
-      division.even_out(least_(contour), demands_.multiple);
+      division.even_out(least_(contour), multiple_);
     }
     division.halve_detours();
-    division.round_up_to(demands_.multiple);
+    division.round_up_to(multiple_);
     queries_[c] = division.queries();
   }
 
@@ -96,6 +113,7 @@ class Divider {
   const ContourDemands& demands_;
   const RunContext& context_;
   const ContourMemory* memory_;
+  int multiple_;  ///< of the number of segments of every contour
   LeastSegments least_;
   ContourDivisions divisions_;
   std::vector<QueryCounts> queries_;  ///< by contour
@@ -111,7 +129,7 @@ BoundaryNodes place_contour_nodes(const Model& model, const std::vector<const Me
   divider.run();
   ContourDivisions& divisions = divider.divisions();
   if (memory) memory->keep(divisions, demands.more_segments);
-  uncross(model, divisions, demands.multiple, context);
+  divider.settle();
   BoundaryNodes result;
   result.report.queries = divider.queries();
   for (std::size_t c = 0; c < model.contours.size(); ++c) {

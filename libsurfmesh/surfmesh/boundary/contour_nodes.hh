@@ -18,10 +18,16 @@ struct ContourNodes {
   int segment_count() const { return static_cast<int>(points.size()) - 1; }
 };
 
+/// Which numbers of segments are even.
+enum class SegmentParity {
+  Any,
+  EvenPatches,  ///< those around each patch together, as quads need them
+  EvenContours  ///< that of each contour: opposite sides are equal more often then
+};
+
 /// Requirements on the nodes of all contours, apart from sizes.
 struct ContourDemands {
-  /// The number of segments of every contour is a multiple of this; quads need 2. 1 or above.
-  int multiple = 1;
+  SegmentParity parity = SegmentParity::Any;
   /// Greatest distance between a segment and its contour, model units; unset is off. Above 0.
   std::optional<double> sag = {};
   /// With a sag, factors of the number of segments, by contour: surfaces beside it may need more

@@ -37,9 +37,9 @@ BoundaryLoop nodes_of(const Steps& steps, const std::vector<ContourNodes>& nodes
   return result;
 }
 
-/// The least number of segments of a ring that joins two nodes. Of two patches at a pole both rings
-/// join the same nodes.
-int least_segments(const Model& model, int pole, const BoundaryNode& from, const BoundaryNode& to) {
+/// The least number of faces of a fan between two nodes. Of two patches at a pole both fans are
+/// between the same nodes.
+int least_faces(const Model& model, int pole, const BoundaryNode& from, const BoundaryNode& to) {
   if (from.vertex == to.vertex) return 3;
   const auto sides = std::count_if(
       model.contours.begin(), model.contours.end(),
@@ -47,12 +47,15 @@ int least_segments(const Model& model, int pole, const BoundaryNode& from, const
   return sides == 2 ? 2 : 1;
 }
 
-/// Nodes between `from` and `to` at equal metric distances along the straight line.
-std::vector<Uv> ring_between(const BoundaryNode& from, const BoundaryNode& to, int least,
-                             const MetricField& field) {
+/// Nodes between `from` and `to` at equal metric distances along the straight line, for at least so
+/// many faces of a fan.
+std::vector<Uv> ring_between(const BoundaryNode& from, const BoundaryNode& to, int least_faces,
+                             int segments_per_face, const MetricField& field) {
   const SegmentCurve line(from.uv, to.uv);
   const MetricArc arc(line, field);
-  const int count = std::max(least, static_cast<int>(std::lround(arc.length())));
+  const int count =
+      segments_per_face *
+      std::max(least_faces, static_cast<int>(std::lround(arc.length() / segments_per_face)));
   std::vector<Uv> inner;
   for (int i = 1; i < count; ++i) {
     inner.push_back(line.evaluate(arc.parameter(i * arc.length() / count)));
@@ -70,11 +73,19 @@ PoleFan fan_at(const PoleRun& run, const BoundaryLoop& chain) {
   return fan;
 }
 
-/// Replace each pole in a loop by a ring. `offset` is the number of nodes in earlier loops; the
-/// loop begins and ends with steps that are not on poles.
-BoundaryLoop cut_off_poles(const Model& model, const BoundaryLoop& chain,
-                           const std::vector<PoleRun>& runs, int offset, const MetricField& field,
-                           std::vector<PoleFan>& fans) {
+/// What the fans of a patch are made from.
+struct FanMaker {
+  const Model& model;
+  const MetricField& field;
+  int segments_per_face;
+  int offset;  ///< nodes in earlier loops
+};
+
+/// Replace each pole in a loop by a ring. The loop begins and ends with steps that are not on
+/// poles.
+BoundaryLoop cut_off_poles(const FanMaker& maker, const BoundaryLoop& chain,
+                           const std::vector<PoleRun>& runs, std::vector<PoleFan>& fans) {
+  const int offset = maker.offset;
   BoundaryLoop loop;
   const auto next_number = [&] { return offset + static_cast<int>(loop.size()); };
   std::size_t done = 0;
@@ -90,8 +101,9 @@ BoundaryLoop cut_off_poles(const Model& model, const BoundaryLoop& chain,
     const BoundaryNode& after = is_last ? chain.front() : chain[done];
     before.contour = -1;
     fan.ring.push_back(next_number() - 1);
-    const int least = least_segments(model, fan.pole, before, after);
-    for (const Uv uv : ring_between(before, after, least, field)) {
+    fan.segments_per_face = maker.segments_per_face;
+    const int least = least_faces(maker.model, fan.pole, before, after);
+    for (const Uv uv : ring_between(before, after, least, maker.segments_per_face, maker.field)) {
       fan.ring.push_back(next_number());
       loop.push_back({uv, -1, -1});
     }
@@ -127,9 +139,9 @@ Uv point_on_pole(const PoleFan& fan, double share) {
 
 PatchBoundary collect_boundary(const Model& model, int patch,
                                const std::vector<ContourNodes>& nodes, const NodeNumbers& numbers,
-                               const MetricField& field) {
+                               const MetricField& field, int segments_per_face) {
   PatchBoundary boundary;
-  int offset = 0;
+  FanMaker maker{model, field, segments_per_face, 0};
   for (const PatchLoop& loop : model.patch(patch).loops) {
     Steps steps = steps_along(model, loop, [&](int contour) {
       const int count = nodes[static_cast<std::size_t>(contour)].segment_count();
@@ -139,8 +151,8 @@ PatchBoundary collect_boundary(const Model& model, int patch,
     const BoundaryLoop chain = nodes_of(steps, nodes, numbers);
     const std::vector<PoleRun> poles =
         can_cut_off ? pole_runs(model, steps) : std::vector<PoleRun>{};
-    boundary.loops.push_back(cut_off_poles(model, chain, poles, offset, field, boundary.fans));
-    offset += static_cast<int>(boundary.loops.back().size());
+    boundary.loops.push_back(cut_off_poles(maker, chain, poles, boundary.fans));
+    maker.offset += static_cast<int>(boundary.loops.back().size());
   }
   return boundary;
 }

@@ -41,13 +41,15 @@ struct BoundaryNode {
 /// Nodes in order: counter-clockwise along the outer loop, clockwise around holes.
 using BoundaryLoop = std::vector<BoundaryNode>;
 
-/// The triangles between a pole and the ring of nodes around it, which the domain mesh leaves out.
+/// The faces between a pole and the ring of nodes around it, which the domain mesh leaves out: a
+/// triangle for each segment of the ring, or a quad for two of them.
 struct PoleFan {
   int pole = -1;          ///< vertex of the result
   std::vector<Uv> sides;  ///< ends of the sides at the pole, in the direction of the loop
   int contour_to = -1;    ///< contour of the segment from the first node of the ring to the pole
   int contour_from = -1;  ///< contour of the segment from the pole to the last node of the ring
   std::vector<int> ring;  ///< indices into the patch's list of boundary nodes
+  int segments_per_face = 1;  ///< of the ring; their number is a multiple of it
 };
 
 /// The boundary that the mesh of one patch must have.
@@ -63,9 +65,10 @@ Uv point_on_pole(const PoleFan& fan, double share);
 ///
 /// A side that is one point (a pole), or several such sides in a row, is cut off: a ring of nodes
 /// at equal metric distances joins the nodes next to it on both adjacent sides. The metric, which
-/// is singular at a pole, is therefore never queried there.
+/// is singular at a pole, is therefore never queried there. `segments_per_face` is that of the
+/// fans: 1 for triangles, 2 for quads.
 PatchBoundary collect_boundary(const Model& model, int patch,
                                const std::vector<ContourNodes>& nodes, const NodeNumbers& numbers,
-                               const MetricField& field);
+                               const MetricField& field, int segments_per_face = 1);
 
 }  // namespace surfmesh

@@ -22,7 +22,8 @@ struct MeshTraits : public OpenMesh::DefaultTraitsDouble {
   VertexAttributes(OpenMesh::Attributes::None);
 };
 
-/// All meshes: those of patches and of control spaces, which consist of triangles, and the result.
+/// All meshes: those of control spaces, which consist of triangles, and those of patches and the
+/// result, of triangles or quads.
 using PolyMesh = OpenMesh::PolyMesh_ArrayKernelT<MeshTraits>;
 
 /// The index of an element in lists with one entry per element; its handle must be valid.

@@ -91,6 +91,12 @@ std::string_view name(NoticeKind kind) {
       return "split_vertices";
     case NoticeKind::FlatTriangles:
       return "flat_triangles";
+    case NoticeKind::FlatQuads:
+      return "flat_quads";
+    case NoticeKind::InvertedQuads:
+      return "inverted_quads";
+    case NoticeKind::LeftTriangles:
+      return "left_triangles";
     case NoticeKind::CoarseControl:
       return "coarse_control";
     case NoticeKind::MissedPrecision:

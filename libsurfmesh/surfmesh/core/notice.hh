@@ -36,6 +36,9 @@ enum class NoticeKind {
   CutEdges,          ///< edges are left open, as a half-edge mesh cannot be so
   SplitVertices,     ///< vertices are taken apart, likewise
   FlatTriangles,     ///< triangles of very low quality
+  FlatQuads,         ///< quads of a very low scaled Jacobian
+  InvertedQuads,     ///< quads that are turned over in the parameters, or concave
+  LeftTriangles,     ///< triangles that could not become quads
   CoarseControl,     ///< a control space does not hold its precision
   MissedPrecision,   ///< the control space misses its precision on an independent sample
   UnsearchedSizes,   ///< the search for small sizes in fields ended at its budget
@@ -45,7 +48,7 @@ enum class NoticeKind {
   BrokenPromise,     ///< the mesh is not as the model promises
 };
 
-inline constexpr std::size_t kNoticeKinds = 29;
+inline constexpr std::size_t kNoticeKinds = 32;
 
 /// The name of a kind in reports: "ignored_input", "turned_triangles", ...
 std::string_view name(NoticeKind kind);

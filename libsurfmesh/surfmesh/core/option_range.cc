@@ -21,9 +21,8 @@ const OptionWord* find_word(const OptionRange& range, std::string_view text) {
 }
 
 bool has_word_for(const OptionRange& range, double value) {
-  return std::any_of(range.words.begin(), range.words.end(), [value](const OptionWord& word) {
-    return word.value == value && word.use != WordUse::Planned;
-  });
+  return std::any_of(range.words.begin(), range.words.end(),
+                     [value](const OptionWord& word) { return word.value == value; });
 }
 
 bool is_number(const OptionRange& range, double value) {
@@ -62,9 +61,7 @@ std::optional<std::string_view> OptionRange::word_for(double value) const {
 }
 
 std::optional<double> OptionRange::read(std::string_view text) const {
-  if (const OptionWord* word = find_word(*this, text)) {
-    return word->use == WordUse::Planned ? std::nullopt : std::optional(word->value);
-  }
+  if (const OptionWord* word = find_word(*this, text)) return word->value;
   if (!has_numbers()) return std::nullopt;
   double value = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -90,14 +87,6 @@ std::string to_text(const OptionRange& range, double value) {
 void fail_option(std::string_view name, std::string_view value, std::string_view range) {
   throw Error(ErrorCode::InvalidOption, fmt::format("{} = {} is outside its range: {}", name,
                                                     value.substr(0, kLongestQuote), range));
-}
-
-void fail_option(const OptionRange& range, std::string_view text) {
-  const OptionWord* word = find_word(range, text);
-  if (!word || word->use != WordUse::Planned) fail_option(range.name, text, to_text(range));
-  throw Error(ErrorCode::InvalidOption,
-              fmt::format("{} = {} is not built yet; now there is {}", range.name, text,
-                          fmt::join(shown_words(range), ", ")));
 }
 
 void check_option(const OptionRange& range, double value) {

@@ -19,9 +19,8 @@ namespace surfmesh {
 inline constexpr std::size_t kLongestQuote = 40;
 
 enum class WordUse {
-  Shown,    ///< stands in help, report and messages
-  Alias,    ///< read only
-  Planned,  ///< refused: what it asks for is not built yet
+  Shown,  ///< stands in help, report and messages
+  Alias   ///< read only
 };
 
 /// A word that stands for a value: "off" for 0, "circumcentre" for the second placement.
@@ -63,9 +62,6 @@ std::string to_text(const OptionRange& range, double value);
 [[noreturn]] void fail_option(std::string_view name, std::string_view value,
                               std::string_view range);
 
-/// The same for a text, of which it is told where it asks for what is not built yet.
-[[noreturn]] void fail_option(const OptionRange& range, std::string_view text);
-
 /// Throws   InvalidOption as fail_option if the value is not in the range
 void check_option(const OptionRange& range, double value);
 
@@ -84,9 +80,6 @@ inline constexpr std::array kSweeps = {OptionWord{"off", 0}, OptionWord{"best", 
 inline constexpr std::array kSwitch = {OptionWord{"on", 1}, OptionWord{"off", 0},
                                        OptionWord{"true", 1, WordUse::Alias},
                                        OptionWord{"false", 0, WordUse::Alias}};
-inline constexpr std::array kOffYet = {OptionWord{"off", 0}, OptionWord{"false", 0, WordUse::Alias},
-                                       OptionWord{"on", 1, WordUse::Planned},
-                                       OptionWord{"true", 1, WordUse::Planned}};
 inline constexpr std::array kCurvatureFrom = {OptionWord{"exact", 0}, OptionWord{"differences", 1}};
 inline constexpr std::array kControl = {OptionWord{"mesh", 0}, OptionWord{"grid", 1},
                                         OptionWord{"cells", 2}, OptionWord{"auto", 3}};
@@ -97,6 +90,9 @@ inline constexpr std::array kBlend = {OptionWord{"linear", 0}, OptionWord{"log",
 inline constexpr std::array kLookup = {OptionWord{"disc", 0}, OptionWord{"vertices", 1}};
 inline constexpr std::array kPlacement = {OptionWord{"frontal", 0}, OptionWord{"circumcentre", 1}};
 inline constexpr std::array kKernel = {OptionWord{"cavity", 0}, OptionWord{"swap", 1}};
+inline constexpr std::array kQuadMethod = {OptionWord{"best", 0}, OptionWord{"frontal", 1}};
+inline constexpr std::array kQuadFront = {OptionWord{"lee-lo", 0}, OptionWord{"q-morph", 1},
+                                          OptionWord{"mixed", 2}};
 inline constexpr std::array kPatches = {OptionWord{"auto", 0}, OptionWord{"faces", 1},
                                         OptionWord{"blocks", 2}};
 
@@ -139,7 +135,9 @@ inline constexpr OptionRange kRepairs = {"repairs", words::kOff, 1, kMostPasses,
 inline constexpr OptionRange kPatches = {"patches", words::kPatches};
 inline constexpr OptionRange kOrient = {"orient", words::kSwitch};
 inline constexpr OptionRange kCreaseAngle = {"crease_angle", words::kOff, 0, 180, true};
-inline constexpr OptionRange kQuads = {"quads", words::kOffYet};
+inline constexpr OptionRange kQuads = {"quads", words::kSwitch};
+inline constexpr OptionRange kQuadMethod = {"quad_method", words::kQuadMethod};
+inline constexpr OptionRange kQuadFront = {"quad_front", words::kQuadFront};
 inline constexpr OptionRange kNormals = {"normals", words::kSwitch};
 inline constexpr OptionRange kUv = {"uv", words::kSwitch};
 inline constexpr OptionRange kThreads = {"threads", words::kAll, 1, kMostThreads, false, true};

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/core/run_context.hh"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <string>
+#include <numbers>
 
 #include "surfmesh/core/error.hh"
 
@@ -13,6 +15,14 @@ namespace {
 constexpr std::chrono::milliseconds kLeastInterval{250};
 
 }  // namespace
+
+std::string_view name(ElementKind kind) {
+  return kind == ElementKind::Triangles ? "triangles" : "quads";
+}
+
+double elements_per_triangle(ElementKind kind) {
+  return kind == ElementKind::Triangles ? 1 : std::numbers::sqrt3 / 4;
+}
 
 void RunContext::tell(std::string_view stage, std::size_t done, std::size_t total) const {
   if (!observer_) return;
@@ -54,7 +64,7 @@ void RunContext::add_elements(std::size_t count) const {
 
 void RunContext::throw_too_many_elements() const {
   throw Error(ErrorCode::Limit,
-              "more than max_elements = " + std::to_string(max_elements_) + " triangles");
+              fmt::format("more than max_elements = {} {}", max_elements_, name(kind_)));
 }
 
 }  // namespace surfmesh

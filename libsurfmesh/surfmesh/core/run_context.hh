@@ -19,6 +19,15 @@ inline constexpr std::size_t kStepsBetweenCancellation = 4096;
 /// Likewise of steps that search surfaces, with some hundred evaluations each.
 inline constexpr std::size_t kSearchesBetweenCancellation = 64;
 
+/// What a run makes.
+enum class ElementKind { Triangles, Quads };
+
+/// "triangles", "quads".
+std::string_view name(ElementKind kind);
+
+/// Unit elements of a kind for each unit triangle that fits into the same area.
+double elements_per_triangle(ElementKind kind);
+
 /// What the stages of a run share: who is told of its progress, whether it has been cancelled, and
 /// how many elements it may still make.
 ///
@@ -28,8 +37,9 @@ class RunContext {
  public:
   /// `observer` is not owned and may be null. Without bounds by default.
   explicit RunContext(Observer* observer = nullptr,
-                      std::size_t max_elements = std::numeric_limits<std::size_t>::max())
-      : observer_(observer), max_elements_(max_elements) {}
+                      std::size_t max_elements = std::numeric_limits<std::size_t>::max(),
+                      ElementKind kind = ElementKind::Triangles)
+      : observer_(observer), max_elements_(max_elements), kind_(kind) {}
 
   RunContext(const RunContext&) = delete;
   RunContext& operator=(const RunContext&) = delete;
@@ -47,6 +57,8 @@ class RunContext {
 
   /// Elements that the whole run may make.
   std::size_t max_elements() const { return max_elements_; }
+
+  ElementKind element_kind() const { return kind_; }
 
   /// Elements that a patch which is not finished may have. Each patch takes at least one, so
   /// whichever patches are finished, there is an error if, and only if, all together have too many.
@@ -81,6 +93,7 @@ class RunContext {
 
   Observer* observer_;
   std::size_t max_elements_;
+  ElementKind kind_;
   mutable std::mutex mutex_;          ///< of the observer
   mutable Clock::time_point told_{};  ///< when it was last told of elements; under the mutex
   mutable std::atomic<bool> was_cancelled_ = false;

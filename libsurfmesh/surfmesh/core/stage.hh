@@ -10,7 +10,7 @@
 namespace surfmesh {
 
 /// The stages of a run, in the order of the data flow. Corrections within a patch and the splitting
-/// of chords between patches belong to Assemble. Quad is not built yet.
+/// of chords between patches belong to Assemble; those of quads to Quad.
 ///
 /// A new one is listed in kStages, too, and gets its name in stage.cc.
 enum class Stage { Read, Control, Boundary, Triangulate, Refine, Improve, Quad, Assemble, Write };

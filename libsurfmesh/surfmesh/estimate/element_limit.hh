@@ -6,7 +6,10 @@
 
 namespace surfmesh {
 
-/// True if there will be more triangles than the run may make, even if the estimate is 15 % too
+/// How many elements of the kind that the run makes there will be.
+double estimated_elements(const TriangleEstimate& estimate, const RunContext& context);
+
+/// True if there will be more elements than the run may make, even if the estimate is 15 % too
 /// high.
 bool is_surely_above(const TriangleEstimate& estimate, const RunContext& context);
 

@@ -6,8 +6,10 @@
 
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/improve/shape_moves.hh"
+#include "surfmesh/patch/divide_far_quads.hh"
 #include "surfmesh/patch/sag_corrections.hh"
 #include "surfmesh/patch/smooth_within_sag.hh"
+#include "surfmesh/quad/make_quads.hh"
 #include "surfmesh/refine/boundary_triangulation.hh"
 
 namespace surfmesh {
@@ -37,9 +39,13 @@ class PatchRun {
 
   PatchResult run() {
     triangulate();
-    insert_inner_nodes();
-    improve_triangles();
-    finish();
+    if (task_.quads.is_on) {
+      fill_with_quads();
+    } else {
+      insert_inner_nodes();
+      improve_triangles();
+      finish();
+    }
     context_.change_unfinished(-refined_faces_);
     context_.add_elements(result_.mesh.mesh->n_faces());
     return std::move(result_);
@@ -56,6 +62,29 @@ class PatchRun {
     patch_.delaunay = std::move(made.delaunay);
     context_.throw_if_cancelled();
     result_.queries[Stage::Triangulate] = made.queries;
+  }
+
+  void fill_with_quads() {
+    std::vector<std::size_t> loop_sizes;
+    for (const BoundaryLoop& loop : patch_.boundary.loops) loop_sizes.push_back(loop.size());
+    const bool is_converted = task_.quads.method == QuadMethod::Frontal;
+    if (is_converted) {
+      insert_inner_nodes();
+      improve_triangles();
+    }
+    const StageClock clock(result_.seconds[Stage::Quad]);
+    PatchQuads quads =
+        is_converted ? convert_to_quads(std::move(patch_.delaunay),
+                                        {task_.field, loop_sizes, task_.quads.front}, context_)
+                     : make_quads(std::move(patch_.delaunay), task_.field, loop_sizes, context_);
+    result_.queries[Stage::Quad] = quads.report.queries;
+    if (task_.corrected_sag > 0) {
+      result_.queries[Stage::Quad] += detail::divide_far_quads(
+          *quads.mesh, task_.surface, task_.field, boundary_vertices(patch_.boundary).size(),
+          task_.corrected_sag, context_);
+    }
+    result_.is_given_up = result_.is_given_up || quads.report.is_given_up;
+    result_.mesh = finish_patch(std::move(patch_.boundary), std::move(quads.mesh), task_.surface);
   }
 
   void insert_inner_nodes() {

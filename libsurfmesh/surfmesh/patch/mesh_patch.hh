@@ -6,6 +6,7 @@
 #include "surfmesh/improve/improve.hh"
 #include "surfmesh/patch_mesh/patch_mesh.hh"
 #include "surfmesh/patch_mesh/turned_triangles.hh"
+#include "surfmesh/quad/quad_options.hh"
 #include "surfmesh/refine/refine.hh"
 
 namespace surfmesh {
@@ -23,6 +24,7 @@ struct PatchTask {
   /// Greatest ratio of the two sizes that was asked for. Beyond twice, corrections take triangles
   /// that are stretched as the metric is.
   double stretch = 1;
+  QuadOptions quads = {};
 };
 
 /// The mesh of one patch, and the time and queries it took.

@@ -38,6 +38,17 @@ PatchMesh finish_patch(TriangulatedPatch patch) {
   return result;
 }
 
+PatchMesh finish_patch(PatchBoundary boundary, std::unique_ptr<PolyMesh> mesh,
+                       const Surface& surface) {
+  const auto uv = require(*mesh, keys::vertex_uv);
+  for (const VertexHandle vh : mesh->vertices()) {
+    mesh->set_point(vh,
+                    to_openmesh(surface.evaluate(mesh->property(uv, vh), Order::Position).point));
+  }
+  write_contours(boundary, *mesh);
+  return {std::move(boundary), std::move(mesh)};
+}
+
 TriangulatedPatch reopen_patch(PatchMesh patch, const Surface& surface, const MetricField& field) {
   TriangulatedPatch result;
   result.boundary = std::move(patch.boundary);

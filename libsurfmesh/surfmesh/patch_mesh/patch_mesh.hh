@@ -26,6 +26,15 @@ struct PatchMesh {
 /// Cost     O(vertices); the mesh itself is moved
 PatchMesh finish_patch(TriangulatedPatch patch);
 
+/// Take faces in the domain of a patch as its finished mesh. The first vertices are the nodes of
+/// the loops.
+///
+/// Reads    surf:uv (vertex)
+/// Writes   point(); surf:contour (edge)
+/// Cost     a surface evaluation per vertex
+PatchMesh finish_patch(PatchBoundary boundary, std::unique_ptr<PolyMesh> mesh,
+                       const Surface& surface);
+
 /// Go on with the triangles of a finished patch.
 /// Cost     a surface evaluation per vertex
 /// Pre      all faces are triangles

@@ -58,7 +58,7 @@ bool has_metric(const PolyMesh& mesh) {
 }
 
 MetricFit measure_metric(const PolyMesh& mesh) {
-  return {measure_edges(mesh), measure_quality(mesh)};
+  return {measure_edges(mesh), measure_quality(mesh), measure_quads(mesh)};
 }
 
 /// Take the greatest distance of a mesh as the report of a run has it.
@@ -187,8 +187,19 @@ Json histogram_json(const std::vector<HistogramBin>& bins) {
   return json;
 }
 
+/// Null without triangles.
 Json quality_json(const QualityStatistics& quality) {
+  if (quality.count == 0) return nullptr;
   return {{"min", quality.min}, {"mean", quality.mean}, {"below_0.3", quality.below_0_3}};
+}
+
+/// Null without quads.
+Json quads_json(const QuadStatistics& quads) {
+  if (quads.count == 0) return nullptr;
+  return {{"min_scaled_jacobian", quads.min_jacobian},
+          {"mean_scaled_jacobian", quads.mean_jacobian},
+          {"min_scaled_jacobian_in_space", quads.min_space_jacobian},
+          {"mean_scaled_jacobian_in_space", quads.mean_space_jacobian}};
 }
 
 Json notices_json(const MeshCheck& check) {
@@ -255,7 +266,9 @@ Json edges_json(const EdgeStatistics& edges) {
 }
 
 Json metric_json(const MetricFit& fit) {
-  return {{"edges", edges_json(fit.edges)}, {"quality", quality_json(fit.quality)}};
+  return {{"edges", edges_json(fit.edges)},
+          {"quality", quality_json(fit.quality)},
+          {"quads", quads_json(fit.quads)}};
 }
 
 Json fit_json(const ModelFit& fit) {
@@ -267,6 +280,7 @@ Json fit_json(const ModelFit& fit) {
           {"other_sizes", fit.has_other_sizes},
           {"edges", edges_json(fit.sizes.edges)},
           {"quality", quality_json(fit.sizes.quality)},
+          {"quads", quads_json(fit.sizes.quads)},
           {"sag", fit.sag ? Json(*fit.sag) : Json(nullptr)},
           {"distance",
            {{"max", distance.max},
@@ -334,6 +348,11 @@ class Lines {
                              fit.edges.mean, fit.edges.stddev, fit.edges.min, fit.edges.max,
                              100 * fit.edges.unit_fraction));
     if (fit.quality.count > 0) add("quality", quality_text(fit.quality));
+    if (fit.quads.count == 0) return;
+    add("quads", fmt::format("scaled Jacobian in the metric: mean {:.3f}, least {:.3f}; in space: "
+                             "mean {:.3f}, least {:.3f}",
+                             fit.quads.mean_jacobian, fit.quads.min_jacobian,
+                             fit.quads.mean_space_jacobian, fit.quads.min_space_jacobian));
   }
 
   void add_stored(const MetricFit& fit) {

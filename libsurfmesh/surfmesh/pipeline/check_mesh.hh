@@ -11,6 +11,7 @@
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/quality/face_set_check.hh"
 #include "surfmesh/quality/mesh_extent.hh"
+#include "surfmesh/quality/quad_statistics.hh"
 #include "surfmesh/quality/statistics.hh"
 #include "surfmesh/quality/surface_distance.hh"
 
@@ -19,7 +20,8 @@ namespace surfmesh {
 /// How well a mesh fits a metric.
 struct MetricFit {
   EdgeStatistics edges;
-  QualityStatistics quality;
+  QualityStatistics quality;  ///< of triangles
+  QuadStatistics quads = {};
 };
 
 /// The sizes by which a mesh is judged.

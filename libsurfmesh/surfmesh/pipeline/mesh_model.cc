@@ -18,6 +18,7 @@
 #include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/boundary/patch_boundary.hh"
 #include "surfmesh/control/surface_metric_field.hh"
+#include "surfmesh/core/counted.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/option_range.hh"
 #include "surfmesh/core/out_of_memory.hh"
@@ -37,6 +38,7 @@
 #include "surfmesh/pipeline/reach_sag.hh"
 #include "surfmesh/pipeline/set_option.hh"
 #include "surfmesh/pipeline/unused_sources.hh"
+#include "surfmesh/quad/improper_quads.hh"
 #include "surfmesh/quality/patch_measures.hh"
 
 namespace surfmesh {
@@ -44,6 +46,9 @@ namespace {
 
 /// A triangle of less quality is told: it is of no use, and the user can mend it.
 constexpr double kFlatQuality = 0.1;
+
+/// Meshes of up to so many quads are made in two ways.
+constexpr std::size_t kMostQuadsMadeTwice = 2000;
 
 /// Beside one length everywhere, other sizes that were asked for have no effect.
 Notices unused_sizes(const PipelineOptions& options) {
@@ -61,6 +66,30 @@ Notices unused_sizes(const PipelineOptions& options) {
   return notices;
 }
 
+/// The way to quads has no effect without them, nor does the way of the fronts without these, nor
+/// what makes triangles on the way without triangles.
+Notices unused_ways(const PipelineOptions& every) {
+  const QuadOptions& options = every.quads;
+  Notices notices;
+  const auto tell = [&](std::string_view name, std::string_view reason) {
+    notices.push_back(
+        warning(NoticeKind::UnusedOption, fmt::format("{} has no effect {}", name, reason)));
+  };
+  if (options.method != QuadMethod::Best && !options.is_on) {
+    tell(ranges::kQuadMethod.name, "without quads");
+  }
+  if (options.front != QuadOptions{}.front && options.method != QuadMethod::Frontal) {
+    tell(ranges::kQuadFront.name, "without quad_method = frontal");
+  }
+  if (!options.is_on || options.method == QuadMethod::Frontal) return notices;
+  const PipelineOptions defaults;
+  for (const std::string_view name : {ranges::kPlacement.name, ranges::kKernel.name,
+                                      ranges::kSmoothing.name, ranges::kRepairs.name}) {
+    if (get_option(every, name) != get_option(defaults, name)) tell(name, "on quads");
+  }
+  return notices;
+}
+
 class Run {
  public:
   Run(const Model& model, const ResolvedSizing& sizing, const PipelineOptions& options,
@@ -68,9 +97,11 @@ class Run {
       : model_(model), options_(options), context_(context), sizing_(sizing) {
     if (sizing.sag > 0) demands_.sag = sizing.sag;
     report_.options = detail::options_in_effect(model, options);
+    if (options.quads.is_on) demands_.parity = SegmentParity::EvenPatches;
     append(model.notices, report_.notices);
     append(detail::options_too_late(model, options), report_.notices);
     append(unused_sizes(options), report_.notices);
+    append(unused_ways(options), report_.notices);
   }
 
   /// What is known without a mesh.
@@ -92,6 +123,27 @@ class Run {
   void mesh(ControlSpaces control, MeshResult& result) {
     context_.begin_mesh();
     take_spaces(std::move(control));
+    const Report before = report_;
+    make(result);
+    if (!is_worth_two_meshes(result.report)) return;
+    report_ = before;
+    report_.seconds = result.report.seconds;
+    demands_.parity = SegmentParity::EvenContours;
+    context_.begin_mesh();
+    MeshResult other;
+    try {
+      make(other);
+    } catch (const Error& error) {
+      // The mesh that is there does for all but a user who has had enough.
+      if (error.code() == ErrorCode::Cancelled) throw;
+      return;
+    }
+    result.report.seconds = other.report.seconds;
+    if (has_better_quads(other.report, result.report)) result = other;
+  }
+
+ private:
+  void make(MeshResult& result) {
     place_nodes();
     mesh_patches();
     assemble_patches(result.mesh);
@@ -99,7 +151,21 @@ class Run {
     result.report = std::move(report_);
   }
 
- private:
+  /// Opposite sides of patches are equal more often if every contour has an even number of
+  /// segments. That costs size, so which is better shows in the mesh; in a large one it hardly
+  /// matters.
+  bool is_worth_two_meshes(const Report& report) const {
+    return options_.quads.is_on && !demands_.sag && model_.patches.size() > 1 &&
+           report.mesh.quads <= kMostQuadsMadeTwice;
+  }
+
+  static bool has_better_quads(const Report& a, const Report& b) {
+    if (a.mesh.triangles != b.mesh.triangles) return a.mesh.triangles < b.mesh.triangles;
+    if (a.quads.inverted != b.quads.inverted) return a.quads.inverted < b.quads.inverted;
+    return a.quads.mean_jacobian * a.edges.unit_fraction >
+           b.quads.mean_jacobian * b.edges.unit_fraction;
+  }
+
   void take_spaces(ControlSpaces made) {
     const StageClock clock(report_.seconds[Stage::Control]);
     append(std::move(made.notices), report_.notices);
@@ -125,7 +191,7 @@ class Run {
   void estimate() {
     const TriangleEstimate estimate =
         estimate_triangles(model_, spaces_, sizing_.bounds.hmin, context_);
-    report_.estimated_triangles = estimate.triangles();
+    report_.estimated_elements = estimated_elements(estimate, context_);
     if (is_surely_above(estimate, context_))
       throw_too_many(estimate, sizing_.bounds.hmax, context_);
   }
@@ -177,6 +243,8 @@ class Run {
   bool is_cached() const { return cache_ && corrected_sag_ > 0; }
 
   void mesh_patches() {
+    patches_.clear();
+    turned_.clear();
     std::vector<PatchResult> results(model_.patches.size());
     for_each_patch(model_, "mesh", context_, boundary_counts(),
                    [&](std::size_t p) { results[p] = mesh_one(p); });
@@ -188,6 +256,10 @@ class Run {
     }
     tell_given_up(results);
     const StageClock clock(report_.seconds[Stage::Assemble]);
+    if (options_.quads.is_on) {
+      mend_improper_quads(patches_, model_, fields_);
+      return;
+    }
     for (const auto& [p, turned] : split_improper_chords(patches_, model_, fields_).turned) {
       turned_[p] = turned;
     }
@@ -198,7 +270,8 @@ class Run {
     double seconds = 0;
     const auto boundary = [&] {
       const StageClock clock(seconds);
-      return collect_boundary(model_, static_cast<int>(p), nodes_, *numbers_, *fields_[p]);
+      return collect_boundary(model_, static_cast<int>(p), nodes_, *numbers_, *fields_[p],
+                              options_.quads.is_on ? 2 : 1);
     };
     PatchTask task{.surface = *model_.patches[p].surface,
                    .field = *fields_[p],
@@ -206,7 +279,8 @@ class Run {
                    .refine = options_.refine,
                    .improve = options_.improve,
                    .corrected_sag = corrected_sag_,
-                   .stretch = sizing_.stretch};
+                   .stretch = sizing_.stretch,
+                   .quads = options_.quads};
     PatchResult result =
         is_cached() ? mesh_unless_kept(p, std::move(task)) : mesh_patch(std::move(task), context_);
     result.seconds[Stage::Triangulate] += seconds;
@@ -240,8 +314,9 @@ class Run {
     for (const PatchResult& result : results) is_given_up.push_back(result.is_given_up);
     auto notice = detail::shortfall_of_patches(
         NoticeKind::GivenUp, model_, is_given_up,
-        "given up at three times the triangles that the sizes ask for: they change direction "
-        "faster than elements can follow; smaller stretch or a lower grade helps");
+        fmt::format("given up at three times the {} that the sizes ask for: they change direction "
+                    "faster than elements can follow; smaller stretch or a lower grade helps",
+                    name(context_.element_kind())));
     if (notice) report_.notices.push_back(std::move(*notice));
   }
 
@@ -305,10 +380,12 @@ class Run {
     report_.edges = measure_edges(mesh);
     context_.throw_if_cancelled();
     report_.quality = measure_quality(mesh);
+    if (quads > 0) report_.quads = measure_quads(mesh);
     report_.diagonal = model_.diagonal;
     report_.lengths = measure_lengths(mesh);
     locate_worst(mesh);
-    warn_of_flat_triangles(mesh);
+    warn_of_flat_faces(mesh);
+    if (options_.quads.is_on && report_.mesh.triangles > 0) tell_left_triangles(mesh);
   }
 
   static Report::Lengths measure_lengths(const PolyMesh& mesh) {
@@ -327,10 +404,16 @@ class Run {
   }
 
   void locate_worst(const PolyMesh& mesh) {
-    if (report_.quality.worst_face < 0) return;
-    const FaceHandle fh(report_.quality.worst_face);
+    report_.worst = place_of(mesh, report_.quality.worst_face);
+    report_.worst_quad = place_of(mesh, report_.quads.worst_face);
+    report_.worst_quad_in_space = place_of(mesh, report_.quads.worst_face_in_space);
+  }
+
+  std::optional<Report::WorstFace> place_of(const PolyMesh& mesh, int face) const {
+    if (face < 0) return {};
+    const FaceHandle fh(face);
     const int patch = mesh.property(require(mesh, keys::face_patch), fh);
-    report_.worst = {model_.patch(patch).name, to_eigen(mesh.calc_face_centroid(fh))};
+    return Report::WorstFace{model_.patch(patch).name, to_eigen(mesh.calc_face_centroid(fh))};
   }
 
   /// True if a corner of a face is on a contour.
@@ -344,23 +427,70 @@ class Run {
     return false;
   }
 
-  void warn_of_flat_triangles(const PolyMesh& mesh) {
+  void warn_of_flat_faces(const PolyMesh& mesh) {
     const QualityStatistics& quality = report_.quality;
-    if (quality.worst_face < 0 || quality.min >= kFlatQuality) return;
-    const FaceHandle fh(quality.worst_face);
-    const auto patch = mesh.property(require(mesh, keys::face_patch), fh);
-    const Vec3 point = report_.worst->point;
+    if (quality.worst_face >= 0 && quality.min < kFlatQuality) {
+      add_flat_notice(mesh, NoticeKind::FlatTriangles, FaceHandle(quality.worst_face),
+                      fmt::format("triangles are as flat as quality {:.3g}", quality.min));
+    }
+    const QuadStatistics& quads = report_.quads;
+    if (quads.inverted > 0 || quads.folded > 0) tell_inverted(mesh);
+    if (quads.flat > 0) {
+      add_flat_notice(
+          mesh, NoticeKind::FlatQuads, FaceHandle(quads.worst_face),
+          fmt::format("{} a scaled Jacobian below {} in the metric, the least is {:.3g}",
+                      quads.flat == 1 ? "1 quad has" : fmt::format("{} quads have", quads.flat),
+                      kFlatQuad, quads.min_jacobian));
+    }
+  }
+
+  void add_flat_notice(const PolyMesh& mesh, NoticeKind kind, FaceHandle fh,
+                       const std::string& what) {
     const char* cause = is_at_contour(mesh, fh)
                             ? ": the boundary leaves less room than the sizes ask for; gaps get "
                               "their sizes by proximity, not below hmin"
                             : "";
-    Notice notice =
-        warning(NoticeKind::FlatTriangles,
-                fmt::format("triangles are as flat as quality {:.3g}, in patch {} at {}{}",
-                            quality.min, model_.patch(patch).name, point_text(point), cause));
-    notice.patch = patch;
-    notice.point = point;
+    Notice notice = warning(kind, {});
+    locate(mesh, fh, notice);
+    notice.text = fmt::format("{}, in patch {} at {}{}", what, model_.patch(notice.patch).name,
+                              point_text(*notice.point), cause);
     report_.notices.push_back(std::move(notice));
+  }
+
+  /// A patch whose loops have an odd number of segments keeps one.
+  void tell_left_triangles(const PolyMesh& mesh) {
+    Notice notice = shortfall(NoticeKind::LeftTriangles, {});
+    const auto faces = mesh.faces();
+    const auto first = std::find_if(faces.begin(), faces.end(),
+                                    [&](FaceHandle fh) { return mesh.valence(fh) == 3; });
+    locate(mesh, *first, notice);
+    notice.text = fmt::format(
+        "{} left among the quads, one in patch {} at {}: the contours around the patch have an odd "
+        "number of segments, and none could take one more or fewer; another size helps",
+        counted(report_.mesh.triangles, "triangle is", "triangles are"),
+        model_.patch(notice.patch).name, point_text(*notice.point));
+    report_.notices.push_back(std::move(notice));
+  }
+
+  void tell_inverted(const PolyMesh& mesh) {
+    const QuadStatistics& quads = report_.quads;
+    const bool is_in_domain = quads.inverted > 0;
+    Notice notice = shortfall(NoticeKind::InvertedQuads, {});
+    locate(mesh, FaceHandle(is_in_domain ? quads.worst_face : quads.worst_face_in_space), notice);
+    notice.text = fmt::format(
+        "{} a corner of 180° or more {}, the worst in patch {} at {}; smaller sizes help ({})",
+        counted(is_in_domain ? quads.inverted : quads.folded, "quad has", "quads have"),
+        is_in_domain ? "in the parameters" : "in space", model_.patch(notice.patch).name,
+        point_text(*notice.point),
+        options_.sizing.size  ? "size"
+        : options_.sizing.sag ? "sag, hmin"
+                              : "curvature, hmin, hmax");
+    report_.notices.push_back(std::move(notice));
+  }
+
+  static void locate(const PolyMesh& mesh, FaceHandle fh, Notice& notice) {
+    notice.patch = mesh.property(require(mesh, keys::face_patch), fh);
+    notice.point = to_eigen(mesh.calc_face_centroid(fh));
   }
 
   const Model& model_;
@@ -438,7 +568,8 @@ template <class Work>
 void do_or_cancel(const RunContext& context, Work work) {
   try {
     tell_out_of_memory(work, [&] {
-      return fmt::format("at {} triangles in finished patches", context.elements());
+      return fmt::format("at {} {} in finished patches", context.elements(),
+                         name(context.element_kind()));
     });
   } catch (const Error&) {
     if (context.was_cancelled()) context.throw_if_cancelled();
@@ -446,11 +577,19 @@ void do_or_cancel(const RunContext& context, Work work) {
   }
 }
 
-/// Tell the least quality of each patch that has triangles.
+ElementKind element_kind(const PipelineOptions& options) {
+  return options.quads.is_on ? ElementKind::Quads : ElementKind::Triangles;
+}
+
+/// Tell the least quality of the triangles and quads of each patch.
 void add_qualities(Report& report) {
   const std::vector<double>& least = report.quality.min_of_patches;
   for (std::size_t p = 0; p < report.patches.size() && p < least.size(); ++p) {
     if (std::isfinite(least[p])) report.patches[p].least_quality = least[p];
+  }
+  const std::vector<double>& jacobians = report.quads.min_of_patches;
+  for (std::size_t p = 0; p < report.patches.size() && p < jacobians.size(); ++p) {
+    if (std::isfinite(jacobians[p])) report.patches[p].least_jacobian = jacobians[p];
   }
 }
 
@@ -480,7 +619,7 @@ MeshResult mesh_model(const Model& model, const Sources& sources, const Pipeline
                       Observer* observer) {
   check(options);
   check(model);
-  const RunContext context(observer, options.max_elements);
+  const RunContext context(observer, options.max_elements, element_kind(options));
   MeshResult result;  // OpenMesh's meshes cannot be moved, only copied
   with_threads(options.threads, [&] {
     do_or_cancel(context, [&] {
@@ -501,7 +640,7 @@ Report estimate_mesh(const Model& model, const Sources& sources, const PipelineO
                      Observer* observer) {
   check(options);
   check(model);
-  const RunContext context(observer, options.max_elements);
+  const RunContext context(observer, options.max_elements, element_kind(options));
   const ResolvedSizing sizing = resolve(options.sizing, model.diagonal);
   Report report;
   const auto estimate = [&](ControlSpaces control) {

@@ -40,7 +40,7 @@ MeshResult mesh_model(const Model& model, const Sources& sources = {},
 /// Make the control spaces of a model only, and estimate from them how many triangles its mesh
 /// would have; with a sag, its first mesh.
 ///
-/// Returns  a report without a mesh: estimated_triangles, control, seconds, and the notices so far
+/// Returns  a report without a mesh: estimated_elements, control, seconds, and the notices so far
 /// Error    see estimate_triangles
 /// Throws   as mesh_model
 Report estimate_mesh(const Model& model, const Sources& sources = {},

@@ -73,10 +73,6 @@ constexpr NumberAccess kCreaseAngle = {
     &ranges::kCreaseAngle, [](const Options& options) { return options.crease_angle.value_or(0); },
     [](Options& options, double value) { options.crease_angle = value; }};
 
-/// Not built yet: there is only off.
-constexpr NumberAccess kQuads = {&ranges::kQuads, [](const Options&) { return 0.0; },
-                                 [](Options&, double) {}};
-
 constexpr std::string_view kLengthUnit = "model units or % of the diagonal";
 constexpr OptionGroup kSizes = OptionGroup::Sizes;
 constexpr OptionGroup kControl = OptionGroup::ControlSpace;
@@ -175,18 +171,26 @@ constexpr auto kTable = std::to_array<Option>({
     {kCages, true, "", "faces of a cage turned to agree with their neighbours", kOrient},
     {kCages, true, "degrees", "creases of a cage where its faces meet at more than this angle",
      kCreaseAngle},
-    {kMeshing, false, "", "quads in place of triangles, not built yet", kQuads},
+    {kMeshing, true, "", "quads in place of triangles, square in the metric",
+     number(
+         ranges::kQuads, [](auto& o) -> auto& { return o.quads.is_on; })},
+    {kMeshing, false, "", "way to quads: nodes placed for them, or conversion of the triangles",
+     number(
+         ranges::kQuadMethod, [](auto& o) -> auto& { return o.quads.method; })},
+    {kMeshing, false, "", "conversion from the fronts: merging of triangles, advancing, or both",
+     number(
+         ranges::kQuadFront, [](auto& o) -> auto& { return o.quads.front; })},
     {kMeshing, true, "", "normals of the surface in .obj and .om files (vn)",
      number(
          ranges::kNormals, [](auto& o) -> auto& { return o.output.normals; })},
-    {kMeshing, true, "", "parameters (u,v) of the corners in .obj files (vt)",
+    {kMeshing, false, "", "parameters (u,v) of the corners in .obj files (vt)",
      number(
          ranges::kUv, [](auto& o) -> auto& { return o.output.uv; })},
     {kMeshing, true, "threads",
      "threads; all is one for each core, and the mesh is always the same",
      number(
          ranges::kThreads, [](auto& o) -> auto& { return o.threads; })},
-    {kMeshing, true, "triangles", "triangles above which the run ends with an error",
+    {kMeshing, true, "elements", "triangles or quads above which the run ends with an error",
      number(
          ranges::kMaxElements, [](auto& o) -> auto& { return o.max_elements; })},
 });
@@ -219,6 +223,11 @@ static_assert(stands_for(words::kPlacement, "frontal", Placement::Frontal));
 static_assert(stands_for(words::kPlacement, "circumcentre", Placement::Circumcentre));
 static_assert(stands_for(words::kKernel, "cavity", Kernel::Cavity));
 static_assert(stands_for(words::kKernel, "swap", Kernel::Swap));
+static_assert(stands_for(words::kQuadMethod, "best", QuadMethod::Best));
+static_assert(stands_for(words::kQuadMethod, "frontal", QuadMethod::Frontal));
+static_assert(stands_for(words::kQuadFront, "lee-lo", QuadFront::LeeLo));
+static_assert(stands_for(words::kQuadFront, "q-morph", QuadFront::QMorph));
+static_assert(stands_for(words::kQuadFront, "mixed", QuadFront::Mixed));
 static_assert(stands_for(words::kPatches, "auto", PatchKind::Auto));
 static_assert(stands_for(words::kPatches, "faces", PatchKind::Faces));
 static_assert(stands_for(words::kPatches, "blocks", PatchKind::Blocks));
@@ -236,9 +245,7 @@ std::string Option::range_text() const {
 std::vector<std::string_view> Option::words() const {
   std::vector<std::string_view> result;
   if (const auto* number = std::get_if<NumberAccess>(&access)) {
-    for (const OptionWord& word : number->range->words) {
-      if (word.use != WordUse::Planned) result.push_back(word.word);
-    }
+    for (const OptionWord& word : number->range->words) result.push_back(word.word);
   } else {
     const LengthRange& range = *std::get<LengthAccess>(access).range;
     if (range.can_be_off) result.push_back("off");

@@ -7,6 +7,7 @@
 #include "surfmesh/core/length.hh"
 #include "surfmesh/formats/output_options.hh"
 #include "surfmesh/improve/improve.hh"
+#include "surfmesh/quad/quad_options.hh"
 #include "surfmesh/refine/refine.hh"
 #include "surfmesh/sampling/make_control.hh"
 #include "surfmesh/sizes/sizing.hh"
@@ -19,6 +20,7 @@ struct PipelineOptions {
   ControlOptions control = {};
   RefineOptions refine = {};
   ImproveOptions improve = {};
+  QuadOptions quads = {};
   OutputOptions output = {};
   /// Of cages; see CageOptions. This and the next four act where a model is made; mesh_model warns
   /// of those that its model was not made with.

@@ -35,6 +35,10 @@ constexpr double kCorrectedShare = 0.97;
 /// with 0.85 a tenth of the triangles is corrected, which takes nearly as many triangles and costs
 /// shape.
 constexpr double kAim = 0.7;
+
+/// Quads scatter more, and only one of 40 may be corrected without cost to all.
+constexpr double kAimOfQuads = 0.4;
+
 constexpr double kMostShrinking = 0.5;
 constexpr double kMostGrowth = 2;
 
@@ -228,7 +232,7 @@ class SagLoop {
 
   /// Why the worst face of the best mesh, which is in this patch, is too far, and what helps.
   std::string cause(int patch) const {
-    if (has_jump(patch)) return "the surface jumps in this patch, which no triangle can follow";
+    if (has_jump(patch)) return "the surface jumps in this patch, which no element can follow";
     if (is_held(best_.mesh, worst_face_)) {
       const SizeBounds& bounds = task_.sizing.bounds;
       return fmt::format("{} = {:.6g} is in the way, a smaller one helps",
@@ -246,11 +250,11 @@ class SagLoop {
       return "the contour bends there within less than its segments can follow";
     if (task_.sizing.stretch > kMostFollowedStretch) {
       return fmt::format(
-          "the surface bends there within less than triangles of stretch = {:.6g} can follow; "
+          "the surface bends there within less than elements of stretch = {:.6g} can follow; "
           "stretch = {:.6g} helps",
           task_.sizing.stretch, kMostFollowedStretch);
     }
-    return "the surface bends there within less than triangles can follow without being flat";
+    return "the surface bends there within less than elements can follow without being flat";
   }
 
   /// True if the worst place lies at a contour that several uses share, up to what the search for
@@ -310,7 +314,8 @@ class SagLoop {
 
   /// The logarithm of a scale for sizes: the sag goes by their square.
   double log_scale(double sag) const {
-    return std::log(std::clamp(std::sqrt(kAim * asked() / sag), kMostShrinking, kMostGrowth));
+    const double aim = now_.report.mesh.quads > 0 ? kAimOfQuads : kAim;
+    return std::log(std::clamp(std::sqrt(aim * asked() / sag), kMostShrinking, kMostGrowth));
   }
 
   /// Multiply sizes by what the sag of the triangles allows. Returns false if most triangles are

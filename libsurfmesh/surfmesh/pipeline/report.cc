@@ -69,17 +69,24 @@ struct GroupMeasure {
   std::string name;
   std::size_t patches = 0;
   std::size_t triangles = 0;
+  std::size_t quads = 0;
   double area = 0;
-  std::optional<double> least_quality;
+  std::optional<double> least_quality = std::nullopt;
+  std::optional<double> least_jacobian = std::nullopt;
 };
+
+/// Make a least value, if there is one, the least of it and another.
+void take_least(const std::optional<double>& value, std::optional<double>& least) {
+  if (value) least = std::min(least.value_or(*value), *value);
+}
 
 void add_patch(const PatchMeasure& patch, GroupMeasure& group) {
   ++group.patches;
   group.triangles += patch.triangles;
+  group.quads += patch.quads;
   group.area += patch.area;
-  if (!patch.least_quality) return;
-  group.least_quality =
-      std::min(group.least_quality.value_or(*patch.least_quality), *patch.least_quality);
+  take_least(patch.least_quality, group.least_quality);
+  take_least(patch.least_jacobian, group.least_jacobian);
 }
 
 /// In the order in which patches name them.
@@ -89,7 +96,7 @@ std::vector<GroupMeasure> measure_groups(const std::vector<PatchMeasure>& patche
   for (const PatchMeasure& patch : patches) {
     for (const std::string& name : patch.groups) {
       const auto [found, is_new] = index_of.emplace(name, groups.size());
-      if (is_new) groups.push_back({name, 0, 0, 0, std::nullopt});
+      if (is_new) groups.push_back({.name = name});
       add_patch(patch, groups[found->second]);
     }
   }
@@ -102,13 +109,15 @@ Json groups_json(const std::vector<PatchMeasure>& patches) {
     json.push_back({{"name", group.name},
                     {"patches", group.patches},
                     {"triangles", group.triangles},
+                    {"quads", group.quads},
                     {"area", group.area},
-                    {"least_quality", or_null(group.least_quality)}});
+                    {"least_quality", or_null(group.least_quality)},
+                    {"least_scaled_jacobian", or_null(group.least_jacobian)}});
   }
   return json;
 }
 
-Json worst_json(const std::optional<Report::WorstTriangle>& worst) {
+Json worst_json(const std::optional<Report::WorstFace>& worst) {
   if (!worst) return nullptr;
   return {{"patch", worst->patch},
           {"point", {worst->point.x(), worst->point.y(), worst->point.z()}}};
@@ -120,8 +129,10 @@ Json patches_json(const std::vector<PatchMeasure>& patches) {
     json.push_back({{"name", patch.name},
                     {"groups", patch.groups},
                     {"triangles", patch.triangles},
+                    {"quads", patch.quads},
                     {"area", patch.area},
-                    {"least_quality", or_null(patch.least_quality)}});
+                    {"least_quality", or_null(patch.least_quality)},
+                    {"least_scaled_jacobian", or_null(patch.least_jacobian)}});
   }
   return json;
 }
@@ -134,6 +145,31 @@ Json edges_json(const EdgeStatistics& edges) {
   return {{"count", edges.count},  {"mean", edges.mean}, {"stddev", edges.stddev},
           {"min", edges.min},      {"max", edges.max},   {"unit_fraction", edges.unit_fraction},
           {"histogram", histogram}};
+}
+
+/// Null without triangles, as quads_json is without quads.
+Json quality_json(const Report& report) {
+  if (report.quality.count == 0) return nullptr;
+  return {{"min", report.quality.min},
+          {"mean", report.quality.mean},
+          {"below_0.3", report.quality.below_0_3},
+          {"worst", worst_json(report.worst)}};
+}
+
+Json quads_json(const Report& report) {
+  const QuadStatistics& quads = report.quads;
+  if (quads.count == 0) return nullptr;
+  return {{"fraction", quads.fraction},
+          {"min_scaled_jacobian", quads.min_jacobian},
+          {"mean_scaled_jacobian", quads.mean_jacobian},
+          {"min_scaled_jacobian_in_space", quads.min_space_jacobian},
+          {"mean_scaled_jacobian_in_space", quads.mean_space_jacobian},
+          {"inverted", quads.inverted},
+          {"below_0.1", quads.flat},
+          {"folded_in_space", quads.folded},
+          {"irregular_vertices", quads.irregular_share},
+          {"worst", worst_json(report.worst_quad)},
+          {"worst_in_space", worst_json(report.worst_quad_in_space)}};
 }
 
 /// True for the stages that ask for the metric.
@@ -190,6 +226,23 @@ std::string histogram_share(const EdgeStatistics& edges) {
   return fmt::format("{:.1f} % in [1/√2, √2]", 100 * edges.unit_fraction);
 }
 
+std::string place_text(const std::optional<Report::WorstFace>& worst) {
+  return worst ? fmt::format(" in patch {} at {}", worst->patch, point_text(worst->point)) : "";
+}
+
+/// The faces of a mesh: "12 quads, 1 triangle".
+std::string faces_text(const Report::Mesh& mesh) {
+  if (mesh.quads == 0) return counted(mesh.triangles, "triangle", "triangles");
+  const std::string quads = counted(mesh.quads, "quad", "quads");
+  if (mesh.triangles == 0) return quads;
+  return fmt::format("{}, {}", quads, counted(mesh.triangles, "triangle", "triangles"));
+}
+
+std::string irregular_text(const QuadStatistics& quads) {
+  if (quads.count == 0) return "";
+  return fmt::format("; {:.1f} % of the inner vertices irregular", 100 * quads.irregular_share);
+}
+
 /// Makes the lines of a text for a terminal.
 class Lines {
  public:
@@ -214,13 +267,20 @@ class Lines {
                     histogram_share(report.edges)));
   }
 
+  /// Of triangles, of quads, or of both.
   void add_quality(const Report& report) {
     const QualityStatistics& quality = report.quality;
-    const std::string place = report.worst ? fmt::format(" in patch {} at {}", report.worst->patch,
-                                                         point_text(report.worst->point))
-                                           : "";
-    add("quality", fmt::format("mean {:.3f}, {:.2f} % below 0.3, least {:.3f}{}", quality.mean,
-                               100 * quality.below_0_3, quality.min, place));
+    if (quality.count > 0) {
+      add("quality", fmt::format("mean {:.3f}, {:.2f} % below 0.3, least {:.3f}{}", quality.mean,
+                                 100 * quality.below_0_3, quality.min, place_text(report.worst)));
+    }
+    const QuadStatistics& quads = report.quads;
+    if (quads.count == 0) return;
+    add("quads",
+        fmt::format("scaled Jacobian in the metric: mean {:.3f}, least {:.3f}{}",
+                    quads.mean_jacobian, quads.min_jacobian, place_text(report.worst_quad)));
+    add("", fmt::format("in space: mean {:.3f}, least {:.3f}{}", quads.mean_space_jacobian,
+                        quads.min_space_jacobian, place_text(report.worst_quad_in_space)));
   }
 
   void add_time(const Report& report) {
@@ -260,7 +320,7 @@ std::string to_json(const Report& report) {
       {"given", given_json(report.given)},
       {"options", options_json(report.options)},
       {"notices", notices_json(report)},
-      {"estimated_triangles", std::round(report.estimated_triangles)},
+      {"estimated_elements", std::round(report.estimated_elements)},
       {"mesh", mesh_json(report.mesh)},
       {"patches", patches_json(report.patches)},
       {"groups", groups_json(report.patches)},
@@ -268,13 +328,8 @@ std::string to_json(const Report& report) {
       {"edge_lengths",
        {{"min", report.lengths.min}, {"mean", report.lengths.mean}, {"max", report.lengths.max}}},
       {"edges", edges_json(report.edges)},
-      {"quality",
-       {{"min", report.quality.min},
-        {"mean", report.quality.mean},
-        {"below_0.3", report.quality.below_0_3},
-        {"worst", worst_json(report.worst)}}},
-      // Not built yet.
-      {"quads", {{"fraction", 0}, {"min_scaled_jacobian", 0}, {"mean_scaled_jacobian", 0}}},
+      {"quality", quality_json(report)},
+      {"quads", quads_json(report)},
       {"sag",
        {{"asked", or_null(report.sag.asked)},
         {"reached", or_null(report.sag.reached)},
@@ -293,7 +348,8 @@ std::string to_json(const Report& report) {
 std::string estimate_text(const Report& report) {
   Lines lines;
   lines.add("input", report.input);
-  lines.add("estimate", fmt::format("about {:.3g} triangles, {}", report.estimated_triangles,
+  lines.add("estimate", fmt::format("about {:.3g} {}, {}", report.estimated_elements,
+                                    report.options.quads.is_on ? "quads" : "triangles",
                                     counted(report.mesh.patches, "patch", "patches")));
   if (report.options.sizing.sag) {
     lines.add("", "the sag changes sizes where a first mesh shows it, and so the number");
@@ -309,11 +365,10 @@ std::string to_text(const Report& report) {
   Lines lines;
   lines.add("input", report.input);
   if (!report.output.empty()) lines.add("output", report.output);
-  lines.add("mesh", fmt::format("{} vertices, {}, {}", mesh.vertices,
-                                counted(mesh.triangles, "triangle", "triangles"),
+  lines.add("mesh", fmt::format("{} vertices, {}, {}", mesh.vertices, faces_text(mesh),
                                 counted(mesh.patches, "patch", "patches")));
-  lines.add("", fmt::format("{}, Euler characteristic {}", mesh.is_closed ? "closed" : "open",
-                            mesh.euler));
+  lines.add("", fmt::format("{}, Euler characteristic {}{}", mesh.is_closed ? "closed" : "open",
+                            mesh.euler, irregular_text(report.quads)));
   lines.add_edges(report);
   lines.add_quality(report);
   if (report.sag.asked && report.sag.reached) {
@@ -322,9 +377,9 @@ std::string to_text(const Report& report) {
   }
   lines.add_control(report.control);
   lines.add_time(report);
-  lines.add("", fmt::format("{:.0f} triangles a second in all, {:.0f} without control space and "
-                            "files",
-                            report.triangles_per_second_in_all(), report.triangles_per_second()));
+  lines.add("", fmt::format("{:.0f} {} a second in all, {:.0f} without control space and files",
+                            report.triangles_per_second_in_all(),
+                            mesh.quads > 0 ? "quads" : "triangles", report.triangles_per_second()));
   lines.add("notices", fmt::format("{}", report.notices.size()));
   return lines.take();
 }

@@ -12,6 +12,7 @@
 #include "surfmesh/pipeline/given_options.hh"
 #include "surfmesh/pipeline/options.hh"
 #include "surfmesh/quality/patch_measures.hh"
+#include "surfmesh/quality/quad_statistics.hh"
 #include "surfmesh/quality/statistics.hh"
 
 namespace surfmesh {
@@ -58,8 +59,8 @@ struct Report {
     double max = 0;
   };
 
-  /// The first triangle of the least quality.
-  struct WorstTriangle {
+  /// The first face of the least quality.
+  struct WorstFace {
     std::string patch;
     Vec3 point;  ///< its centre
   };
@@ -70,21 +71,24 @@ struct Report {
   std::vector<GivenOption> given;            ///< with a value of their own, and where from
   PipelineOptions options;                   ///< the effective values
   Notices notices;                           ///< a tool exits with status 3 if one is a shortfall
-  double estimated_triangles = 0;  ///< known before the mesh is made, see TriangleEstimate
+  double estimated_elements = 0;  ///< known before the mesh is made, see TriangleEstimate
   Mesh mesh;
   std::vector<PatchMeasure> patches;
   EdgeStatistics edges;       ///< in the metric of the control space
   QualityStatistics quality;  ///< likewise
   double diagonal = 0;        ///< of the model's box, model units
   Lengths lengths;
-  std::optional<WorstTriangle> worst;
+  std::optional<WorstFace> worst;
+  QuadStatistics quads;
+  std::optional<WorstFace> worst_quad;
+  std::optional<WorstFace> worst_quad_in_space;
   Sag sag;
   Control control;
   PerStage<double> seconds;  ///< processor time of all threads
   double wall_seconds = 0;   ///< elapsed time
 
-  /// Triangles per second of processor time, without reading, control space, report and writing:
-  /// the NT/s of the paper. 0 if no time has passed.
+  /// Triangles, or quads, per second of processor time, without reading, control space, report and
+  /// writing: the NT/s of the paper. 0 if no time has passed.
   double triangles_per_second() const;
 
   /// Triangles per second of processor time of the whole run; 0 if no time has passed.

@@ -11,7 +11,7 @@ namespace {
 
 void set(PipelineOptions& options, const NumberAccess& access, std::string_view text) {
   const std::optional<double> value = access.range->read(text);
-  if (!value) fail_option(*access.range, text);
+  if (!value) fail_option(access.range->name, text, to_text(*access.range));
   access.set(options, *value);
 }
 

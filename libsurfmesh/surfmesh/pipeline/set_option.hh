@@ -17,10 +17,9 @@ const std::vector<std::string_view>& option_names();
 /// Set an option by its name from text: `grade=1.3`, `hmin=0.1%`, `nodes=auto`, `features=off`.
 ///
 /// Whatever can be off is switched off by `off`, numbers and the sag also by 0, switches also by
-/// `false`. An option whose stage is not built yet can only be off.
+/// `false`.
 /// Throws   InvalidOption for an unknown name, suggesting the nearest one; for a value that cannot
-///          be read or is out of its range, naming option, value and range; for what is not built
-///          yet
+///          be read or is out of its range, naming option, value and range
 void set_option(PipelineOptions& options, std::string_view name, std::string_view value);
 
 using OptionValue = std::variant<bool, std::int64_t, double, std::string>;

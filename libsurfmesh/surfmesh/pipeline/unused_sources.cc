@@ -14,6 +14,7 @@
 
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/geometry/box_tree.hh"
+#include "surfmesh/quality/face_corners.hh"
 #include "surfmesh/quality/triangle_distance.hh"
 #include "surfmesh/sizes/source_place.hh"
 
@@ -216,14 +217,15 @@ Notices unused_sources(const PolyMesh& mesh, const Model& model, const Sources& 
   const auto uv_of = require(mesh, keys::corner_uv);
   for (const auto face : mesh.faces()) {
     const int patch = mesh.property(patch_of, face);
-    Triangle in_mesh, in_domain;
-    std::size_t k = 0;
-    for (const auto corner : face.halfedges()) {
-      in_mesh[k] = to_eigen(mesh.point(corner.to()));
-      in_domain[k++] = plane_point(mesh.property(uv_of, corner), patch);
-    }
-    if (!in_space.is_empty()) in_space.meet(patch, in_mesh);
-    if (!in_domains.is_empty()) in_domains.meet(patch, in_domain);
+    visit_triangles(corners_of(mesh, face), [&](const std::array<HalfedgeHandle, 3>& corners) {
+      if (!in_space.is_empty()) in_space.meet(patch, points_of(mesh, corners));
+      if (in_domains.is_empty()) return;
+      Triangle in_domain;
+      for (std::size_t k = 0; k < 3; ++k) {
+        in_domain[k] = plane_point(mesh.property(uv_of, corners[k]), patch);
+      }
+      in_domains.meet(patch, in_domain);
+    });
   }
   in_space.tell(notices);
   in_domains.tell(notices);

@@ -36,6 +36,16 @@ void visit_triangles(const std::vector<Corner>& corners, const Visit& visit) {
   }
 }
 
+/// The same for each triangle that a face may be taken to consist of: of a quad, those at either
+/// diagonal.
+template <class Corner, class Visit>
+void visit_possible_triangles(const std::vector<Corner>& corners, const Visit& visit) {
+  visit_triangles(corners, visit);
+  if (corners.size() != 4) return;
+  visit(std::array<Corner, 3>{corners[1], corners[2], corners[3]});
+  visit(std::array<Corner, 3>{corners[1], corners[3], corners[0]});
+}
+
 /// The vertices of a triangle.
 inline std::array<Vec3, 3> points_of(const PolyMesh& mesh,
                                      const std::array<HalfedgeHandle, 3>& corners) {

@@ -14,14 +14,15 @@ void add_face(const PolyMesh& mesh, FaceHandle fh, PatchMeasure& patch) {
   const OpenMesh::Vec3d& origin = mesh.point(mesh.to_vertex_handle(start));
   OpenMesh::Vec3d doubled(0, 0, 0);
   HalfedgeHandle heh = mesh.next_halfedge_handle(start);
-  for (;;) {
+  int corners = 2;
+  for (;; ++corners) {
     const HalfedgeHandle next = mesh.next_halfedge_handle(heh);
     if (next == start) break;
     doubled += OpenMesh::cross(mesh.point(mesh.to_vertex_handle(heh)) - origin,
                                mesh.point(mesh.to_vertex_handle(next)) - origin);
-    ++patch.triangles;
     heh = next;
   }
+  ++(corners == 3 ? patch.triangles : corners == 4 ? patch.quads : patch.polygons);
   patch.area += 0.5 * doubled.norm();
 }
 

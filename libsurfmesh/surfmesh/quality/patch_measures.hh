@@ -12,12 +12,16 @@ namespace surfmesh {
 
 /// What a patch of a mesh is called and how much of the mesh it is.
 struct PatchMeasure {
-  std::string name;                 ///< empty where it has none
-  std::vector<std::string> groups;  ///< that it is in
-  std::size_t triangles = 0;        ///< faces of more corners count as what they split into
-  double area = 0;                  ///< of the mesh, in square model units
+  std::string name = {};                 ///< empty where it has none
+  std::vector<std::string> groups = {};  ///< that it is in
+  std::size_t triangles = 0;
+  std::size_t quads = 0;
+  std::size_t polygons = 0;  ///< of more corners
+  double area = 0;           ///< of the mesh, in square model units
   /// The least metric quality of its triangles, where it was measured: not by measure_patches.
   std::optional<double> least_quality = std::nullopt;
+  /// The least scaled Jacobian of its quads in the metric, likewise.
+  std::optional<double> least_jacobian = std::nullopt;
 
   friend bool operator==(const PatchMeasure&, const PatchMeasure&) = default;
 };

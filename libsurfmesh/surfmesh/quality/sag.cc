@@ -32,11 +32,11 @@ struct Greatest {
   }
 };
 
-/// The triangles that a face is taken to consist of.
+/// The triangles that a face may be taken to consist of.
 std::vector<detail::SurfaceTriangle> triangles_of(const PolyMesh& mesh, FaceHandle fh) {
   const auto uv_of = require(mesh, keys::corner_uv);
   std::vector<detail::SurfaceTriangle> triangles;
-  detail::visit_triangles(detail::corners_of(mesh, fh), [&](const auto& corners) {
+  detail::visit_possible_triangles(detail::corners_of(mesh, fh), [&](const auto& corners) {
     const auto [a, b, c] = corners;
     triangles.push_back(
         {detail::points_of(mesh, corners),

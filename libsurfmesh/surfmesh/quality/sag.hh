@@ -35,7 +35,8 @@ struct SagDemands {
 
 /// Measure the distance between a mesh and its surface, both ways.
 ///
-/// Each face is sampled at 25 points per triangle, and a search goes on from the greatest one. A
+/// A quad is taken for the two triangles at either of its diagonals. Each face is sampled at 25
+/// points per triangle, and a search goes on from the greatest one. A
 /// sample is a point of the triangle and the point of the surface at the same parameters. Two
 /// distances count: from the former to the nearest point of the surface, and from the latter to the
 /// nearest triangle. The first alone would miss what the mesh cuts off, the second what it adds.

@@ -10,8 +10,9 @@
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
-#include "surfmesh/core/properties.hh"
 #include "surfmesh/metric/triangle.hh"
+#include "surfmesh/quality/moments.hh"
+#include "surfmesh/quality/result_corners.hh"
 
 namespace surfmesh {
 namespace {
@@ -37,41 +38,8 @@ std::vector<HistogramBin> empty_histogram() {
   return bins;
 }
 
-/// Mean and variance in one pass, without the cancellation of Σx² − (Σx)²/n (Welford).
-class Moments {
- public:
-  void add(double x) {
-    ++count_;
-    const double before = x - mean_;
-    mean_ += before / static_cast<double>(count_);
-    squares_ += before * (x - mean_);
-  }
-
-  double mean() const { return mean_; }
-  double stddev() const {
-    return count_ == 0 ? 0 : std::sqrt(squares_ / static_cast<double>(count_));
-  }
-
- private:
-  std::size_t count_ = 0;
-  double mean_ = 0;
-  double squares_ = 0;
-};
-
-/// The corner properties of a result mesh.
-struct Corners {
-  explicit Corners(const PolyMesh& result)
-      : mesh(result),
-        uv_handle(require(result, keys::corner_uv)),
-        metric_handle(require(result, keys::corner_metric)) {}
-
-  Uv uv(HalfedgeHandle heh) const { return mesh.property(uv_handle, heh); }
-  const Metric& metric(HalfedgeHandle heh) const { return mesh.property(metric_handle, heh); }
-
-  const PolyMesh& mesh;
-  decltype(keys::corner_uv)::Handle uv_handle;
-  decltype(keys::corner_metric)::Handle metric_handle;
-};
+using detail::Moments;
+using Corners = detail::ResultCorners;
 
 /// Length of a step, 0 where rounding has made a singular metric negative; NaN stays NaN.
 double length_in(const Metric& m, Uv step) {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+namespace surfmesh::detail {
+
+/// Mean and variance in one pass, without the cancellation of Σx² − (Σx)²/n (Welford).
+class Moments {
+ public:
+  void add(double x) {
+    ++count_;
+    const double before = x - mean_;
+    mean_ += before / static_cast<double>(count_);
+    squares_ += before * (x - mean_);
+  }
+
+  double mean() const { return mean_; }
+  double stddev() const {
+    return count_ == 0 ? 0 : std::sqrt(squares_ / static_cast<double>(count_));
+  }
+
+ private:
+  std::size_t count_ = 0;
+  double mean_ = 0;
+  double squares_ = 0;
+};
+
+}  // namespace surfmesh::detail
