@@ -24,25 +24,35 @@ endif()
 surfmesh_add_building_test(PublicHeaders.CompileAlone "package;long"
   ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target all_verify_interface_header_sets)
 
-# The tests of these stages again, under the address and undefined-behaviour sanitizers.
-set(sanitized core io geometry formula model cage metric quality delaunay boundary refine improve
-    patch_mesh patch control sizes sampling estimate assemble formats model_file)
+# The tests of these stages again, under the address and undefined-behaviour sanitizers. Those of the
+# second list do not fit into 45 minutes on two cores with the rest, and have the label nightly.
+set(sanitized core io geometry formula model metric quality delaunay boundary refine improve patch_mesh
+    quad patch control assemble formats)
+set(sanitized_nightly cage sizes sampling estimate model_file)
 get_property(stages GLOBAL PROPERTY surfmesh_test_stages)
-foreach(stage IN LISTS sanitized)
-  if(stage IN_LIST stages)
-    list(APPEND sanitized_targets ${stage}_test)
-    add_test(NAME Sanitize.${stage} COMMAND ${PROJECT_SOURCE_DIR}/build/sanitize/tests/${stage}_test)
-    set_tests_properties(Sanitize.${stage} PROPERTIES
-      LABELS "sanitize;long" FIXTURES_REQUIRED sanitize TIMEOUT 1800
-      # Not the folder in which the same test may run just now without sanitizers.
-      ENVIRONMENT TEST_TMPDIR=${PROJECT_BINARY_DIR}/sanitize)
-  endif()
-endforeach()
-list(JOIN sanitized_targets "," sanitized_targets)  # a list would become several arguments
-surfmesh_add_building_test(Sanitize.Build "sanitize;long"
-  ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D TARGETS=${sanitized_targets}
-  -P ${CMAKE_CURRENT_SOURCE_DIR}/sanitize.cmake)
-set_tests_properties(Sanitize.Build PROPERTIES FIXTURES_SETUP sanitize)
+
+# surfmesh_add_sanitized_tests(<name of the fixture> <labels> <stages...>)
+function(surfmesh_add_sanitized_tests fixture labels)
+  foreach(stage IN LISTS ARGN)
+    if(stage IN_LIST stages)
+      list(APPEND targets ${stage}_test)
+      add_test(NAME Sanitize.${stage}
+        COMMAND ${PROJECT_SOURCE_DIR}/build/sanitize/tests/${stage}_test)
+      set_tests_properties(Sanitize.${stage} PROPERTIES
+        LABELS "${labels}" FIXTURES_REQUIRED ${fixture} TIMEOUT 1800
+        # Not the folder in which the same test may run just now without sanitizers.
+        ENVIRONMENT TEST_TMPDIR=${PROJECT_BINARY_DIR}/sanitize)
+    endif()
+  endforeach()
+  list(JOIN targets "," targets)  # a list would become several arguments
+  surfmesh_add_building_test(Sanitize.${fixture} "${labels}"
+    ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D TARGETS=${targets}
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/sanitize.cmake)
+  set_tests_properties(Sanitize.${fixture} PROPERTIES FIXTURES_SETUP ${fixture})
+endfunction()
+
+surfmesh_add_sanitized_tests(Build "sanitize;long" ${sanitized})
+surfmesh_add_sanitized_tests(BuildNightly "sanitize;long;nightly" ${sanitized_nightly})
 
 # Random small models through the program, judged by a script of its own.
 if(TARGET surfmesh_program)
