@@ -48,7 +48,7 @@ namespace {
 constexpr double kFlatQuality = 0.1;
 
 /// Meshes of up to so many quads are made in two ways.
-constexpr std::size_t kMostQuadsMadeTwice = 2000;
+constexpr std::size_t kMostQuadsMadeTwice = 1000;
 
 /// Beside one length everywhere, other sizes that were asked for have no effect.
 Notices unused_sizes(const PipelineOptions& options) {
