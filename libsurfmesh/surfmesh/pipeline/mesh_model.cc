@@ -18,7 +18,6 @@
 #include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/boundary/patch_boundary.hh"
 #include "surfmesh/control/surface_metric_field.hh"
-#include "surfmesh/core/counted.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/option_range.hh"
 #include "surfmesh/core/out_of_memory.hh"
@@ -30,6 +29,7 @@
 #include "surfmesh/patch_mesh/improper_chords.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/counted_surfaces.hh"
+#include "surfmesh/pipeline/face_notices.hh"
 #include "surfmesh/pipeline/fine_cage.hh"
 #include "surfmesh/pipeline/for_each_patch.hh"
 #include "surfmesh/pipeline/options_of_model.hh"
@@ -43,9 +43,6 @@
 
 namespace surfmesh {
 namespace {
-
-/// A triangle of less quality is told: it is of no use, and the user can mend it.
-constexpr double kFlatQuality = 0.1;
 
 /// Meshes of up to so many quads are made in two ways.
 constexpr std::size_t kMostQuadsMadeTwice = 1000;
@@ -162,6 +159,7 @@ class Run {
   static bool has_better_quads(const Report& a, const Report& b) {
     if (a.mesh.triangles != b.mesh.triangles) return a.mesh.triangles < b.mesh.triangles;
     if (a.quads.inverted != b.quads.inverted) return a.quads.inverted < b.quads.inverted;
+    if (a.quads.folded != b.quads.folded) return a.quads.folded < b.quads.folded;
     return a.quads.mean_jacobian * a.edges.unit_fraction >
            b.quads.mean_jacobian * b.edges.unit_fraction;
   }
@@ -384,8 +382,7 @@ class Run {
     report_.diagonal = model_.diagonal;
     report_.lengths = measure_lengths(mesh);
     locate_worst(mesh);
-    warn_of_flat_faces(mesh);
-    if (options_.quads.is_on && report_.mesh.triangles > 0) tell_left_triangles(mesh);
+    append(detail::notices_of_faces(mesh, model_, report_), report_.notices);
   }
 
   static Report::Lengths measure_lengths(const PolyMesh& mesh) {
@@ -414,83 +411,6 @@ class Run {
     const FaceHandle fh(face);
     const int patch = mesh.property(require(mesh, keys::face_patch), fh);
     return Report::WorstFace{model_.patch(patch).name, to_eigen(mesh.calc_face_centroid(fh))};
-  }
-
-  /// True if a corner of a face is on a contour.
-  static bool is_at_contour(const PolyMesh& mesh, FaceHandle fh) {
-    const auto contour_of = require(mesh, keys::edge_contour);
-    for (const VertexHandle vh : mesh.fv_range(fh)) {
-      for (const EdgeHandle eh : mesh.ve_range(vh)) {
-        if (mesh.property(contour_of, eh) >= 0) return true;
-      }
-    }
-    return false;
-  }
-
-  void warn_of_flat_faces(const PolyMesh& mesh) {
-    const QualityStatistics& quality = report_.quality;
-    if (quality.worst_face >= 0 && quality.min < kFlatQuality) {
-      add_flat_notice(mesh, NoticeKind::FlatTriangles, FaceHandle(quality.worst_face),
-                      fmt::format("triangles are as flat as quality {:.3g}", quality.min));
-    }
-    const QuadStatistics& quads = report_.quads;
-    if (quads.inverted > 0 || quads.folded > 0) tell_inverted(mesh);
-    if (quads.flat > 0) {
-      add_flat_notice(
-          mesh, NoticeKind::FlatQuads, FaceHandle(quads.worst_face),
-          fmt::format("{} a scaled Jacobian below {} in the metric, the least is {:.3g}",
-                      quads.flat == 1 ? "1 quad has" : fmt::format("{} quads have", quads.flat),
-                      kFlatQuad, quads.min_jacobian));
-    }
-  }
-
-  void add_flat_notice(const PolyMesh& mesh, NoticeKind kind, FaceHandle fh,
-                       const std::string& what) {
-    const char* cause = is_at_contour(mesh, fh)
-                            ? ": the boundary leaves less room than the sizes ask for; gaps get "
-                              "their sizes by proximity, not below hmin"
-                            : "";
-    Notice notice = warning(kind, {});
-    locate(mesh, fh, notice);
-    notice.text = fmt::format("{}, in patch {} at {}{}", what, model_.patch(notice.patch).name,
-                              point_text(*notice.point), cause);
-    report_.notices.push_back(std::move(notice));
-  }
-
-  /// A patch whose loops have an odd number of segments keeps one.
-  void tell_left_triangles(const PolyMesh& mesh) {
-    Notice notice = shortfall(NoticeKind::LeftTriangles, {});
-    const auto faces = mesh.faces();
-    const auto first = std::find_if(faces.begin(), faces.end(),
-                                    [&](FaceHandle fh) { return mesh.valence(fh) == 3; });
-    locate(mesh, *first, notice);
-    notice.text = fmt::format(
-        "{} left among the quads, one in patch {} at {}: the contours around the patch have an odd "
-        "number of segments, and none could take one more or fewer; another size helps",
-        counted(report_.mesh.triangles, "triangle is", "triangles are"),
-        model_.patch(notice.patch).name, point_text(*notice.point));
-    report_.notices.push_back(std::move(notice));
-  }
-
-  void tell_inverted(const PolyMesh& mesh) {
-    const QuadStatistics& quads = report_.quads;
-    const bool is_in_domain = quads.inverted > 0;
-    Notice notice = shortfall(NoticeKind::InvertedQuads, {});
-    locate(mesh, FaceHandle(is_in_domain ? quads.worst_face : quads.worst_face_in_space), notice);
-    notice.text = fmt::format(
-        "{} a corner of 180° or more {}, the worst in patch {} at {}; smaller sizes help ({})",
-        counted(is_in_domain ? quads.inverted : quads.folded, "quad has", "quads have"),
-        is_in_domain ? "in the parameters" : "in space", model_.patch(notice.patch).name,
-        point_text(*notice.point),
-        options_.sizing.size  ? "size"
-        : options_.sizing.sag ? "sag, hmin"
-                              : "curvature, hmin, hmax");
-    report_.notices.push_back(std::move(notice));
-  }
-
-  static void locate(const PolyMesh& mesh, FaceHandle fh, Notice& notice) {
-    notice.patch = mesh.property(require(mesh, keys::face_patch), fh);
-    notice.point = to_eigen(mesh.calc_face_centroid(fh));
   }
 
   const Model& model_;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "surfmesh/core/quad_topology.hh"
 #include "surfmesh/quad/quad_moves.hh"
 #include "surfmesh/quad/quad_trial.hh"
 
@@ -52,7 +53,9 @@ class Cleaning {
     std::size_t steps = 0;
     for (const FaceHandle fh : faces_in_order()) {
       if (++steps % kSearchesBetweenCancellation == 0) context_.throw_if_cancelled();
-      if (state_.editor.is_used(fh) && is_awake(fh) && state_.mesh.valence(fh) == 4) mend(fh);
+      if (state_.editor.is_used(fh) && is_awake(fh) &&
+          is_at_quad(state_.mesh, state_.mesh.halfedge_handle(fh)))
+        mend(fh);
     }
   }
 
@@ -103,15 +106,8 @@ class Cleaning {
 
   bool is_poor() const { return most_ != kMostIrregularity; }
 
-  /// The four halfedges of a face.
   std::array<HalfedgeHandle, 4> sides(FaceHandle fh) const {
-    std::array<HalfedgeHandle, 4> sides;
-    HalfedgeHandle heh = state_.mesh.halfedge_handle(fh);
-    for (HalfedgeHandle& side : sides) {
-      side = heh;
-      heh = state_.mesh.next_halfedge_handle(heh);
-    }
-    return sides;
+    return quad_sides(state_.mesh, state_.mesh.halfedge_handle(fh));
   }
 
   bool attempt() {

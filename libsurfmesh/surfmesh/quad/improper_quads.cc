@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/quad_topology.hh"
 #include "surfmesh/patch_mesh/chord_counts.hh"
 #include "surfmesh/quad/compact_patch.hh"
 #include "surfmesh/quad/patch_geometry.hh"
@@ -33,9 +34,9 @@ class PatchMending {
   bool mend(EdgeHandle eh) {
     const HalfedgeHandle heh = mesh().halfedge_handle(eh, 0);
     const HalfedgeHandle opposite = mesh().opposite_halfedge_handle(heh);
-    if (!is_quad(heh) || !is_quad(opposite)) return false;
-    const auto [a, b, c, d] = cycle_from(heh);
-    const auto [b2, a2, e, f] = cycle_from(opposite);
+    if (!is_at_quad(mesh(), heh) || !is_at_quad(mesh(), opposite)) return false;
+    const auto [a, b, c, d] = quad_vertices(mesh(), heh);
+    const auto [b2, a2, e, f] = quad_vertices(mesh(), opposite);
     const std::array<VertexHandle, 6> outer = {a, e, f, b, c, d};
     const std::vector<VertexHandle> inner = ring_inside(outer);
     fresh_.add({inner[0], inner[3], inner[4], inner[5]});
@@ -46,8 +47,8 @@ class PatchMending {
 
   bool mend(FaceHandle fh) {
     const HalfedgeHandle heh = mesh().halfedge_handle(fh);
-    if (!is_quad(heh)) return false;
-    const std::vector<VertexHandle> inner = ring_inside(cycle_from(heh));
+    if (!is_at_quad(mesh(), heh)) return false;
+    const std::vector<VertexHandle> inner = ring_inside(quad_vertices(mesh(), heh));
     fresh_.add(inner);
     replace({fh}, inner);
     return true;
@@ -61,19 +62,6 @@ class PatchMending {
 
  private:
   PolyMesh& mesh() { return *patch_.mesh; }
-
-  bool is_quad(HalfedgeHandle heh) {
-    return mesh().face_handle(heh).is_valid() && mesh().valence(mesh().face_handle(heh)) == 4;
-  }
-
-  std::array<VertexHandle, 4> cycle_from(HalfedgeHandle heh) {
-    std::array<VertexHandle, 4> cycle;
-    for (VertexHandle& vh : cycle) {
-      vh = mesh().from_vertex_handle(heh);
-      heh = mesh().next_halfedge_handle(heh);
-    }
-    return cycle;
-  }
 
   /// Begin with a ring of quads along a cycle of vertices, inside it.
   /// Returns  its inner vertices

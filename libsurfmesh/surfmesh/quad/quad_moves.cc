@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "surfmesh/core/quad_topology.hh"
+
 namespace surfmesh {
 namespace {
 
@@ -28,27 +30,9 @@ bool are_joined(const PolyMesh& mesh, VertexHandle a, VertexHandle b) {
   return false;
 }
 
-/// The vertices of the face of a halfedge, from its origin on.
-std::array<VertexHandle, 4> cycle_from(const PolyMesh& mesh, HalfedgeHandle heh) {
-  std::array<VertexHandle, 4> cycle;
-  for (VertexHandle& vh : cycle) {
-    vh = mesh.from_vertex_handle(heh);
-    heh = mesh.next_halfedge_handle(heh);
-  }
-  return cycle;
-}
-
 /// The next halfedge from the same origin, counter-clockwise.
 HalfedgeHandle rotated(const PolyMesh& mesh, HalfedgeHandle heh) {
   return mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(heh));
-}
-
-/// True if there is a face at a halfedge, and it is a quad. OpenMesh's own valence() is not
-/// inlined.
-bool is_at_quad(const PolyMesh& mesh, HalfedgeHandle heh) {
-  if (!mesh.face_handle(heh).is_valid()) return false;
-  const HalfedgeHandle opposite = mesh.next_halfedge_handle(mesh.next_halfedge_handle(heh));
-  return mesh.next_halfedge_handle(mesh.next_halfedge_handle(opposite)) == heh;
 }
 
 /// Add faces around a vertex from a halfedge on, with another vertex in its place.
@@ -56,7 +40,7 @@ bool is_at_quad(const PolyMesh& mesh, HalfedgeHandle heh) {
 HalfedgeHandle take_over(const PolyMesh& mesh, HalfedgeHandle heh, int faces, VertexHandle vh,
                          Replacement& change) {
   for (int k = 0; k < faces; ++k) {
-    std::array<VertexHandle, 4> cycle = cycle_from(mesh, heh);
+    std::array<VertexHandle, 4> cycle = quad_vertices(mesh, heh);
     cycle[0] = vh;
     change.old.push_back(mesh.face_handle(heh));
     change.fresh.add(cycle);
@@ -112,7 +96,7 @@ bool dissolve_doublet(const QuadState& state, VertexHandle vh, Replacement& chan
   const HalfedgeHandle heh = mesh.halfedge_handle(vh);
   if (!are_quads(mesh, heh, 2)) return false;
   const HalfedgeHandle other = rotated(mesh, heh);
-  const auto first = cycle_from(mesh, heh), second = cycle_from(mesh, other);
+  const auto first = quad_vertices(mesh, heh), second = quad_vertices(mesh, other);
   if (first[2] == second[2]) return false;
   change.clear();
   change.old = {mesh.face_handle(heh), mesh.face_handle(other)};
@@ -124,7 +108,7 @@ bool dissolve_doublet(const QuadState& state, VertexHandle vh, Replacement& chan
 bool collapse_quad(const QuadState& state, HalfedgeHandle heh, int most, Replacement& change) {
   const PolyMesh& mesh = state.mesh;
   const HalfedgeHandle from_tip = mesh.next_halfedge_handle(heh);
-  const auto [goes, left, stays, right] = cycle_from(mesh, from_tip);
+  const auto [goes, left, stays, right] = quad_vertices(mesh, from_tip);
   const int faces = state.count(goes);
   const int irregularity = growth(state, left, -1) + growth(state, right, -1) +
                            growth(state, stays, faces - 2) - square(state.excess(goes));
@@ -148,8 +132,8 @@ bool rotate_edge(const QuadState& state, HalfedgeHandle heh, Turn turn, int most
   const PolyMesh& mesh = state.mesh;
   const HalfedgeHandle opposite = mesh.opposite_halfedge_handle(heh);
   if (!is_at_quad(mesh, heh) || !is_at_quad(mesh, opposite)) return false;
-  const auto [a, b, c, d] = cycle_from(mesh, heh);
-  const auto [b2, a2, e, f] = cycle_from(mesh, opposite);
+  const auto [a, b, c, d] = quad_vertices(mesh, heh);
+  const auto [b2, a2, e, f] = quad_vertices(mesh, opposite);
   const bool is_counter = turn == Turn::CounterClockwise;
   const VertexHandle near = is_counter ? c : d, far = is_counter ? e : f;
   const int irregularity =
@@ -192,7 +176,7 @@ bool open_vertex(QuadState& state, HalfedgeHandle heh, int faces, int most, Repl
 
 bool insert_column(QuadState& state, HalfedgeHandle heh, int faces, Replacement& change) {
   const PolyMesh& mesh = state.mesh;
-  const auto [v, x, o, y] = cycle_from(mesh, heh);
+  const auto [v, x, o, y] = quad_vertices(mesh, heh);
   const int left = state.count(o) - 1 - faces;
   if (!state.geometry.is_free(o) || !are_quads(mesh, mesh.halfedge_handle(o), state.count(o))) {
     return false;
@@ -214,7 +198,7 @@ bool insert_column(QuadState& state, HalfedgeHandle heh, int faces, Replacement&
 bool insert_pillow(QuadState& state, FaceHandle fh, Replacement& change) {
   const PolyMesh& mesh = state.mesh;
   if (!is_at_quad(mesh, mesh.halfedge_handle(fh))) return false;
-  const std::array<VertexHandle, 4> outer = cycle_from(mesh, mesh.halfedge_handle(fh));
+  const std::array<VertexHandle, 4> outer = quad_vertices(mesh, mesh.halfedge_handle(fh));
   change.clear();
   change.old = {fh};
   std::array<VertexHandle, 4> inner;

@@ -12,6 +12,7 @@
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
+#include "surfmesh/core/quad_topology.hh"
 #include "surfmesh/metric/triangle.hh"
 #include "surfmesh/quality/face_corners.hh"
 #include "surfmesh/quality/moments.hh"
@@ -32,20 +33,8 @@ struct Quad {
 
 using QuadCorners = std::array<HalfedgeHandle, 4>;
 
-QuadCorners corners_of(const PolyMesh& mesh, FaceHandle fh) {
-  QuadCorners corners;
-  HalfedgeHandle heh = mesh.halfedge_handle(fh);
-  for (HalfedgeHandle& corner : corners) {
-    corner = heh;
-    heh = mesh.next_halfedge_handle(heh);
-  }
-  return corners;
-}
-
 bool is_quad(const PolyMesh& mesh, FaceHandle fh) {
-  const HalfedgeHandle start = mesh.halfedge_handle(fh);
-  const HalfedgeHandle opposite = mesh.next_halfedge_handle(mesh.next_halfedge_handle(start));
-  return mesh.next_halfedge_handle(mesh.next_halfedge_handle(opposite)) == start;
+  return is_at_quad(mesh, mesh.halfedge_handle(fh));
 }
 
 /// A ratio to a length that may be 0.
@@ -112,7 +101,7 @@ std::vector<Quad> measure_all(const PolyMesh& mesh) {
   }
   share_ranges(quads.size(), [&](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
-      const QuadCorners corners = corners_of(mesh, FaceHandle(quads[i].face));
+      const QuadCorners corners = quad_sides(mesh, mesh.halfedge_handle(FaceHandle(quads[i].face)));
       measure(values, corners, quads[i]);
     }
   });
