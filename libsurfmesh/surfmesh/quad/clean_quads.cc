@@ -27,11 +27,21 @@ constexpr double kPoorQuad = 0.55;
 /// Elsewhere a change is tried that does not raise the irregularity by more than this.
 constexpr int kMostIrregularity = 0;
 
+/// Trials for each face, and in all, after which cleaning ends: where blocks are far narrower than
+/// quads, hardly any does good. Elsewhere there are about two.
+constexpr std::size_t kTrialsPerFace = 10, kLeastTrials = 1000;
+
+/// Vertices of more faces are opened by halves only.
+constexpr int kManyFaces = 12;
+
 class Cleaning {
  public:
   Cleaning(PolyMesh& mesh, FaceEditor& editor, QuadGeometry& geometry, std::vector<int> wanted,
            const RunContext& context)
-      : state_(mesh, editor, geometry, std::move(wanted)), trial_(state_), context_(context) {}
+      : state_(mesh, editor, geometry, std::move(wanted)),
+        trial_(state_),
+        context_(context),
+        most_trials_(kLeastTrials + kTrialsPerFace * mesh.n_faces()) {}
 
   CleaningReport run() {
     for (pass_ = 0; pass_ < kMaxPasses; ++pass_) {
@@ -52,6 +62,7 @@ class Cleaning {
     touched_.resize(state_.mesh.n_vertices(), pass_ - 1);
     std::size_t steps = 0;
     for (const FaceHandle fh : faces_in_order()) {
+      if (report_.tried > most_trials_) return;
       if (++steps % kSearchesBetweenCancellation == 0) context_.throw_if_cancelled();
       if (state_.editor.is_used(fh) && is_awake(fh) &&
           is_at_quad(state_.mesh, state_.mesh.halfedge_handle(fh)))
@@ -169,10 +180,16 @@ class Cleaning {
   bool try_openings_of(VertexHandle vh) {
     const int count = state_.count(vh);
     const int possible = state_.is_boundary(vh) ? count - 1 : count - 2;
-    const int most = is_poor() ? possible : std::min(possible, 2);
+    int most = is_poor() ? possible : std::min(possible, 2);
     std::vector<HalfedgeHandle> around;
     for (const HalfedgeHandle heh : state_.mesh.voh_range(vh)) around.push_back(heh);
-    for (int faces = 2; faces <= most; ++faces) {
+    int least = 2;
+    if (count > kManyFaces) {
+      // Halves in a few directions: all ways to divide so many faces would take minutes.
+      least = most = count / 2;
+      around.resize(kManyFaces);
+    }
+    for (int faces = least; faces <= most; ++faces) {
       for (const HalfedgeHandle heh : around) {
         if (open_vertex(state_, heh, faces, most_, change_) && attempt()) return true;
       }
@@ -200,6 +217,7 @@ class Cleaning {
   std::vector<int> touched_;  ///< by vertex: the pass that last changed a face there
   int pass_ = 0;
   int most_ = 0;  ///< by which a change of the face that is mended may raise the irregularity
+  std::size_t most_trials_;
   CleaningReport report_;
 };
 
