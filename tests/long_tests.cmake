@@ -27,7 +27,7 @@ surfmesh_add_building_test(PublicHeaders.CompileAlone "package;long"
 # The tests of these stages again, under the address and undefined-behaviour sanitizers. Those of the
 # second list do not fit into 45 minutes on two cores with the rest, and have the label nightly.
 set(sanitized core io geometry formula model metric quality delaunay boundary refine improve patch_mesh
-    quad patch control assemble formats)
+    quad patch control assemble across formats)
 set(sanitized_nightly cage sizes sampling estimate model_file)
 get_property(stages GLOBAL PROPERTY surfmesh_test_stages)
 

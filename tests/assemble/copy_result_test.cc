@@ -77,9 +77,12 @@ TEST(CopyResult, CopiesNormalsThatAreThere) {
   DoublePolyMesh target;
   copy_result(source, target);
   EXPECT_FALSE(find(target, keys::corner_normal).is_valid());
+  EXPECT_FALSE(find(target, keys::corner_beyond).is_valid());
   attach(source, keys::corner_normal, Normal{0, 0.6, -0.8});
+  attach(source, keys::corner_beyond, 1);
   copy_result(source, target);
   expect_same_bytes(source, target, keys::corner_normal);
+  expect_same_bytes(source, target, keys::corner_beyond);
 }
 
 TEST(CopyResult, IsExactInDoubleMeshes) {

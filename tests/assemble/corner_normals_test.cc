@@ -25,11 +25,17 @@ using testing::model_of;
 /// A millionth of the angle by which a normal turns across a face, which is below a radian.
 constexpr double kNear = 1e-6;
 
-PolyMesh meshed(const Model& model, double size = 0.3) {
-  PipelineOptions options;
+PolyMesh meshed(const Model& model, double size = 0.3, PipelineOptions options = {}) {
   options.sizing.size = Length::units(size);
   options.output.normals = true;
   return mesh_model(model, {}, options).mesh;
+}
+
+/// With a vertex of the mesh wherever patches meet.
+PolyMesh meshed_by_patches(const Model& model, double size) {
+  PipelineOptions options;
+  options.across.is_on = false;
+  return meshed(model, size, options);
 }
 
 PolyMesh meshed(const std::string& name, const CageOptions& cage = {}) {
@@ -172,7 +178,8 @@ Vec3 limit_normal(const Cage& fan) {
 TEST(CornerNormals, AtExtraordinaryVerticesAreThoseOfTheLimitSurface) {
   for (const int valence : {3, 5, 6, 8}) {
     const Cage cage = fan_of(valence);
-    const PolyMesh mesh = meshed(model_from_cage(cage, {.patches = PatchKind::Faces}), 0.2);
+    const PolyMesh mesh =
+        meshed_by_patches(model_from_cage(cage, {.patches = PatchKind::Faces}), 0.2);
     const Vec3 exact = limit_normal(cage);
     std::size_t count = 0;
     for_each_normal(mesh, [&](FaceHandle, const Vec3& point, const Vec3& normal) {
@@ -188,7 +195,8 @@ TEST(CornerNormals, OfASharpCornerAreThoseInItsFaces) {
   Cage cage = fan_of(5);
   cage.points[0].z() = 3;
   cage.corners = {{0, 10}};
-  const PolyMesh mesh = meshed(model_from_cage(cage, {.patches = PatchKind::Faces}), 0.1);
+  const PolyMesh mesh =
+      meshed_by_patches(model_from_cage(cage, {.patches = PatchKind::Faces}), 0.1);
   // The mean of all would be far from each of them.
   expect_outside(mesh, 0.7);
   EXPECT_GE(most_normals(mesh), 5u);

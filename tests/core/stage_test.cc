@@ -23,11 +23,11 @@ TEST(Stage, IsListedInItsOrder) {
   EXPECT_EQ(kStages.back(), Stage::Write);
 }
 
-TEST(Stage, IsMeshingFromTheBoundaryToTheAssembly) {
+TEST(Stage, IsMeshingFromTheBoundaryToTheLastImprovement) {
   for (const Stage stage : {Stage::Read, Stage::Control, Stage::Write}) {
     EXPECT_FALSE(is_meshing(stage)) << name(stage);
   }
-  for (const Stage stage : {Stage::Boundary, Stage::Quad, Stage::Assemble}) {
+  for (const Stage stage : {Stage::Boundary, Stage::Quad, Stage::Assemble, Stage::Across}) {
     EXPECT_TRUE(is_meshing(stage)) << name(stage);
   }
 }
@@ -37,7 +37,7 @@ TEST(PerStage, SumsEveryStage) {
   EXPECT_EQ(counts.sum(), 0);
   for (const Stage stage : kStages) counts[stage] = 1;
   EXPECT_EQ(counts.sum(), static_cast<int>(kStages.size()));
-  EXPECT_EQ(counts.sum(is_meshing), 6);
+  EXPECT_EQ(counts.sum(is_meshing), 7);
 }
 
 TEST(PerStage, AddsStageByStage) {

@@ -17,12 +17,15 @@ int main(int argc, char** argv) try {
 
   const auto patch_of = require(mesh, surfmesh::keys::face_patch);
   const auto uv_of = require(mesh, surfmesh::keys::corner_uv);
+  const auto beyond = find(mesh, surfmesh::keys::corner_beyond);
   std::vector<double> areas(model.patches.size());
   double distance = 0;
   for (const auto face : mesh.faces()) {
     const auto patch = static_cast<std::size_t>(mesh.property(patch_of, face));
     areas[patch] += mesh.calc_sector_area(face.halfedge());
     for (const auto corner : face.halfedges()) {  // a corner is the tip of its halfedge
+      // Of a face that lies on several patches some corners are beyond its own.
+      if (beyond.is_valid() && mesh.property(beyond, corner) != 0) continue;
       const auto jet = model.patches[patch].surface->evaluate(mesh.property(uv_of, corner),
                                                               surfmesh::Order::Position);
       distance =

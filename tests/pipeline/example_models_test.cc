@@ -18,6 +18,7 @@
 #include "surfmesh/pipeline/option_schema.hh"
 #include "surfmesh/pipeline/option_table.hh"
 #include "surfmesh/pipeline/set_option.hh"
+#include "surfmesh/quality/corners_beyond.hh"
 #include "surfmesh/quality/face_set_check.hh"
 
 namespace surfmesh {
@@ -41,14 +42,17 @@ std::string vertex_line(double x, double y, double z) {
   return "v " + std::to_string(x) + ' ' + std::to_string(y) + ' ' + std::to_string(z) + '\n';
 }
 
-/// Greatest distance of a corner from its surface at its parameters, in units of the diagonal.
+/// Greatest distance of a corner on its patch from its surface at its parameters, in units of the
+/// diagonal.
 double greatest_gap(const Model& model, const PolyMesh& mesh) {
+  const detail::CornersBeyond is_beyond(mesh);
   const auto patch_of = require(mesh, keys::face_patch);
   const auto uv_of = require(mesh, keys::corner_uv);
   double gap = 0;
   for (const auto face : mesh.faces()) {
     const auto patch = static_cast<std::size_t>(mesh.property(patch_of, face));
     for (const auto corner : face.halfedges()) {
+      if (is_beyond(corner)) continue;
       const Uv uv = mesh.property(uv_of, corner);
       const Vec3 there = model.patches[patch].surface->evaluate(uv, Order::Position).point;
       gap = std::max(gap, (to_eigen(mesh.point(corner.to())) - there).norm());

@@ -270,7 +270,8 @@ class Recorder : public Observer {
 TEST(MeshModelObserver, IsToldOfEveryStage) {
   Recorder recorder;
   mesh_model(testing::torus_of(2), {}, {}, &recorder);
-  EXPECT_EQ(recorder.stages, (std::set<std::string>{"assemble", "boundary", "control", "mesh"}));
+  EXPECT_EQ(recorder.stages,
+            (std::set<std::string>{"across", "assemble", "boundary", "control", "mesh"}));
   EXPECT_EQ(recorder.finished, recorder.stages);
 }
 
@@ -352,6 +353,7 @@ TEST(MeshModel, HasElementsLargerThanFacesOnBlocks) {
   const Cage cage = testing::torus(24, 16);
   PipelineOptions options;
   options.sizing = {.curvature = 0, .hmax = Length::units(1)};
+  options.across.is_on = false;
   const MeshResult faces =
       mesh_model(model_from_cage(cage, {.patches = PatchKind::Faces}), {}, options);
   const MeshResult blocks = mesh_model(model_from_cage(cage), {}, options);

@@ -45,6 +45,7 @@ const std::map<std::string_view, Case> kCases = {
        {"contour_curvature", "off"},
        {"curvature", "off"},
        {"hmax", "100%"}}}},
+    {"across", {"off", "knob.obj"}},
     {"curvature_from", {"differences"}},
     {"nodes", {"100"}},
     {"precision", {"0.5", "wave.json"}},

@@ -84,7 +84,7 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
             (Keys{"kind", "nodes", "faces", "precision", "classes", "queries", "answers"}));
   EXPECT_EQ(keys_of(json["seconds"]),
             (Keys{"read", "control", "boundary", "triangulate", "refine", "improve", "quad",
-                  "assemble", "write", "total", "wall"}));
+                  "assemble", "across", "write", "total", "wall"}));
 }
 
 TEST(ReportJson, CountsQuestionsByStageAndAnswersByKind) {
@@ -97,7 +97,7 @@ TEST(ReportJson, CountsQuestionsByStageAndAnswersByKind) {
   EXPECT_EQ(control["queries"]["boundary"], 4);
   EXPECT_EQ(control["queries"]["refine"], 28);
   EXPECT_EQ(keys_of(control["queries"]),
-            (Keys{"boundary", "triangulate", "refine", "improve", "quad"}));
+            (Keys{"boundary", "triangulate", "refine", "improve", "quad", "across"}));
 }
 
 TEST(ReportJson, HasTheFigures) {

@@ -138,7 +138,7 @@ void update_normals(Mesh& target) {
 /// elements.
 ///
 /// Reads    surf:patch (face), surf:contour (edge), surf:uv and surf:metric (halfedge); surf:normal
-///          (halfedge) if it is there
+///          and surf:beyond (halfedge) if they are there
 /// Writes   the same, and what the target has requested: texture coordinates of halfedges, from
 ///          surf:uv, 0 on the boundary's; normals of halfedges, from surf:normal if it is there;
 ///          other normals, of the triangles
@@ -163,6 +163,10 @@ void copy_result(const PolyMesh& result, Mesh& target) {
   detail::copy_property(result, target, keys::edge_contour);
   detail::copy_property(result, target, keys::corner_uv);
   detail::copy_property(result, target, keys::corner_metric);
+  detach(target, keys::corner_beyond);
+  if (find(result, keys::corner_beyond).is_valid()) {
+    detail::copy_property(result, target, keys::corner_beyond);
+  }
   if (find(result, keys::corner_normal).is_valid()) {
     detail::copy_property(result, target, keys::corner_normal);
   }

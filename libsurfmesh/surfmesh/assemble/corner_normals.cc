@@ -13,6 +13,7 @@
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/geometry/first_form.hh"
+#include "surfmesh/quality/corners_beyond.hh"
 
 namespace surfmesh {
 namespace {
@@ -114,11 +115,16 @@ class NormalWriter {
         patch_of_(require(mesh, keys::face_patch)),
         contour_of_(find(mesh, keys::edge_contour)),
         uv_of_(require(mesh, keys::corner_uv)),
+        beyond_(mesh),
         normal_of_(require(mesh, keys::corner_normal)) {}
 
   void write(VertexHandle vh) {
     of_vertex_.clear();
-    if (write_each(vh)) return write_sectors(vh);
+    const bool has_singular = write_each(vh);
+    for (const HalfedgeHandle corner : mesh_.vih_range(vh)) {
+      if (!mesh_.is_boundary(corner) && beyond_(corner)) write_beyond(corner);
+    }
+    if (has_singular) write_sectors(vh);
   }
 
  private:
@@ -130,7 +136,7 @@ class NormalWriter {
     Uv uv;
     Vec3 normal;
     for (const HalfedgeHandle corner : mesh_.vih_range(vh)) {
-      if (mesh_.is_boundary(corner)) continue;
+      if (mesh_.is_boundary(corner) || beyond_(corner)) continue;
       const Surface& own = surface_of(corner);
       if (surface != &own || !(uv == mesh_.property(uv_of_, corner))) {
         surface = &own;
@@ -141,6 +147,25 @@ class NormalWriter {
       set(corner, one_of_vertex(outward(own, uv, normal, mesh_.face_handle(corner))));
     }
     return has_singular;
+  }
+
+  /// Give a corner that does not lie on its patch the normal of one beside it that does.
+  void write_beyond(HalfedgeHandle corner) {
+    collect_sector(first_of_sector(corner));
+    const auto on_patch = std::find_if(sector_.begin(), sector_.end(),
+                                       [this](HalfedgeHandle other) { return !beyond_(other); });
+    if (on_patch == sector_.end()) return set(corner, normal_of(mesh_.face_handle(corner)));
+    mesh_.property(normal_of_, corner) = mesh_.property(normal_of_, *on_patch);
+  }
+
+  /// The corner after the crease before a corner; that itself if there is none.
+  HalfedgeHandle first_of_sector(HalfedgeHandle corner) const {
+    HalfedgeHandle first = corner;
+    while (!divides(first)) {
+      first = mesh_.prev_halfedge_handle(mesh_.opposite_halfedge_handle(first));
+      if (first == corner) break;
+    }
+    return first;
   }
 
   /// Give the corners between two creases, or all around a vertex without any, one normal if they
@@ -188,6 +213,7 @@ class NormalWriter {
     Vec3 sum = Vec3::Zero();
     HalfedgeHandle before;
     for (const HalfedgeHandle corner : sector_) {
+      if (beyond_(corner)) continue;
       const SingularPoint* point = singular_point_of(corner);
       if (point == nullptr) return Vec3::Zero();
       if (!before.is_valid() || patch_of(before) != patch_of(corner) ||
@@ -277,6 +303,7 @@ class NormalWriter {
   decltype(keys::face_patch)::Handle patch_of_;
   decltype(keys::edge_contour)::Handle contour_of_;
   decltype(keys::corner_uv)::Handle uv_of_;
+  detail::CornersBeyond beyond_;
   decltype(keys::corner_normal)::Handle normal_of_;
   std::vector<Vec3> of_vertex_;  ///< the different normals of the vertex at work
   std::vector<HalfedgeHandle> sector_;

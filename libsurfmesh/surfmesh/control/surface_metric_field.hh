@@ -18,7 +18,10 @@ class SurfaceMetricField : public MetricField {
       : surface_(surface), control_(control) {}
 
   Metric at(Uv uv, QueryHint& hint) const override {
-    const Jet jet = surface_.evaluate(uv, Order::First);
+    return at_jet(uv, surface_.evaluate(uv, Order::First), hint);
+  }
+
+  Metric at_jet(Uv uv, const Jet& jet, QueryHint& hint) const override {
     return control_.metric({uv, jet.point, first_form_factor(jet.du, jet.dv)}, hint);
   }
 

@@ -38,6 +38,7 @@ void add_corners(const PolyMesh& mesh, MeshArrays& arrays) {
   }
   add_values(mesh, keys::corner_uv, count, arrays.uvs);
   add_values(mesh, keys::corner_metric, count, arrays.metrics);
+  add_values(mesh, keys::corner_beyond, count, arrays.beyond);
   add_values(mesh, keys::corner_normal, count, arrays.normals);
 }
 

@@ -75,6 +75,7 @@ struct MeshArrays {
   std::vector<int> contours;    ///< by corner, of the side to the next corner; -1 for none
   std::vector<Uv> uvs;          ///< by corner, in the patch of the face
   std::vector<Metric> metrics;  ///< by corner, in the patch of the face
+  std::vector<int> beyond;      ///< by corner, 1 where (u,v) go on beyond the patch of the face
   std::vector<Normal> normals;  ///< by corner, of the surface
   MeshNames names;
 };
@@ -84,8 +85,8 @@ enum class ArrayParts { Faces, FacesAndCorners };
 
 /// Make arrays of a mesh.
 ///
-/// Reads    surf:patch (face), surf:contour (edge), surf:uv, surf:metric, surf:normal (halfedge),
-///          all optional
+/// Reads    surf:patch (face), surf:contour (edge), surf:uv, surf:metric, surf:beyond,
+///          surf:normal (halfedge), all optional
 /// Cost     O(corners), about 20 ns a triangle, 50 ns with those of the corners
 MeshArrays mesh_arrays(const PolyMesh& mesh, MeshNames names = {},
                        ArrayParts parts = ArrayParts::FacesAndCorners);

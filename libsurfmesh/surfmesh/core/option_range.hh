@@ -138,6 +138,7 @@ inline constexpr OptionRange kCreaseAngle = {"crease_angle", words::kOff, 0, 180
 inline constexpr OptionRange kQuads = {"quads", words::kSwitch};
 inline constexpr OptionRange kQuadMethod = {"quad_method", words::kQuadMethod};
 inline constexpr OptionRange kQuadFront = {"quad_front", words::kQuadFront};
+inline constexpr OptionRange kAcross = {"across", words::kSwitch};
 inline constexpr OptionRange kNormals = {"normals", words::kSwitch};
 inline constexpr OptionRange kUv = {"uv", words::kSwitch};
 inline constexpr OptionRange kThreads = {"threads", words::kAll, 1, kMostThreads, false, true};

@@ -56,6 +56,10 @@ inline constexpr PropertyKey<EdgeHandle, int> edge_contour{"surf:contour", "patc
 inline constexpr PropertyKey<HalfedgeHandle, Uv> corner_uv{"surf:uv", "assemble"};
 /// Metric of a corner of the result, at the tip of the halfedge, in the patch of its face.
 inline constexpr PropertyKey<HalfedgeHandle, Metric> corner_metric{"surf:metric", "assemble"};
+/// 1 for a corner of the result whose (u,v) go on beyond the domain of the patch of its face, as
+/// its tangent planes at the other corners do, and whose metric is the one that sees the sides of
+/// the face as the vertex does; else 0. Only where elements have crossed contours.
+inline constexpr PropertyKey<HalfedgeHandle, int> corner_beyond{"surf:beyond", "across"};
 /// Normal of the surface at a corner of the result, at the tip of the halfedge, on the side from
 /// which the face goes around counter-clockwise. Made on wish.
 inline constexpr PropertyKey<HalfedgeHandle, Normal> corner_normal{"surf:normal", "assemble"};

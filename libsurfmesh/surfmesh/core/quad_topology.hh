@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "surfmesh/core/mesh.hh"
@@ -13,6 +14,12 @@ inline bool is_at_quad(const PolyMesh& mesh, HalfedgeHandle heh) {
   if (!mesh.face_handle(heh).is_valid()) return false;
   const HalfedgeHandle opposite = mesh.next_halfedge_handle(mesh.next_halfedge_handle(heh));
   return mesh.next_halfedge_handle(mesh.next_halfedge_handle(opposite)) == heh;
+}
+
+/// True if a face is a quad.
+inline bool has_quads(const PolyMesh& mesh) {
+  return std::any_of(mesh.faces_begin(), mesh.faces_end(),
+                     [&](FaceHandle fh) { return is_at_quad(mesh, mesh.halfedge_handle(fh)); });
 }
 
 /// The sides of the quad of a halfedge, from that on.

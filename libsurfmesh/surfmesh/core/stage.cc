@@ -21,6 +21,8 @@ std::string_view name(Stage stage) {
       return "quad";
     case Stage::Assemble:
       return "assemble";
+    case Stage::Across:
+      return "across";
     case Stage::Write:
       return "write";
   }

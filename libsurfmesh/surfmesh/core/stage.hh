@@ -13,12 +13,23 @@ namespace surfmesh {
 /// of chords between patches belong to Assemble; those of quads to Quad.
 ///
 /// A new one is listed in kStages, too, and gets its name in stage.cc.
-enum class Stage { Read, Control, Boundary, Triangulate, Refine, Improve, Quad, Assemble, Write };
+enum class Stage {
+  Read,
+  Control,
+  Boundary,
+  Triangulate,
+  Refine,
+  Improve,
+  Quad,
+  Assemble,
+  Across,
+  Write
+};
 
 /// All of them: what the sums and the report go by.
-inline constexpr std::array kStages = {Stage::Read,        Stage::Control,  Stage::Boundary,
-                                       Stage::Triangulate, Stage::Refine,   Stage::Improve,
-                                       Stage::Quad,        Stage::Assemble, Stage::Write};
+inline constexpr std::array kStages = {
+    Stage::Read,    Stage::Control, Stage::Boundary, Stage::Triangulate, Stage::Refine,
+    Stage::Improve, Stage::Quad,    Stage::Assemble, Stage::Across,      Stage::Write};
 
 /// The name of a stage, as used in reports: "read", "control", ...
 std::string_view name(Stage stage);

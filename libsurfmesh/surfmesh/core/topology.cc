@@ -128,7 +128,9 @@ class HalfedgeAssignment {
     std::vector<int> others;
     for (std::size_t side = 0; side < halfedge_of_.size(); ++side) {
       const int twin = twins.empty() ? -1 : twins[side];
-      if (twin < 0) {
+      if (twin == kOpenSide) {
+        give(static_cast<int>(side), 2 * count_++);
+      } else if (twin < 0) {
         others.push_back(static_cast<int>(side));
       } else if (twin > static_cast<int>(side)) {
         glue(static_cast<int>(side), twin);

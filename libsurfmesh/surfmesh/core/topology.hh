@@ -91,6 +91,9 @@ struct Separation {
   std::size_t cut_edges = 0;  ///< sides that are not glued although other faces share them
 };
 
+/// In place of a twin: the side is glued to none, whatever its vertices are.
+inline constexpr int kOpenSide = -2;
+
 /// Build the connectivity of a mesh without elements, in bulk.
 ///
 /// Two triangles are glued where one has the edge (a,b) and the other (b,a), and only if no third
@@ -101,7 +104,7 @@ struct Separation {
 ///
 /// `twins` holds what is known already. For each side (3 × triangle + corner at its origin) it
 /// names the side it is glued to, which has the same two vertices and names it in turn; -1 leaves
-/// the decision to the vertices. Empty if nothing is known.
+/// the decision to the vertices, kOpenSide leaves the side open. Empty if nothing is known.
 ///
 /// Cost     O(n) for sides with twins; O(n log n) for others
 /// Pre      mesh without elements; indices in [0, vertex_count), three different ones a triangle

@@ -7,6 +7,7 @@
 
 #include "surfmesh/core/random_bits.hh"
 #include "surfmesh/core/values.hh"
+#include "surfmesh/geometry/surface.hh"
 #include "surfmesh/metric/triangle.hh"
 
 namespace surfmesh {
@@ -54,6 +55,12 @@ class MetricField {
 
   /// Metric at a point of the domain.
   virtual Metric at(Uv uv, QueryHint& hint) const = 0;
+
+  /// The same for a caller that has evaluated the surface there to first order.
+  virtual Metric at_jet(Uv uv, const Jet& jet, QueryHint& hint) const {
+    static_cast<void>(jet);
+    return at(uv, hint);
+  }
 
   /// Points that every mesh must resolve, even among large elements, with their metrics.
   virtual std::span<const MetricCorner> required_points() const { return {}; }

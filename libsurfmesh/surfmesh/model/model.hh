@@ -37,6 +37,9 @@ struct Contour {
   bool is_degenerate = false;
   bool is_smooth = true;  ///< false on true boundaries and sharp creases, where normals may jump
   int part_count = 1;     ///< number of cage edges it runs along, in equal parts of t
+  /// True for one that was given by name, as trims are, that loops name, or along which sizes are
+  /// asked for: a line that the user wants to see in the mesh, be it smooth or not.
+  bool is_named = false;
 };
 
 /// One contour use of a loop, as indices into Model::contours and Contour::uses.

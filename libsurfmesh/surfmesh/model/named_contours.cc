@@ -51,6 +51,7 @@ int NamedContours::contour_of(const ContourInput& input) {
   const std::shared_ptr<const SpaceCurve> xyz = curve_in_space(input, patches_, patch_numbers_);
   Contour result;
   result.name = input.name;
+  result.is_named = true;
   result.start = vertex_at(xyz->evaluate(0));
   result.end = vertex_at(xyz->evaluate(1));
   const Vec3 first = xyz->evaluate(0);

@@ -233,6 +233,7 @@ Chain Trimmer::chain_named(const std::string& name, int index, std::size_t loop)
 Chain Trimmer::side_chain(const std::string& name, const Chain& side, int index) {
   Chain chain;
   for (const ChainLink& link : side) {
+    model_.contour(link.entry.contour).is_named = true;
     if (model_.use(link.entry).patch == index) {
       chain.push_back(link);
       continue;

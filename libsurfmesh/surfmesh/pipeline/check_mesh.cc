@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "surfmesh/across/metric_beyond.hh"
 #include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/control/surface_metric_field.hh"
 #include "surfmesh/core/counted.hh"
@@ -20,6 +21,7 @@
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/notice_json.hh"
 #include "surfmesh/quality/contour_distance.hh"
+#include "surfmesh/quality/corners_beyond.hh"
 #include "surfmesh/quality/project_mesh.hh"
 #include "surfmesh/quality/sag.hh"
 #include "surfmesh/quality/self_intersections.hh"
@@ -86,6 +88,14 @@ void add_contours(const PolyMesh& mesh, const std::vector<SharpContour>& contour
   }
 }
 
+std::size_t count_corners_beyond(const PolyMesh& mesh) {
+  const detail::CornersBeyond is_beyond(mesh);
+  const auto corners = mesh.halfedges();
+  return static_cast<std::size_t>(std::count_if(
+      corners.begin(), corners.end(),
+      [&](HalfedgeHandle corner) { return !mesh.is_boundary(corner) && is_beyond(corner); }));
+}
+
 /// Measure how far a mesh is from its model.
 SurfaceDistance distance_of(const PolyMesh& mesh, const Model& model, const SurfaceSearch& search,
                             bool is_projected, const RunContext& context) {
@@ -110,10 +120,12 @@ std::vector<std::unique_ptr<SizeField>> size_fields(const ModelInput& input) {
   return fields;
 }
 
-/// Give each corner the metric at its (u,v) of its patch. Corners of one vertex with one patch and
-/// (u,v) are evaluated once.
+/// Give each corner the metric at its (u,v) of its patch, or where its vertex is if that lies
+/// beyond. Corners of one vertex with one patch and (u,v) are evaluated once.
 template <class MetricAt>
-void attach_metric(PolyMesh& mesh, const RunContext& context, MetricAt metric_at) {
+void attach_metric(PolyMesh& mesh, const Model& model, const SurfaceSearch& search,
+                   const RunContext& context, MetricAt metric_at) {
+  const detail::CornersBeyond is_beyond(mesh);
   const auto uv_of = require(mesh, keys::corner_uv);
   const auto patch_of = require(mesh, keys::face_patch);
   detach(mesh, keys::corner_metric);
@@ -124,7 +136,7 @@ void attach_metric(PolyMesh& mesh, const RunContext& context, MetricAt metric_at
     Uv uv;
     Metric metric;
     for (const HalfedgeHandle corner : mesh.vih_range(vh)) {
-      if (mesh.is_boundary(corner)) continue;
+      if (mesh.is_boundary(corner) || is_beyond(corner)) continue;
       const int corner_patch = mesh.property(patch_of, mesh.face_handle(corner));
       const Uv corner_uv = mesh.property(uv_of, corner);
       if (patch != corner_patch || !(uv == corner_uv)) {
@@ -135,24 +147,29 @@ void attach_metric(PolyMesh& mesh, const RunContext& context, MetricAt metric_at
       mesh.property(metric_of, corner) = metric;
     }
   }
+  set_metrics_beyond(mesh, model, search, [&](const SurfacePlace& place) {
+    return metric_at(static_cast<std::size_t>(place.patch), place.uv);
+  });
 }
 
-void attach_exact_metric(PolyMesh& mesh, const ModelInput& input, const RunContext& context) {
+void attach_exact_metric(PolyMesh& mesh, const ModelInput& input, const SurfaceSearch& search,
+                         const RunContext& context) {
   const auto fields = size_fields(input);
-  attach_metric(mesh, context, [&](std::size_t patch, Uv uv) {
+  attach_metric(mesh, input.model, search, context, [&](std::size_t patch, Uv uv) {
     const SizeField::Sample sample = fields[patch]->at(uv);
     return metric_from_size(sample.form, sample.size);
   });
 }
 
 /// The metric that a run would make a mesh by.
-void attach_metric_of_run(PolyMesh& mesh, const ModelInput& input, Observer* observer) {
+void attach_metric_of_run(PolyMesh& mesh, const ModelInput& input, const SurfaceSearch& search,
+                          Observer* observer) {
   const RunContext context(observer, input.options.max_elements);
   const ResolvedSizing sizing = resolve(input.options.sizing, input.model.diagonal);
   const ControlSpaces control =
       make_control_spaces(input.model, input.sources, sizing, input.options.control, context);
   std::vector<QueryHint> hints(control.spaces.size());
-  attach_metric(mesh, context, [&](std::size_t patch, Uv uv) {
+  attach_metric(mesh, input.model, search, context, [&](std::size_t patch, Uv uv) {
     const SurfaceMetricField field(*input.model.patches[patch].surface, *control.spaces[patch]);
     return field.at(uv, hints[patch]);
   });
@@ -275,6 +292,7 @@ Json fit_json(const ModelFit& fit) {
   const SurfaceDistance& distance = fit.distance;
   return {{"projected", fit.is_projected},
           {"unjudged_faces", fit.distance.unjudged},
+          {"corners_beyond", fit.corners_beyond},
           {"stored_metric", fit.is_by_stored_metric},
           {"exact_sizes", fit.is_by_exact_sizes},
           {"other_sizes", fit.has_other_sizes},
@@ -370,6 +388,10 @@ class Lines {
           fmt::format("corners are up to {:.3g} from the surface, which without (u,v) is no fault",
                       fit.distance.max_corner));
     }
+    if (fit.corners_beyond > 0) {
+      add("", fmt::format("corners beyond the patch of their face, where its (u,v) go on: {}",
+                          fit.corners_beyond));
+    }
     if (fit.distance.unjudged > 0) {
       add("",
           fmt::format("faces that look turned, but whose side the points found at their corners "
@@ -453,6 +475,7 @@ ModelFit measure_fit(MeshFile& mesh, const ModelInput& input, JudgedBy judged_by
   const SurfaceSearch search(input.model);
   fit.is_projected = !has_parameters(mesh.mesh);
   if (fit.is_projected) project_mesh(mesh.mesh, mesh.names.patches, input.model, search, context);
+  fit.corners_beyond = count_corners_beyond(mesh.mesh);
   fit.distance = distance_of(mesh.mesh, input.model, search, fit.is_projected, context);
   if (fit.distance.max_contour >= 0) {
     fit.max_contour = input.model.contour(fit.distance.max_contour).name;
@@ -465,10 +488,10 @@ ModelFit measure_fit(MeshFile& mesh, const ModelInput& input, JudgedBy judged_by
   fit.is_by_exact_sizes = judged_by == JudgedBy::ExactSizes;
   if (fit.is_by_exact_sizes) {
     fit.has_other_sizes = sizing.grade > 0 || sizing.sag || !input.sources.at.empty();
-    attach_exact_metric(mesh.mesh, input, context);
+    attach_exact_metric(mesh.mesh, input, search, context);
   } else if (!fit.is_by_stored_metric) {
     fit.has_other_sizes = sizing.sag.has_value();
-    attach_metric_of_run(mesh.mesh, input, observer);
+    attach_metric_of_run(mesh.mesh, input, search, observer);
   }
   fit.sizes = measure_metric(mesh.mesh);
   return fit;

@@ -34,6 +34,7 @@ enum class JudgedBy {
 /// How well a mesh fits its model.
 struct ModelFit {
   bool is_projected = false;         ///< the mesh has no (u,v): nearest points were used
+  std::size_t corners_beyond = 0;    ///< whose (u,v) go on beyond the patch of their face
   bool is_by_stored_metric = false;  ///< the sizes below are those that the mesh was made by
   bool is_by_exact_sizes = false;    ///< if neither, they are those of the control space of a run
   /// True if more is asked for than the sizes below include: the mesh may rightly be finer. Exact

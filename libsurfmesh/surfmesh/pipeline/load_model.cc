@@ -430,6 +430,19 @@ std::vector<std::shared_ptr<const Curve>> curves_on(const Model& model, const st
   return curves;
 }
 
+/// The contours along which sizes are asked for stay in the mesh.
+void name_contours(Model& model, const std::string& name) {
+  if (name.find(':') != std::string::npos) {
+    for (const LoopEntry& entry : side_uses(model, name)) {
+      model.contour(entry.contour).is_named = true;
+    }
+    return;
+  }
+  for (Contour& contour : model.contours) {
+    if (is_part_of(contour.name, name)) contour.is_named = true;
+  }
+}
+
 void add_along_sources(const ModelFile& file, const std::string& name, ModelInput& input) {
   for (const AlongContour& along : file.along_contours) {
     at_file(fmt::format("{}: {}", name, along.origin), [&] {
@@ -439,6 +452,7 @@ void add_along_sources(const ModelFile& file, const std::string& name, ModelInpu
         throw Error(ErrorCode::InvalidInput,
                     fmt::format("{} is no contour or side of this patch", along.contour));
       }
+      name_contours(input.model, along.contour);
       input.sources.along.push_back(std::move(source));
     });
   }

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "surfmesh/across/across.hh"
 #include "surfmesh/assemble/assemble.hh"
 #include "surfmesh/assemble/corner_normals.hh"
 #include "surfmesh/assemble/promised_topology.hh"
@@ -144,6 +145,8 @@ class Run {
     place_nodes();
     mesh_patches();
     assemble_patches(result.mesh);
+    improve_smooth_parts(result.mesh);
+    compare(result.mesh);
     measure(result.mesh);
     result.report = std::move(report_);
   }
@@ -356,7 +359,16 @@ class Run {
     AssembleReport report = assemble(mesh, model_, nodes_, *numbers_, patches_, context_);
     append(std::move(report.notices), report_.notices);
     context_.tell("assemble", 1, 1);
-    compare(mesh);
+  }
+
+  void improve_smooth_parts(PolyMesh& mesh) {
+    if (!report_.options.across.is_on) return;
+    const StageClock clock(report_.seconds[Stage::Across]);
+    context_.tell("across", 0, 1);
+    report_.control.queries[Stage::Across] =
+        improve_across(mesh, model_, fields_, context_).queries;
+    if (mesh.n_faces() > context_.max_elements()) context_.throw_too_many_elements();
+    context_.tell("across", 1, 1);
   }
 
   void compare(const PolyMesh& mesh) {

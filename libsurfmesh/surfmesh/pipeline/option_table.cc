@@ -180,6 +180,9 @@ constexpr auto kTable = std::to_array<Option>({
     {kMeshing, false, "", "conversion from the fronts: merging of triangles, advancing, or both",
      number(
          ranges::kQuadFront, [](auto& o) -> auto& { return o.quads.front; })},
+    {kMeshing, false, "", "elements that cross contours which merely divide a smooth surface",
+     number(
+         ranges::kAcross, [](auto& o) -> auto& { return o.across.is_on; })},
     {kMeshing, true, "", "normals of the surface in .obj and .om files (vn)",
      number(
          ranges::kNormals, [](auto& o) -> auto& { return o.output.normals; })},

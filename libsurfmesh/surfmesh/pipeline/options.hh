@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "surfmesh/across/across.hh"
 #include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/core/length.hh"
 #include "surfmesh/formats/output_options.hh"
@@ -21,6 +22,7 @@ struct PipelineOptions {
   RefineOptions refine = {};
   ImproveOptions improve = {};
   QuadOptions quads = {};
+  AcrossOptions across = {};
   OutputOptions output = {};
   /// Of cages; see CageOptions. This and the next four act where a model is made; mesh_model warns
   /// of those that its model was not made with.

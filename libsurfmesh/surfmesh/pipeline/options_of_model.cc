@@ -62,6 +62,8 @@ PipelineOptions options_in_effect(const Model& model, PipelineOptions options) {
     if (made.part.empty()) set_option(options, made.option, made.value);
   }
   if (model.joining > 0) options.joining = Length::units(model.joining);
+  // Corrections for a sag are not undone by moves across contours.
+  if (options.sizing.sag && options.sizing.sag->value > 0) options.across.is_on = false;
   return options;
 }
 

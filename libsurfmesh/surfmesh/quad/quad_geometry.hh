@@ -28,6 +28,10 @@ class QuadGeometry {
   /// True if the vertex may move.
   virtual bool is_free(VertexHandle vh) const = 0;
 
+  /// True if a new side may join two vertices that have none in this mesh: they may have one beyond
+  /// its border, or be the same vertex there.
+  virtual bool may_join(VertexHandle a, VertexHandle b) const { return a != b; }
+
   /// Collect how the corners of the faces around a vertex depend on its step.
   /// Returns  false if the metric there is singular
   virtual bool collect(VertexHandle vh, std::vector<CornerTerms>& star) const = 0;

@@ -67,6 +67,16 @@ VertexHandle add_vertex(QuadState& state, Replacement& change, std::vector<Verte
   return vh;
 }
 
+/// True if a vertex may take over the sides of another one, but for those to two neighbours of
+/// both.
+bool may_take_sides(const QuadState& state, VertexHandle from, VertexHandle to, VertexHandle left,
+                    VertexHandle right) {
+  for (const VertexHandle vh : state.mesh.vv_range(from)) {
+    if (vh != left && vh != right && !state.geometry.may_join(vh, to)) return false;
+  }
+  return true;
+}
+
 /// Two vertices that merge may have no neighbour in common but the two corners between them.
 bool have_common_neighbour(const PolyMesh& mesh, VertexHandle a, VertexHandle b, VertexHandle left,
                            VertexHandle right) {
@@ -116,7 +126,8 @@ bool collapse_quad(const QuadState& state, HalfedgeHandle heh, int most, Replace
   if (irregularity > most || !state.geometry.is_free(goes) ||
       (state.geometry.is_free(stays) && stays < goes) || !are_quads(mesh, from_tip, faces) ||
       !can_lose_face(state, left) || !can_lose_face(state, right) ||
-      have_common_neighbour(mesh, goes, stays, left, right)) {
+      have_common_neighbour(mesh, goes, stays, left, right) ||
+      !may_take_sides(state, goes, stays, left, right)) {
     return false;
   }
   change.clear();
@@ -139,7 +150,8 @@ bool rotate_edge(const QuadState& state, HalfedgeHandle heh, Turn turn, int most
   const int irregularity =
       growth(state, a, -1) + growth(state, b, -1) + growth(state, near, 1) + growth(state, far, 1);
   if (irregularity > most || !can_lose_face(state, a) || !can_lose_face(state, b) || c == e ||
-      c == f || d == e || d == f || are_joined(mesh, near, far)) {
+      c == f || d == e || d == f || are_joined(mesh, near, far) ||
+      !state.geometry.may_join(near, far)) {
     return false;
   }
   change.clear();
@@ -186,7 +198,7 @@ bool insert_column(QuadState& state, HalfedgeHandle heh, int faces, Replacement&
   change.old = {mesh.face_handle(heh)};
   const HalfedgeHandle to_p = take_over(mesh, to_x, faces, o, change);
   const VertexHandle p = mesh.to_vertex_handle(to_p);
-  if (are_joined(mesh, v, p)) return false;
+  if (are_joined(mesh, v, p) || !state.geometry.may_join(v, p)) return false;
   const VertexHandle fresh = add_vertex(state, change, {o, o, y});
   change.middles.push_back({o, {o, o, x}});
   take_over(mesh, to_p, left, fresh, change);

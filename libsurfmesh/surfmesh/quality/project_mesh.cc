@@ -2,7 +2,9 @@
 #include "surfmesh/quality/project_mesh.hh"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -49,12 +51,22 @@ class MeshProjection {
         model_(model),
         search_(search),
         on_surface_(surface_tolerance(mesh, model)),
+        meets_itself_(model.patches.size(), 0),
         distances_(mesh.n_halfedges(), 0) {
     for (const std::string& name : patch_names) allowed_.push_back(patches_named(model, name));
+    for (const Contour& contour : model.contours) {
+      if (contour.uses.size() != 2 || contour.uses[0].patch != contour.uses[1].patch) continue;
+      // Where the two sides of a seam are turned against each other, faces end.
+      const bool is_oriented = contour.uses[0].is_forward != contour.uses[1].is_forward;
+      if (contour.is_smooth && is_oriented)
+        meets_itself_[static_cast<std::size_t>(contour.uses[0].patch)] = 1;
+    }
     has_patches_ = find(mesh, keys::face_patch).is_valid();
     patch_of_ = has_patches_ ? find(mesh, keys::face_patch) : attach(mesh, keys::face_patch);
     detach(mesh, keys::corner_uv);
     uv_of_ = attach(mesh, keys::corner_uv);
+    detach(mesh, keys::corner_beyond);
+    beyond_ = attach(mesh, keys::corner_beyond, 0);
   }
 
   void run(const RunContext& context) {
@@ -63,6 +75,10 @@ class MeshProjection {
       project(fh);
     }
     learn_from_neighbours(context);
+    for (const FaceHandle fh : mesh_.faces()) {
+      if (index(fh) % kSearchesBetweenCancellation == 0) context.throw_if_cancelled();
+      go_beyond(fh);
+    }
   }
 
  private:
@@ -140,15 +156,68 @@ class MeshProjection {
     return true;
   }
 
+  /// Corners that lie on another patch than the rest of their face, or beyond a seam of it, get the
+  /// (u,v) to which the tangent planes at the others lead.
+  void go_beyond(FaceHandle fh) {
+    const std::vector<HalfedgeHandle> corners = corners_of(mesh_, fh);
+    const auto first = std::find_if(corners.begin(), corners.end(), [this](HalfedgeHandle corner) {
+      return distance(corner) <= on_surface_;
+    });
+    if (first == corners.end()) return;
+    const auto is_off = [&](HalfedgeHandle corner) {
+      return distance(corner) > on_surface_ || is_beyond_seam(*first, corner);
+    };
+    const auto off = std::count_if(corners.begin(), corners.end(), is_off);
+    if (off == 0) return;
+    const Surface& surface = model_.surface(mesh_.property(patch_of_, fh));
+    std::vector<HalfedgeHandle> on;
+    std::remove_copy_if(corners.begin(), corners.end(), std::back_inserter(on), is_off);
+    for (const HalfedgeHandle corner : corners) {
+      const Vec3 point = point_of(mesh_, corner);
+      if (!is_off(corner) || search_.nearest_around(point, on_surface_).distance > on_surface_) {
+        continue;
+      }
+      Uv sum{0, 0};
+      for (const HalfedgeHandle from : on) sum = sum + continued(surface, from, point);
+      mesh_.property(uv_of_, corner) = 1 / static_cast<double>(on.size()) * sum;
+      mesh_.property(beyond_, corner) = 1;
+    }
+  }
+
+  /// True if two corners of a face are more than half of the domain apart, of a patch that meets
+  /// itself at a smooth contour.
+  bool is_beyond_seam(HalfedgeHandle a, HalfedgeHandle b) const {
+    const int patch = mesh_.property(patch_of_, mesh_.face_handle(a));
+    if (meets_itself_[static_cast<std::size_t>(patch)] == 0) return false;
+    const Domain domain = model_.surface(patch).domain();
+    const Uv step = mesh_.property(uv_of_, b) - mesh_.property(uv_of_, a);
+    return std::abs(step.u) > 0.5 * (domain.u1 - domain.u0) ||
+           std::abs(step.v) > 0.5 * (domain.v1 - domain.v0);
+  }
+
+  /// Where the tangent plane at a corner leads to a point; the corner itself if there is none.
+  Uv continued(const Surface& surface, HalfedgeHandle from, const Vec3& point) const {
+    const Uv uv = mesh_.property(uv_of_, from);
+    const Jet jet = surface.evaluate(uv, Order::First);
+    const Vec3 step = point - jet.point;
+    const double e = jet.du.squaredNorm(), f = jet.du.dot(jet.dv), g = jet.dv.squaredNorm();
+    const double determinant = e * g - f * f;
+    if (!(determinant > 0)) return uv;
+    const double a = jet.du.dot(step), b = jet.dv.dot(step);
+    return uv + Uv{(g * a - f * b) / determinant, (e * b - f * a) / determinant};
+  }
+
   PolyMesh& mesh_;
   const Model& model_;
   const SurfaceSearch& search_;
   double on_surface_;
-  std::vector<double> distances_;  ///< of corners from the surface, by halfedge
+  std::vector<char> meets_itself_;  ///< by patch
+  std::vector<double> distances_;   ///< of corners from the surface, by halfedge
   std::vector<std::vector<int>> allowed_;
   bool has_patches_ = false;
   decltype(keys::face_patch)::Handle patch_of_;
   decltype(keys::corner_uv)::Handle uv_of_;
+  decltype(keys::corner_beyond)::Handle beyond_;
 };
 
 }  // namespace

@@ -21,10 +21,11 @@ double surface_tolerance(const PolyMesh& mesh, const Model& model);
 /// name of the face's group, or are in the model's group of that name. If no patch or group has
 /// this name, all patches count. Its corners are projected from there, so that a face at a seam
 /// stays on one side of it. Corners that end off the surface are searched once more from where
-/// their neighbours lie on it: beside a fold the search may have ended on the wrong sheet.
+/// their neighbours lie on it: beside a fold the search may have ended on the wrong sheet. Those
+/// that lie on another patch than the rest of their face get (u,v) beyond its domain.
 ///
 /// Reads    surf:patch (face; optional), with its names
-/// Writes   surf:patch (face), surf:uv (halfedge)
+/// Writes   surf:patch (face), surf:uv, surf:beyond (halfedge)
 /// Cost     about 10 surface evaluations per corner
 /// Throws   Cancelled
 void project_mesh(PolyMesh& mesh, const std::vector<std::string>& patch_names, const Model& model,

@@ -10,6 +10,7 @@
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/quality/contour_distance.hh"
+#include "surfmesh/quality/corners_beyond.hh"
 #include "surfmesh/quality/face_corners.hh"
 #include "surfmesh/quality/triangle_distance.hh"
 #include "surfmesh/quality/triangle_sag.hh"
@@ -56,6 +57,7 @@ class SagMeter {
         context_(context),
         demands_(demands),
         patch_of_(require(mesh, keys::face_patch)),
+        beyond_(mesh),
         faces_(mesh.n_faces()),
         remembered_(mesh.n_faces()) {}
 
@@ -81,6 +83,7 @@ class SagMeter {
   struct Triangle : detail::SurfaceTriangle {
     FaceHandle face;
     const Surface& surface;
+    bool is_on_patches = false;  ///< on several, so that (u,v) do not tell where its surface is
   };
 
   void estimate_faces() {
@@ -129,6 +132,10 @@ class SagMeter {
   FaceSag estimate(FaceHandle fh) const {
     const Surface& surface = model_.surface(mesh_.property(patch_of_, fh));
     FaceSag face;
+    if (beyond_.any_of(fh)) {
+      face.error = std::numeric_limits<double>::infinity();
+      return face;
+    }
     double aside = 0;
     for (const detail::SurfaceTriangle& triangle : triangles_of(mesh_, fh)) {
       const detail::SagEstimate estimate = detail::estimate_plane_sag(surface, triangle);
@@ -204,7 +211,7 @@ class SagMeter {
     const Surface& surface = model_.surface(mesh_.property(patch_of_, fh));
     Greatest greatest;
     for (const detail::SurfaceTriangle& triangle : triangles_of(mesh_, fh)) {
-      const Greatest own_greatest = greatest_sample({triangle, fh, surface});
+      const Greatest own_greatest = greatest_sample({triangle, fh, surface, beyond_.any_of(fh)});
       greatest.take(own_greatest.sag, own_greatest.at);
     }
     FaceSag& face = faces_[index(fh)];
@@ -242,6 +249,8 @@ class SagMeter {
   /// The distance at a sample, if it is above `known`; else any value up to that.
   double distance_at(const Triangle& t, const detail::Weights& w, double known) const {
     const Vec3 point = point_at(t, w);
+    // The nearest point is no farther from the mesh.
+    if (t.is_on_patches) return std::max(known, search_.nearest(point).distance);
     const Uv uv = w[0] * t.uvs[0] + w[1] * t.uvs[1] + w[2] * t.uvs[2];
     const Vec3 on_surface = t.surface.evaluate(uv, Order::Position).point;
     // Both nearest points are at most as far as these two from each other.
@@ -288,6 +297,7 @@ class SagMeter {
   const SagDemands& demands_;
   double greatest_ = 0;  ///< that is known of
   decltype(keys::face_patch)::Handle patch_of_;
+  detail::CornersBeyond beyond_;
   std::vector<FaceSag> faces_;
   std::vector<const FaceSag*> remembered_;  ///< of the mesh before, by face; null for others
 };

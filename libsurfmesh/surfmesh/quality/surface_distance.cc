@@ -11,6 +11,7 @@
 #include "surfmesh/core/counted.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/quality/corners_beyond.hh"
 #include "surfmesh/quality/face_corners.hh"
 #include "surfmesh/quality/facing.hh"
 #include "surfmesh/quality/project_mesh.hh"
@@ -61,6 +62,7 @@ class DistanceMeter {
         is_projected_(is_projected),
         patch_of_(require(mesh, keys::face_patch)),
         uv_of_(require(mesh, keys::corner_uv)),
+        beyond_(mesh),
         facing_(mesh.n_faces(), 0),
         is_off_(mesh.n_faces(), 0),
         is_coarse_(mesh.n_faces(), 0),
@@ -109,7 +111,11 @@ class DistanceMeter {
     std::vector<Vec3> normals;
     for (const HalfedgeHandle heh : corners_of(mesh_, fh)) {
       corners.push_back({point_of(mesh_, heh), mesh_.property(uv_of_, heh)});
-      normals.push_back(measure_corner(surface, corners.back(), fh));
+      if (beyond_(heh)) {
+        measure_corner_beyond(heh);
+      } else {
+        normals.push_back(measure_corner(surface, corners.back(), fh));
+      }
     }
     detail::visit_triangles(corners, [&](const std::array<Corner, 3>& triangle) {
       measure_samples(surface, triangle, fh);
@@ -117,7 +123,7 @@ class DistanceMeter {
     const Vec3 area = detail::double_area_of(mesh_, corners_of(mesh_, fh));
     const double cosine = facing(area, sum_of(normals));
     facing_[index(fh)] = cosine;
-    is_coarse_[index(fh)] = are_opposed(normals) ? 1 : 0;
+    is_coarse_[index(fh)] = are_opposed(normals) || normals.size() < 2 ? 1 : 0;
     const auto patch = static_cast<std::size_t>(mesh_.property(patch_of_, fh));
     side_of_[patch] += cosine > 0 ? area.norm() : -area.norm();
   }
@@ -125,7 +131,19 @@ class DistanceMeter {
   /// Returns the normal p_u × p_v of the surface there; zero where it has none.
   Vec3 measure_corner(const Surface& surface, const Corner& corner, FaceHandle fh) {
     const Jet jet = surface.evaluate(corner.uv, Order::First);
-    const double distance = (jet.point - corner.point).norm();
+    take_corner((jet.point - corner.point).norm(), corner.point, fh);
+    return jet.du.cross(jet.dv);
+  }
+
+  /// The vertex lies on another patch, of which most have another corner.
+  void measure_corner_beyond(HalfedgeHandle corner) {
+    if (beyond_.corner_on_patch(mesh_.to_vertex_handle(corner)).is_valid()) return;
+    const Vec3 point = point_of(mesh_, corner);
+    take_corner(search_.nearest_around(point, on_surface_).distance, point,
+                mesh_.face_handle(corner));
+  }
+
+  void take_corner(double distance, const Vec3& point, FaceHandle fh) {
     ++corners_;
     if (distance > on_surface_) {
       ++corners_off_;
@@ -137,22 +155,21 @@ class DistanceMeter {
     }
     if (!is_projected_ && distance > std::max(kOffSurface * model_.diagonal, model_.joining)) {
       off_.add([&] {
-        return fmt::format("{} at {}, by {:.3g}", face_text(fh), point_text(corner.point),
-                           distance);
+        return fmt::format("{} at {}, by {:.3g}", face_text(fh), point_text(point), distance);
       });
     }
-    return jet.du.cross(jet.dv);
   }
 
   void measure_samples(const Surface& surface, const std::array<Corner, 3>& t, FaceHandle fh) {
     constexpr double third = 1.0 / 3.0;
     constexpr std::array<std::array<double, 3>, 4> weights = {
         {{third, third, third}, {0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}}};
+    const bool is_beyond = beyond_.any_of(fh);
     for (const auto& w : weights) {
       const Vec3 point = w[0] * t[0].point + w[1] * t[1].point + w[2] * t[2].point;
       const Uv guess = w[0] * t[0].uv + w[1] * t[1].uv + w[2] * t[2].uv;
       NearPoint near = find_near_point(surface, point, guess);
-      if (near.is_on_border && near.distance > on_surface_) {
+      if ((near.is_on_border || is_beyond) && near.distance > on_surface_) {
         near.distance = std::min(near.distance, search_.nearest(point).distance);
       }
       sum_ += near.distance;
@@ -208,9 +225,11 @@ class DistanceMeter {
   bool is_projected_;
   decltype(keys::face_patch)::Handle patch_of_;
   decltype(keys::corner_uv)::Handle uv_of_;
-  std::vector<double> facing_;   ///< cosine of the angle between face and surface
-  std::vector<char> is_off_;     ///< of faces, with a corner that is not on the surface
-  std::vector<char> is_coarse_;  ///< of faces, across which the surface turns by more than 90°
+  detail::CornersBeyond beyond_;
+  std::vector<double> facing_;  ///< cosine of the angle between face and surface
+  std::vector<char> is_off_;    ///< of faces, with a corner that is not on the surface
+  /// Of faces, across which the surface turns by more than 90°, or with one corner on their patch.
+  std::vector<char> is_coarse_;
   std::vector<double> side_of_;  ///< of each patch, area along minus area against the normal
   double on_surface_;            ///< distances below are rounding
   SurfaceDistance result_;

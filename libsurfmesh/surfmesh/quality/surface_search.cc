@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace surfmesh {
 namespace {
@@ -142,6 +143,17 @@ class Descent {
   double distance_ = 0;
 };
 
+/// The patches that share a contour with a patch.
+std::set<int> patches_beside(const Model& model, int patch) {
+  std::set<int> beside;
+  for (const Contour& contour : model.contours) {
+    const auto is_own = [patch](const ContourUse& use) { return use.patch == patch; };
+    if (std::none_of(contour.uses.begin(), contour.uses.end(), is_own)) continue;
+    for (const ContourUse& use : contour.uses) beside.insert(use.patch);
+  }
+  return beside;
+}
+
 }  // namespace
 
 NearPoint find_near_point(const Surface& surface, const Vec3& point, Uv guess,
@@ -253,6 +265,22 @@ NearPoint SurfaceSearch::nearest(const Vec3& point, const std::vector<int>& patc
     if (is_tried && i > 1) continue;
     const NearPoint found = descend(sample, point);
     if (found.distance < best.distance) best = found;
+  }
+  return best;
+}
+
+NearPoint SurfaceSearch::nearest_around(const Vec3& point, double enough) const {
+  NearPoint best = nearest(point);
+  std::set<int> tried = {best.patch};
+  for (bool is_nearer = true; is_nearer && best.distance > enough && best.is_on_border;) {
+    is_nearer = false;
+    for (const int patch : patches_beside(model_, best.patch)) {
+      if (!tried.insert(patch).second) continue;
+      const NearPoint found = nearest(point, {patch});
+      if (found.distance >= best.distance) continue;
+      best = found;
+      is_nearer = true;
+    }
   }
   return best;
 }

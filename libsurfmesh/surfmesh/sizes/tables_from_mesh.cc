@@ -4,6 +4,7 @@
 #include <map>
 
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/quality/corners_beyond.hh"
 
 namespace surfmesh {
 
@@ -11,13 +12,14 @@ std::vector<TableSource> tables_from_mesh(const PolyMesh& mesh) {
   const auto uv_of = require(mesh, keys::corner_uv);
   const auto patch_of = require(mesh, keys::face_patch);
   const auto metric_of = require(mesh, keys::corner_metric);
+  const detail::CornersBeyond is_beyond(mesh);
   std::map<int, std::vector<TableNode>> nodes;
   for (const VertexHandle vh : mesh.vertices()) {
     // Corners of one patch follow each other around the vertex.
     int last_patch = -1;
     Uv last_uv;
     for (const HalfedgeHandle corner : mesh.vih_range(vh)) {
-      if (mesh.is_boundary(corner)) continue;
+      if (mesh.is_boundary(corner) || is_beyond(corner)) continue;
       const int patch = mesh.property(patch_of, mesh.face_handle(corner));
       const Uv uv = mesh.property(uv_of, corner);
       if (patch == last_patch && uv == last_uv) continue;

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/across/across.hh"
+
+#include <algorithm>
+#include <utility>
+
+#include "surfmesh/across/dissolved_contours.hh"
+#include "surfmesh/across/put_back.hh"
+#include "surfmesh/assemble/orientation.hh"
+#include "surfmesh/core/parallel.hh"
+#include "surfmesh/core/properties.hh"
+
+namespace surfmesh {
+namespace {
+
+std::vector<std::vector<SingularPoint>> singular_points_of(const Model& model) {
+  std::vector<std::vector<SingularPoint>> points;
+  for (const Patch& patch : model.patches) points.push_back(patch.surface->singular_points());
+  return points;
+}
+
+class Across {
+ public:
+  Across(PolyMesh& result, const Model& model, const std::vector<const MetricField*>& fields,
+         std::vector<char> is_dissolved, const RunContext& context)
+      : result_(result),
+        context_(context),
+        is_dissolved_(std::move(is_dissolved)),
+        orientation_(orient_patches(model)),
+        walk_(model, is_dissolved_),
+        singular_points_(singular_points_of(model)),
+        input_{result, model, fields, walk_, orientation_.is_turned, singular_points_, {}} {}
+
+  /// First inside the pieces, then across the edges between them.
+  AcrossReport run() {
+    SmoothRegions regions = choose_regions(result_, input_.model, is_dissolved_);
+    report_.faces =
+        static_cast<std::size_t>(std::count(regions.is_chosen.begin(), regions.is_chosen.end(), 1));
+    const std::vector<FacePiece> pieces = divide_in_pieces(result_, regions);
+    if (pieces.empty()) {
+      clear_contours(regions.is_held);
+      return report_;
+    }
+    const std::vector<VertexHandle> seam = seam_of(pieces, regions.is_held);
+    PutBackReport now = improve(pieces, regions.is_held);
+    if (seam.empty()) return report_;
+    input_.places = std::move(now.places);
+    improve_along(seam, now.numbers);
+    return report_;
+  }
+
+ private:
+  /// Edges that are not held are no longer on contours.
+  void clear_contours(const std::vector<char>& is_held) {
+    const auto contour_of = require(result_, keys::edge_contour);
+    for (const EdgeHandle eh : result_.edges()) {
+      if (is_held[index(eh)] == 0) result_.property(contour_of, eh) = -1;
+    }
+  }
+
+  /// The vertices of the edges between pieces.
+  std::vector<VertexHandle> seam_of(const std::vector<FacePiece>& pieces,
+                                    const std::vector<char>& is_held) const {
+    std::vector<int> piece_of(result_.n_faces(), -1);
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+      for (const FaceHandle fh : pieces[p]) piece_of[index(fh)] = static_cast<int>(p);
+    }
+    std::vector<VertexHandle> seam;
+    for (const EdgeHandle eh : result_.edges()) {
+      const HalfedgeHandle heh = result_.halfedge_handle(eh, 0);
+      if (is_held[index(eh)] != 0 || result_.is_boundary(eh)) continue;
+      const int left = piece_of[index(result_.face_handle(heh))];
+      const int right = piece_of[index(result_.face_handle(result_.opposite_halfedge_handle(heh)))];
+      if (left == right || left < 0 || right < 0) continue;
+      seam.push_back(result_.from_vertex_handle(heh));
+      seam.push_back(result_.to_vertex_handle(heh));
+    }
+    std::sort(seam.begin(), seam.end());
+    seam.erase(std::unique(seam.begin(), seam.end()), seam.end());
+    return seam;
+  }
+
+  PutBackReport improve(const std::vector<FacePiece>& pieces, const std::vector<char>& is_held) {
+    std::vector<RegionWork> works(pieces.size());
+    share_indices(pieces.size(), [&](std::size_t p) {
+      works[p] = improve_region(input_, pieces[p], is_held, context_);
+    });
+    for (const RegionWork& work : works) report_.queries += work.queries;
+    return put_back(works, is_held, result_);
+  }
+
+  /// `numbers` are those that vertices of the seam have now.
+  void improve_along(const std::vector<VertexHandle>& seam, const std::vector<int>& numbers) {
+    std::vector<VertexHandle> left;
+    for (const VertexHandle vh : seam) {
+      if (numbers[index(vh)] >= 0) left.push_back(VertexHandle(numbers[index(vh)]));
+    }
+    const SmoothRegions regions = choose_all(result_, input_.model);
+    improve(pieces_along(result_, regions.is_chosen, regions.is_held, left), regions.is_held);
+  }
+
+  PolyMesh& result_;
+  const RunContext& context_;
+  std::vector<char> is_dissolved_;
+  PatchOrientation orientation_;
+  SurfaceWalk walk_;
+  std::vector<std::vector<SingularPoint>> singular_points_;
+  RegionInput input_;
+  AcrossReport report_;
+};
+
+}  // namespace
+
+AcrossReport improve_across(PolyMesh& result, const Model& model,
+                            const std::vector<const MetricField*>& fields,
+                            const RunContext& context) {
+  std::vector<char> is_dissolved = dissolved_contours(model);
+  if (std::find(is_dissolved.begin(), is_dissolved.end(), 1) == is_dissolved.end()) return {};
+  return Across(result, model, fields, std::move(is_dissolved), context).run();
+}
+
+}  // namespace surfmesh
