@@ -81,12 +81,30 @@ class Across {
   }
 
   PutBackReport improve(const std::vector<FacePiece>& pieces, const std::vector<char>& is_held) {
-    std::vector<RegionWork> works(pieces.size());
-    share_indices(pieces.size(), [&](std::size_t p) {
-      works[p] = improve_region(input_, pieces[p], is_held, context_);
-    });
-    for (const RegionWork& work : works) report_.queries += work.queries;
+    std::vector<std::vector<RegionWork>> of_pieces(pieces.size());
+    share_indices(pieces.size(),
+                  [&](std::size_t p) { of_pieces[p] = improve_piece(pieces[p], is_held); });
+    std::vector<RegionWork> works;
+    for (std::vector<RegionWork>& of_piece : of_pieces) {
+      for (RegionWork& work : of_piece) {
+        report_.queries += work.queries;
+        works.push_back(std::move(work));
+      }
+    }
     return put_back(works, is_held, result_);
+  }
+
+  /// A piece that does not become better as a whole may do so in some of its parts.
+  std::vector<RegionWork> improve_piece(const FacePiece& piece, const std::vector<char>& is_held) {
+    std::vector<RegionWork> works;
+    works.push_back(improve_region(input_, piece, is_held, context_));
+    if (!works.front().region.faces.empty()) return works;
+    const std::vector<FacePiece> parts = parts_of(result_, piece, is_held);
+    if (parts.size() == 1) return works;
+    for (const FacePiece& part : parts) {
+      works.push_back(improve_region(input_, part, is_held, context_));
+    }
+    return works;
   }
 
   /// `numbers` are those that vertices of the seam have now.

@@ -229,6 +229,15 @@ std::vector<FacePiece> divide_in_pieces(const PolyMesh& result, const SmoothRegi
   return pieces;
 }
 
+std::vector<FacePiece> parts_of(const PolyMesh& result, const FacePiece& piece,
+                                const std::vector<char>& is_held) {
+  std::vector<char> is_left(result.n_faces(), 0);
+  for (const FaceHandle fh : piece) is_left[index(fh)] = 1;
+  std::vector<FacePiece> parts = connected_parts(result, std::move(is_left), is_held);
+  for (FacePiece& part : parts) std::sort(part.begin(), part.end());
+  return parts;
+}
+
 std::vector<FacePiece> pieces_along(const PolyMesh& result, const std::vector<char>& is_chosen,
                                     const std::vector<char>& is_held,
                                     const std::vector<VertexHandle>& seam) {

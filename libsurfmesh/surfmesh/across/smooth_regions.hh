@@ -39,6 +39,11 @@ SmoothRegions choose_all(const PolyMesh& result, const Model& model);
 /// Cost     O(n log n) for the chosen faces
 std::vector<FacePiece> divide_in_pieces(const PolyMesh& result, const SmoothRegions& regions);
 
+/// The parts of a piece that edges connect which are not held.
+/// Cost     O(faces of the result)
+std::vector<FacePiece> parts_of(const PolyMesh& result, const FacePiece& piece,
+                                const std::vector<char>& is_held);
+
 /// The faces within three rings of vertices between pieces, as pieces that do not touch.
 ///
 /// `is_chosen` are the faces that may be taken, `is_held` the edges that no piece reaches across.
