@@ -102,5 +102,20 @@ TEST(SurfaceSearch, LooksAtAllPatchesOrAtSome) {
   EXPECT_NEAR(search.nearest(point, {0}).distance, std::hypot(0.3, 0.2), 1e-12);
 }
 
+/// A strip, whose samples are far apart, with a patch beside it and a small one close above it.
+TEST(SurfaceSearch, LooksAroundPatchesThatAreKnownToBeNear) {
+  const Model model =
+      testing::model_of({testing::rectangle(0, 0, 10, 0.01), testing::rectangle(0, 0.01, 10, 1),
+                         testing::plane({4.98, -0.045, 0.001}, {0.1, 0, 0}, {0, 0.1, 0})});
+  const SurfaceSearch search(model);
+  const Vec3 point(5.03, 0.004, 0);
+  ASSERT_EQ(search.nearest(point).patch, 2);
+  EXPECT_EQ(search.nearest_around(point, {}, 1e-9).patch, 2);
+  const NearPoint found = search.nearest_around(point, {1}, 1e-9);
+  EXPECT_EQ(found.patch, 0);
+  EXPECT_NEAR(found.distance, 0, 1e-12);
+  EXPECT_EQ(search.nearest_around(point, {1}, 0.01).patch, 2);  // near enough
+}
+
 }  // namespace
 }  // namespace surfmesh

@@ -9,6 +9,7 @@
 #include "surfmesh/assemble/orientation.hh"
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/quality/corners_beyond.hh"
+#include "surfmesh/quality/project_mesh.hh"
 
 namespace surfmesh {
 namespace {
@@ -24,6 +25,7 @@ class MetricBeyond {
         patch_of_(require(mesh, keys::face_patch)),
         uv_of_(require(mesh, keys::corner_uv)),
         metric_of_(require(mesh, keys::corner_metric)),
+        on_surface_(surface_tolerance(mesh, model)),
         orientation_(orient_patches(model)),
         walk_(model, std::vector<char>(model.contours.size(), 0)),
         maker_(model, no_fields_, walk_, orientation_.is_turned) {}
@@ -41,7 +43,8 @@ class MetricBeyond {
     if (found.is_valid()) {
       return {mesh_.property(patch_of_, mesh_.face_handle(found)), mesh_.property(uv_of_, found)};
     }
-    const NearPoint near = search_.nearest_around(to_eigen(mesh_.point(vh)), 0);
+    const NearPoint near =
+        search_.nearest_around(to_eigen(mesh_.point(vh)), beyond_.patches_around(vh), on_surface_);
     return {near.patch, near.uv};
   }
 
@@ -76,6 +79,7 @@ class MetricBeyond {
   decltype(keys::face_patch)::Handle patch_of_;
   decltype(keys::corner_uv)::Handle uv_of_;
   decltype(keys::corner_metric)::Handle metric_of_;
+  double on_surface_;  ///< distances below are rounding
   PatchOrientation orientation_;
   SurfaceWalk walk_;
   std::vector<const MetricField*> no_fields_;  ///< metrics are known

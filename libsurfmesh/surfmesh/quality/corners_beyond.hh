@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 #include "surfmesh/core/properties.hh"
 
@@ -15,6 +16,24 @@ class CornersBeyond {
 
   bool operator()(HalfedgeHandle corner) const {
     return handle_.is_valid() && mesh_.property(handle_, corner) != 0;
+  }
+
+  /// The patches of the faces around a vertex, some of them repeatedly.
+  std::vector<int> patches_around(VertexHandle vh) const {
+    const auto patch_of = require(mesh_, keys::face_patch);
+    std::vector<int> patches;
+    for (const FaceHandle fh : mesh_.vf_range(vh)) patches.push_back(mesh_.property(patch_of, fh));
+    return patches;
+  }
+
+  /// The patches of the faces around the vertices of a face, most of them repeatedly.
+  std::vector<int> patches_around(FaceHandle fh) const {
+    std::vector<int> patches;
+    for (const VertexHandle vh : mesh_.fv_range(fh)) {
+      const std::vector<int> around = patches_around(vh);
+      patches.insert(patches.end(), around.begin(), around.end());
+    }
+    return patches;
   }
 
   /// True if a face has such a corner.

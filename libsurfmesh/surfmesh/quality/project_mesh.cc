@@ -169,12 +169,14 @@ class MeshProjection {
     };
     const auto off = std::count_if(corners.begin(), corners.end(), is_off);
     if (off == 0) return;
-    const Surface& surface = model_.surface(mesh_.property(patch_of_, fh));
+    const int patch = mesh_.property(patch_of_, fh);
+    const Surface& surface = model_.surface(patch);
     std::vector<HalfedgeHandle> on;
     std::remove_copy_if(corners.begin(), corners.end(), std::back_inserter(on), is_off);
     for (const HalfedgeHandle corner : corners) {
       const Vec3 point = point_of(mesh_, corner);
-      if (!is_off(corner) || search_.nearest_around(point, on_surface_).distance > on_surface_) {
+      if (!is_off(corner) ||
+          search_.nearest_around(point, {patch}, on_surface_).distance > on_surface_) {
         continue;
       }
       Uv sum{0, 0};

@@ -250,7 +250,10 @@ class SagMeter {
   double distance_at(const Triangle& t, const detail::Weights& w, double known) const {
     const Vec3 point = point_at(t, w);
     // The nearest point is no farther from the mesh.
-    if (t.is_on_patches) return std::max(known, search_.nearest(point).distance);
+    if (t.is_on_patches) {
+      const auto patches = beyond_.patches_around(t.face);
+      return std::max(known, search_.nearest_around(point, patches, known).distance);
+    }
     const Uv uv = w[0] * t.uvs[0] + w[1] * t.uvs[1] + w[2] * t.uvs[2];
     const Vec3 on_surface = t.surface.evaluate(uv, Order::Position).point;
     // Both nearest points are at most as far as these two from each other.

@@ -137,10 +137,11 @@ class DistanceMeter {
 
   /// The vertex lies on another patch, of which most have another corner.
   void measure_corner_beyond(HalfedgeHandle corner) {
-    if (beyond_.corner_on_patch(mesh_.to_vertex_handle(corner)).is_valid()) return;
+    const VertexHandle vh = mesh_.to_vertex_handle(corner);
+    if (beyond_.corner_on_patch(vh).is_valid()) return;
     const Vec3 point = point_of(mesh_, corner);
-    take_corner(search_.nearest_around(point, on_surface_).distance, point,
-                mesh_.face_handle(corner));
+    const NearPoint near = search_.nearest_around(point, beyond_.patches_around(vh), on_surface_);
+    take_corner(near.distance, point, mesh_.face_handle(corner));
   }
 
   void take_corner(double distance, const Vec3& point, FaceHandle fh) {
@@ -171,6 +172,12 @@ class DistanceMeter {
       NearPoint near = find_near_point(surface, point, guess);
       if ((near.is_on_border || is_beyond) && near.distance > on_surface_) {
         near.distance = std::min(near.distance, search_.nearest(point).distance);
+      }
+      // What would be the greatest distance is worth a closer look.
+      if (is_beyond && near.distance > result_.max) {
+        near.distance = std::min(
+            near.distance,
+            search_.nearest_around(point, beyond_.patches_around(fh), result_.max).distance);
       }
       sum_ += near.distance;
       ++samples_;

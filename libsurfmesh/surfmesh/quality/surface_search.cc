@@ -269,17 +269,22 @@ NearPoint SurfaceSearch::nearest(const Vec3& point, const std::vector<int>& patc
   return best;
 }
 
-NearPoint SurfaceSearch::nearest_around(const Vec3& point, double enough) const {
+NearPoint SurfaceSearch::nearest_around(const Vec3& point, std::vector<int> patches,
+                                        double enough) const {
   NearPoint best = nearest(point);
   std::set<int> tried = {best.patch};
-  for (bool is_nearer = true; is_nearer && best.distance > enough && best.is_on_border;) {
-    is_nearer = false;
-    for (const int patch : patches_beside(model_, best.patch)) {
+  patches.push_back(best.patch);
+  while (!patches.empty() && best.distance > enough) {
+    std::set<int> around(patches.begin(), patches.end());
+    for (const int patch : patches) around.merge(patches_beside(model_, patch));
+    patches.clear();
+    for (const int patch : around) {
       if (!tried.insert(patch).second) continue;
       const NearPoint found = nearest(point, {patch});
       if (found.distance >= best.distance) continue;
       best = found;
-      is_nearer = true;
+      patches = {patch};
+      if (best.distance <= enough) break;
     }
   }
   return best;

@@ -48,11 +48,12 @@ class SurfaceSearch {
   ///          the point, compared with the distance of the samples
   NearPoint nearest(const Vec3& point, const std::vector<int>& patches = {}) const;
 
-  /// The nearest point, sought on in the patches beside where it lies at the border of a domain,
-  /// until it is near enough: the samples that are nearest to a point may all be of patches beside
-  /// its own, if these are narrow.
+  /// The nearest point, sought in `patches`, which are known to be nearby, and in the patches
+  /// beside them too, and from the nearest one on, until it is near enough: the samples that are
+  /// nearest to a point may all be of other patches than its own, if these are narrow, or close
+  /// together.
   /// Cost     as nearest(), and once more for each of those patches
-  NearPoint nearest_around(const Vec3& point, double enough) const;
+  NearPoint nearest_around(const Vec3& point, std::vector<int> patches, double enough) const;
 
   /// The points found downhill from the samples that are nearest to a point, the nearest first:
   /// where the surface has several sheets in one place, one on each.
