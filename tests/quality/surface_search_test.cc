@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "support/models.hh"
 #include "surfmesh/geometry/callable_surface.hh"
@@ -109,12 +110,13 @@ TEST(SurfaceSearch, LooksAroundPatchesThatAreKnownToBeNear) {
                          testing::plane({4.98, -0.045, 0.001}, {0.1, 0, 0}, {0, 0.1, 0})});
   const SurfaceSearch search(model);
   const Vec3 point(5.03, 0.004, 0);
+  const std::vector<int> beside = {1};
   ASSERT_EQ(search.nearest(point).patch, 2);
   EXPECT_EQ(search.nearest_around(point, {}, 1e-9).patch, 2);
-  const NearPoint found = search.nearest_around(point, {1}, 1e-9);
+  const NearPoint found = search.nearest_around(point, beside, 1e-9);
   EXPECT_EQ(found.patch, 0);
   EXPECT_NEAR(found.distance, 0, 1e-12);
-  EXPECT_EQ(search.nearest_around(point, {1}, 0.01).patch, 2);  // near enough
+  EXPECT_EQ(search.nearest_around(point, beside, 0.01).patch, 2);  // near enough
 }
 
 }  // namespace

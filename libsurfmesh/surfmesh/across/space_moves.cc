@@ -1,31 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/across/space_moves.hh"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "surfmesh/improve/vertex_search.hh"
 
 namespace surfmesh {
 namespace {
 
-// As within patches, see improve/vertex_moves.cc.
-constexpr double kLeastMove = 0.01;
-constexpr double kLeastGain = 1e-6;
-constexpr double kMetricChange = 0.02;
-constexpr int kMaxSearchRounds = 40;
-constexpr double kFirstSearchStep = 0.2, kLastSearchStep = 0.02;
+using namespace vertex_search;
 
-/// Unit steps around a circle.
-const std::array<ChartStep, 8> kDirections = [] {
-  std::array<ChartStep, 8> directions;
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const double angle =
-        2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(directions.size());
-    directions[i] = {std::cos(angle), std::sin(angle)};
-  }
-  return directions;
-}();
+const std::array<ChartStep, 8> kDirections = directions<ChartStep>();
 
 ChartStep scaled(double factor, ChartStep step) { return {factor * step.x, factor * step.y}; }
 
@@ -82,8 +68,8 @@ void SpaceMoves::search(VertexHandle vh) {
   VertexChart best = state_.chart(vh);
   const SurfacePlace old = best.place;
   double best_score = star_.score(best, -1);
-  double step = kFirstSearchStep;
-  for (int round = 0; round < kMaxSearchRounds && step >= kLastSearchStep; ++round) {
+  double step = kFirstStep;
+  for (int round = 0; round < kMaxSearchRounds && step >= kLastStep; ++round) {
     const VertexChart next = best_around(best, step, best_score);
     if (next.place == best.place) step *= 0.5;
     best = next;

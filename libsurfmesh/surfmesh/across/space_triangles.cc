@@ -201,23 +201,21 @@ class SpaceTriangles {
 
   // --- repairs ---
 
+  const VertexChart& chart_ahead(HalfedgeHandle heh) const {
+    return state_.chart(state_.mesh.to_vertex_handle(heh));
+  }
+
   /// True if the normals at the corners tell how long sides are.
   bool is_flat(FaceHandle fh) const {
-    const HalfedgeHandle heh = state_.mesh.halfedge_handle(fh);
-    return do_normals_agree(
-        state_.chart(state_.mesh.from_vertex_handle(heh)),
-        state_.chart(state_.mesh.to_vertex_handle(heh)),
-        state_.chart(state_.mesh.to_vertex_handle(state_.mesh.next_halfedge_handle(heh))));
+    const auto [a, b, c] = sides(fh);
+    return do_normals_agree(chart_ahead(c), chart_ahead(a), chart_ahead(b));
   }
 
   /// True for a triangle that better places of its vertices may mend.
   bool is_bad(FaceHandle fh) const {
-    const HalfedgeHandle heh = state_.mesh.halfedge_handle(fh);
-    const VertexChart& a = state_.chart(state_.mesh.from_vertex_handle(heh));
-    const VertexChart& b = state_.chart(state_.mesh.to_vertex_handle(heh));
-    const VertexChart& c =
-        state_.chart(state_.mesh.to_vertex_handle(state_.mesh.next_halfedge_handle(heh)));
-    return triangle_quality(a, b, c) < kBadQuality && do_normals_agree(a, b, c);
+    const auto [a, b, c] = sides(fh);
+    return triangle_quality(chart_ahead(c), chart_ahead(a), chart_ahead(b)) < kBadQuality &&
+           is_flat(fh);
   }
 
   void repair() {

@@ -4,36 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "surfmesh/improve/vertex_search.hh"
 #include "surfmesh/metric/triangle.hh"
 
 namespace surfmesh {
 namespace {
 
-/// Metric length below which a move is not worth its metric query.
-constexpr double kLeastMove = 0.01;
+using namespace vertex_search;
 
-/// Gain of score for which a vertex is moved: far above rounding, so that a search ends.
-constexpr double kLeastGain = 1e-6;
-
-/// By so much the score of a point within a fifth of a unit may differ with its own metric and with
-/// that of the vertex.
-constexpr double kMetricChange = 0.02;
-
-/// Steps of a search for a better position; four halvings and a few moves are usual.
-constexpr int kMaxSearchRounds = 40;
-
-/// Unit vectors around a circle.
-const std::array<Uv, 8> kDirections = [] {
-  std::array<Uv, 8> directions;
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const double angle =
-        2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(directions.size());
-    directions[i] = {std::cos(angle), std::sin(angle)};
-  }
-  return directions;
-}();
+const std::array<Uv, 8> kDirections = directions<Uv>();
 
 /// True for the squares of lengths in the unit range, but for those next to its limits.
 bool is_well_within_unit_range(double squared_length) {
@@ -131,14 +111,13 @@ MetricCorner VertexMoves::best_around(const MetricCorner& from, double step, dou
 }
 
 void VertexMoves::search(VertexHandle vh) {
-  constexpr double first_step = 0.2, last_step = 0.02;
   if (!star_.collect(delaunay_, vh)) return;
   const MetricCorner old = corner(delaunay_, vh);
   MetricCorner best = old;
   star_.begin_at_worst(old);
   double best_score = score(best, -1);
-  double step = first_step;
-  for (int round = 0; round < kMaxSearchRounds && step >= last_step; ++round) {
+  double step = kFirstStep;
+  for (int round = 0; round < kMaxSearchRounds && step >= kLastStep; ++round) {
     const MetricCorner next = best_around(best, step, best_score);
     if (next.uv == best.uv) step *= 0.5;
     best = next;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "surfmesh/core/properties.hh"
@@ -58,8 +59,8 @@ class MeshProjection {
       if (contour.uses.size() != 2 || contour.uses[0].patch != contour.uses[1].patch) continue;
       // Where the two sides of a seam are turned against each other, faces end.
       const bool is_oriented = contour.uses[0].is_forward != contour.uses[1].is_forward;
-      if (contour.is_smooth && is_oriented)
-        meets_itself_[static_cast<std::size_t>(contour.uses[0].patch)] = 1;
+      if (!contour.is_smooth || !is_oriented) continue;
+      meets_itself_[static_cast<std::size_t>(contour.uses[0].patch)] = 1;
     }
     has_patches_ = find(mesh, keys::face_patch).is_valid();
     patch_of_ = has_patches_ ? find(mesh, keys::face_patch) : attach(mesh, keys::face_patch);
@@ -176,7 +177,7 @@ class MeshProjection {
     for (const HalfedgeHandle corner : corners) {
       const Vec3 point = point_of(mesh_, corner);
       if (!is_off(corner) ||
-          search_.nearest_around(point, {patch}, on_surface_).distance > on_surface_) {
+          search_.nearest_around(point, std::span(&patch, 1), on_surface_).distance > on_surface_) {
         continue;
       }
       Uv sum{0, 0};

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
@@ -83,7 +84,8 @@ class SagMeter {
   struct Triangle : detail::SurfaceTriangle {
     FaceHandle face;
     const Surface& surface;
-    bool is_on_patches = false;  ///< on several, so that (u,v) do not tell where its surface is
+    /// Those around a face on several of them, whose (u,v) do not tell where its surface is.
+    std::span<const int> patches;
   };
 
   void estimate_faces() {
@@ -209,9 +211,11 @@ class SagMeter {
   /// Measure a face, unless it is below what matters.
   void measure(FaceHandle fh) {
     const Surface& surface = model_.surface(mesh_.property(patch_of_, fh));
+    std::vector<int> patches;
+    if (beyond_.any_of(fh)) patches = beyond_.patches_around(fh);
     Greatest greatest;
     for (const detail::SurfaceTriangle& triangle : triangles_of(mesh_, fh)) {
-      const Greatest own_greatest = greatest_sample({triangle, fh, surface, beyond_.any_of(fh)});
+      const Greatest own_greatest = greatest_sample({triangle, fh, surface, patches});
       greatest.take(own_greatest.sag, own_greatest.at);
     }
     FaceSag& face = faces_[index(fh)];
@@ -250,9 +254,8 @@ class SagMeter {
   double distance_at(const Triangle& t, const detail::Weights& w, double known) const {
     const Vec3 point = point_at(t, w);
     // The nearest point is no farther from the mesh.
-    if (t.is_on_patches) {
-      const auto patches = beyond_.patches_around(t.face);
-      return std::max(known, search_.nearest_around(point, patches, known).distance);
+    if (!t.patches.empty()) {
+      return std::max(known, search_.nearest_around(point, t.patches, known).distance);
     }
     const Uv uv = w[0] * t.uvs[0] + w[1] * t.uvs[1] + w[2] * t.uvs[2];
     const Vec3 on_surface = t.surface.evaluate(uv, Order::Position).point;

@@ -143,17 +143,6 @@ class Descent {
   double distance_ = 0;
 };
 
-/// The patches that share a contour with a patch.
-std::set<int> patches_beside(const Model& model, int patch) {
-  std::set<int> beside;
-  for (const Contour& contour : model.contours) {
-    const auto is_own = [patch](const ContourUse& use) { return use.patch == patch; };
-    if (std::none_of(contour.uses.begin(), contour.uses.end(), is_own)) continue;
-    for (const ContourUse& use : contour.uses) beside.insert(use.patch);
-  }
-  return beside;
-}
-
 }  // namespace
 
 NearPoint find_near_point(const Surface& surface, const Vec3& point, Uv guess,
@@ -185,7 +174,13 @@ struct SurfaceSearch::Candidates {
   }
 };
 
-SurfaceSearch::SurfaceSearch(const Model& model) : model_(model) {
+SurfaceSearch::SurfaceSearch(const Model& model) : model_(model), beside_(model.patches.size()) {
+  for (const Contour& contour : model.contours) {
+    for (const ContourUse& own : contour.uses) {
+      auto& beside = beside_[static_cast<std::size_t>(own.patch)];
+      for (const ContourUse& use : contour.uses) beside.push_back(use.patch);
+    }
+  }
   double cell_count = 0;
   for (const Patch& patch : model.patches) {
     const CellCount cells = patch.surface->cells();
@@ -269,21 +264,26 @@ NearPoint SurfaceSearch::nearest(const Vec3& point, const std::vector<int>& patc
   return best;
 }
 
-NearPoint SurfaceSearch::nearest_around(const Vec3& point, std::vector<int> patches,
+NearPoint SurfaceSearch::nearest_around(const Vec3& point, std::span<const int> patches,
                                         double enough) const {
   NearPoint best = nearest(point);
+  if (best.distance <= enough) return best;
   std::set<int> tried = {best.patch};
-  patches.push_back(best.patch);
-  while (!patches.empty() && best.distance > enough) {
-    std::set<int> around(patches.begin(), patches.end());
-    for (const int patch : patches) around.merge(patches_beside(model_, patch));
-    patches.clear();
+  std::vector<int> from(patches.begin(), patches.end());
+  from.push_back(best.patch);
+  while (!from.empty() && best.distance > enough) {
+    std::set<int> around(from.begin(), from.end());
+    for (const int patch : from) {
+      const auto& beside = beside_[static_cast<std::size_t>(patch)];
+      around.insert(beside.begin(), beside.end());
+    }
+    from.clear();
     for (const int patch : around) {
       if (!tried.insert(patch).second) continue;
       const NearPoint found = nearest(point, {patch});
       if (found.distance >= best.distance) continue;
       best = found;
-      patches = {patch};
+      from = {patch};
       if (best.distance <= enough) break;
     }
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "surfmesh/core/values.hh"
@@ -53,7 +54,7 @@ class SurfaceSearch {
   /// nearest to a point may all be of other patches than its own, if these are narrow, or close
   /// together.
   /// Cost     as nearest(), and once more for each of those patches
-  NearPoint nearest_around(const Vec3& point, std::vector<int> patches, double enough) const;
+  NearPoint nearest_around(const Vec3& point, std::span<const int> patches, double enough) const;
 
   /// The points found downhill from the samples that are nearest to a point, the nearest first:
   /// where the surface has several sheets in one place, one on each.
@@ -77,7 +78,8 @@ class SurfaceSearch {
   void search(std::size_t first, std::size_t end, int axis, Candidates& candidates) const;
 
   const Model& model_;
-  std::vector<Sample> samples_;  ///< a k-d tree: the middle of each range parts it
+  std::vector<std::vector<int>> beside_;  ///< by patch: those that share a contour with it
+  std::vector<Sample> samples_;           ///< a k-d tree: the middle of each range parts it
 };
 
 }  // namespace surfmesh
