@@ -313,6 +313,32 @@ TEST(Query, OfAPointFarOutsideEnds) {
   }
 }
 
+TEST(Query, CountsTheStepsOfItsWalks) {
+  const ControlMesh control({}, grid({}, 101, [](Uv) { return isotropic(0.1); }), {});
+  QueryHint hint;
+  control.size(place({0.5052, 0.5051}), hint);
+  const std::size_t first = hint.answers.steps;
+  control.size(place({0.5252, 0.5051}), hint);  // two squares on: four triangles
+  EXPECT_EQ(hint.answers.walks, 2U);
+  EXPECT_GE(hint.answers.steps - first, 3U);
+  EXPECT_LE(hint.answers.steps - first, 5U);
+  control.size(place({0.1, 0.1}), hint);  // far away: from the grid of start triangles
+  EXPECT_LE(hint.answers.steps - first, 8U);
+}
+
+TEST(ControlMesh, KnowsTheFirstFormsOfItsNodes) {
+  std::vector<ControlNode> nodes = testing::random_nodes(300);
+  for (ControlNode& n : nodes) n.form = {1 + n.uv.u, n.uv.v, 2};
+  const ControlMesh control({}, nodes, {.interpolation = Interpolation::Circles});
+  for (const VertexHandle vh : control.mesh().vertices()) {
+    const Uv uv = uv_at(control, vh);
+    const FirstFormFactor form = control.form(vh.idx());
+    EXPECT_EQ(form.l11, 1 + uv.u);
+    EXPECT_EQ(form.l21, uv.v);
+    EXPECT_EQ(form.l22, 2);
+  }
+}
+
 TEST(Query, IsTheSameAtAnyScaleOfTheParameters) {
   constexpr double u_scale = 1e6, v_scale = 1e-3;
   const auto field = [](Uv uv) { return isotropic(0.1 + 0.05 * std::sin(5 * uv.u + uv.v)); };

@@ -291,6 +291,7 @@ TEST(Reuse, GivesTheLastSizesWithinItsMetricDistance) {
   const auto nodes = testing::grid({}, 9, [](Uv uv) { return isotropic(0.1 + 0.1 * uv.u); });
   const ControlMesh control({}, nodes, {.reuse = 0.5});
   QueryHint hint;
+  hint.can_reuse = true;
   const SizeTensor first = control.size(place({0.5, 0.5}), hint);
   // Sizes are 0.15 there: half a unit is 0.075.
   EXPECT_EQ(control.size(place({0.57, 0.5}), hint), first);
@@ -303,14 +304,27 @@ TEST(Reuse, TakesTheFormOfThePointItself) {
   const auto nodes = testing::grid({}, 9, [](Uv) { return isotropic(0.1); });
   const ControlMesh control({}, nodes, {.reuse = 0.5});
   QueryHint hint;
+  hint.can_reuse = true;
   control.metric(place({0.5, 0.5}), hint);
   const FirstFormFactor form{2, 0, 1};
   EXPECT_EQ(control.metric(place({0.5, 0.5}, form), hint), metric_from_size(form, isotropic(0.1)));
 }
 
+TEST(Reuse, IsOnlyForAnswersThatAreNotKept) {
+  const auto nodes = testing::grid({}, 9, [](Uv uv) { return isotropic(0.1 + 0.1 * uv.u); });
+  const ControlMesh control({}, nodes, {.reuse = 0.5});
+  const testing::PlaneField field(control);
+  QueryHint hint;
+  const Metric first = field.at({0.5, 0.5}, hint);
+  EXPECT_EQ(field.at_once({0.51, 0.5}, hint), first);
+  EXPECT_NE(field.at({0.51, 0.5}, hint), first);
+  EXPECT_EQ(hint.answers.reused, 1U);
+}
+
 TEST(Reuse, IsOffAtZero) {
   const ControlMesh control = gentle_mesh(Interpolation::Triangle);
   QueryHint hint;
+  hint.can_reuse = true;
   control.size(place({0.5, 0.5}), hint);
   control.size(place({0.5, 0.5}), hint);
   EXPECT_EQ(hint.answers.reused, 0U);

@@ -52,6 +52,62 @@ TEST(NodeTriangulation, MergesNodesInWhateverOrderTheyCome) {
   EXPECT_EQ(count({near, small}), 5U);
 }
 
+/// Regular nodes, which know their spacing.
+std::vector<ControlNode> regular_nodes(const Domain& domain, int n, const SizeTensor& size) {
+  std::vector<ControlNode> nodes = testing::grid(domain, n, [&](Uv) { return size; });
+  const double width = (domain.u1 - domain.u0) / (n - 1),
+               height = (domain.v1 - domain.v0) / (n - 1);
+  for (ControlNode& node : nodes) node.spacing = {1 / (width * width), 0, 1 / (height * height)};
+  return nodes;
+}
+
+TEST(RegularNodes, AreAllThereHoweverLargeTheSizesAre) {
+  const Domain domain{-6, 6, 0, 2};
+  const NodeTriangulation triangulation(domain, regular_nodes(domain, 50, isotropic(100)));
+  testing::expect_valid(triangulation.mesh());
+  EXPECT_EQ(triangulation.mesh().n_vertices(), 2500U);
+  EXPECT_EQ(triangulation.mesh().n_faces(), 2U * 49 * 49);
+}
+
+TEST(RegularNodes, AreMergedWithNodesOfTheUser) {
+  std::vector<ControlNode> nodes = regular_nodes({}, 11, isotropic(1));
+  nodes.push_back(testing::node({0.72, 0.7}, isotropic(0.3)));    // beside a regular one
+  nodes.push_back(testing::node({0.5, 0.5}, isotropic(0.01)));    // at it
+  nodes.push_back(testing::node({0.31, 0.35}, isotropic(0.02)));  // far from all others
+  const NodeTriangulation triangulation({}, nodes);
+  ASSERT_EQ(triangulation.mesh().n_vertices(), 122U);
+  const Domain square;
+  for (std::size_t i = 0; i < 121; ++i) {
+    const Uv at = triangulation.nodes()[i].uv;
+    const double least = at == square.at(0.5, 0.5) ? 0.01 : at == square.at(0.7, 0.7) ? 0.3 : 1;
+    EXPECT_EQ(triangulation.nodes()[i].size, isotropic(least)) << i;
+  }
+  testing::expect_valid(triangulation.mesh());
+}
+
+TEST(RegularNodes, NeedNoInnerNodes) {
+  NodeTriangulation triangulation({}, regular_nodes({}, 30, isotropic(0.1)));
+  EXPECT_TRUE(triangulation.add_inner_nodes().empty());
+}
+
+TEST(RegularRows, AreFoundAtTheFrontOnly) {
+  const Domain domain{0, 3, 0, 1};
+  std::vector<ControlNode> nodes = regular_nodes(domain, 7, isotropic(1));
+  EXPECT_EQ(find_regular_rows(domain, nodes).count(), 49U);
+  nodes.push_back(testing::node({0.5, 0.5}, isotropic(1)));
+  EXPECT_EQ(find_regular_rows(domain, nodes).width, 7U);
+  EXPECT_EQ(find_regular_rows(domain, nodes).height, 7U);
+  std::vector<ControlNode> others = nodes;
+  std::rotate(others.begin(), others.end() - 1, others.end());
+  EXPECT_EQ(find_regular_rows(domain, others).count(), 0U);
+  nodes.resize(48);  // the last row is not whole
+  EXPECT_EQ(find_regular_rows(domain, nodes).count(), 0U);
+  EXPECT_EQ(find_regular_rows({0, 4, 0, 1}, regular_nodes(domain, 7, isotropic(1))).count(), 0U);
+  EXPECT_EQ(find_regular_rows(domain, {}).count(), 0U);
+  EXPECT_EQ(find_regular_rows({}, testing::grid({}, 7, [](Uv) { return isotropic(1); })).count(),
+            0U);
+}
+
 TEST(InnerNodes, LeaveNoBadlyShapedTriangle) {
   NodeTriangulation triangulation({}, crowded_nodes());
   EXPECT_GT(worst_shape(triangulation), 5);

@@ -160,24 +160,83 @@ TEST(ImprovePerfect, BringsAVertexBack) {
   EXPECT_NEAR(delaunay->uv(middle).v, place.v, 0.02);
 }
 
-TEST(ImproveOptionsTest, WithoutSweepsAndRepairsDoNothing) {
+TEST(ImproveOptionsTest, WithoutSmoothingAndRepairsDoNothing) {
   const FunctionField field = testing::four_point_field();
   const auto delaunay = refined(field, {});
   const std::vector<Uv> before = positions(*delaunay);
-  EXPECT_EQ(improve(*delaunay, field, {.sweeps = 0, .repairs = 0}), ImproveReport{});
+  EXPECT_EQ(improve(*delaunay, field, {.smoothing = Smoothing::Off, .repairs = 0}),
+            ImproveReport{});
   EXPECT_EQ(positions(*delaunay), before);
 }
 
 TEST(ImproveOptionsTest, MoreSweepsLowerTheDeviation) {
   const FunctionField field = testing::four_point_field();
   double last = 1;
-  for (const int sweeps : {0, 1, 2, 4}) {
+  for (const int sweeps : {1, 2, 4}) {
     const auto delaunay = refined(field, {});
     improve(*delaunay, field, {.sweeps = sweeps, .repairs = 0});
     const double deviation = edge_lengths(*delaunay).deviation;
     EXPECT_LT(deviation, last);
     last = deviation;
   }
+}
+
+/// Circumcentres in a stretched metric, smoothed, without repairs.
+class SmoothingKinds : public ::testing::TestWithParam<Smoothing> {
+ protected:
+  const FunctionField field_ = testing::shock_field(10, 0.02);
+  std::unique_ptr<DelaunayMesh> delaunay_ = refined(field_, {.placement = Placement::Circumcentre});
+  const ImproveOptions options_ = {.smoothing = GetParam(), .repairs = 0};
+};
+
+TEST_P(SmoothingKinds, LowerTheDeviationByATenthAndRaiseTheQuality) {
+  const double deviation = edge_lengths(*delaunay_).deviation;
+  const double quality = testing::mean_quality(*delaunay_);
+  const ImproveReport report = improve(*delaunay_, field_, options_);
+  EXPECT_LT(edge_lengths(*delaunay_).deviation, 0.9 * deviation);
+  EXPECT_GT(testing::mean_quality(*delaunay_), quality);
+  EXPECT_GT(report.moved, delaunay_->n_vertices() / 2);
+  EXPECT_NEAR(valid_area(*delaunay_), 1, 1e-12);
+}
+
+TEST_P(SmoothingKinds, GiveEveryVertexTheMetricOfItsPlace) {
+  improve(*delaunay_, field_, options_);
+  for (std::size_t i = 0; i < delaunay_->n_vertices(); ++i) {
+    const VertexHandle vh(static_cast<int>(i));
+    ASSERT_EQ(delaunay_->metric(vh), field_(delaunay_->uv(vh)));
+  }
+}
+
+TEST_P(SmoothingKinds, BringAVertexOfAPerfectMeshBack) {
+  const auto delaunay = perfect_mesh(10);
+  const VertexHandle middle(5 * 11 + 5);
+  const Uv place = delaunay->uv(middle);
+  delaunay->uv(middle) = place + Uv{0.3, -0.2};
+  improve(*delaunay, testing::isotropic_field(1), {.smoothing = GetParam(), .sweeps = 8});
+  EXPECT_NEAR(delaunay->uv(middle).u, place.u, 0.02);
+  EXPECT_NEAR(delaunay->uv(middle).v, place.v, 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, SmoothingKinds,
+                         ::testing::Values(Smoothing::Best, Smoothing::Laplace, Smoothing::Element),
+                         [](const auto& test) {
+                           return test.param == Smoothing::Best      ? "Best"
+                                  : test.param == Smoothing::Laplace ? "Laplace"
+                                                                     : "Element";
+                         });
+
+TEST(Smoothing, ByElementsAsksAtTheMiddlesOfTrianglesByLaplaceOnlyAtVertices) {
+  const FunctionField field = testing::four_point_field();
+  const auto asked = [&](Smoothing kind) {
+    const auto delaunay = refined(field, {.placement = Placement::Circumcentre});
+    const ImproveReport report =
+        improve(*delaunay, field, {.smoothing = kind, .sweeps = 1, .repairs = 0});
+    return static_cast<double>(report.queries.total()) /
+           static_cast<double>(delaunay->n_vertices());
+  };
+  EXPECT_LT(asked(Smoothing::Laplace), 2.1);
+  EXPECT_GT(asked(Smoothing::Element), 5);
+  EXPECT_LT(asked(Smoothing::Element), 9);
 }
 
 TEST(ImproveOptionsTest, RepairsRaiseTheLeastQuality) {
@@ -189,7 +248,8 @@ TEST(ImproveOptionsTest, RepairsRaiseTheLeastQuality) {
 }
 
 TEST(ImproveOptionsTest, AreRefusedBelowZero) {
-  for (const ImproveOptions& bad : {ImproveOptions{.sweeps = -1}, ImproveOptions{.repairs = -1}}) {
+  for (const ImproveOptions& bad : {ImproveOptions{.sweeps = 0}, ImproveOptions{.repairs = -1},
+                                    ImproveOptions{.smoothing = static_cast<Smoothing>(-4)}}) {
     EXPECT_EQ(error_of([&] { check(bad); }).substr(0, 14), "invalid option");
   }
 }

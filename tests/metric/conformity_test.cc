@@ -55,6 +55,13 @@ TEST(LogConformity, TakesTheGreaterOfBothDirections) {
   EXPECT_DOUBLE_EQ(log_conformity({8, 0, 0.5}, {1, 0, 1}), std::log(8.0));
 }
 
+TEST(MetricConformity, IsTheLogarithmOfTheGreatestRatioOfLengths) {
+  // Twice the length in one direction, a third in the other.
+  EXPECT_DOUBLE_EQ(metric_conformity({1, 0, 1}, {4, 0, 1.0 / 9}), std::log(3.0));
+  EXPECT_DOUBLE_EQ(metric_conformity({4, 0, 1.0 / 9}, {1, 0, 1}), std::log(3.0));
+  EXPECT_EQ(metric_conformity({2, 1, 3}, {2, 1, 3}), 0);
+}
+
 TEST(LogConformity, IsExactlySymmetric) {
   const auto a = random_sizes(100, 1e4, 1), b = random_sizes(100, 1e4, 2);
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -27,7 +27,7 @@ class SmoothWithinSag : public ::testing::Test {
         {.surface = model_.surface(0),
          .field = field_,
          .boundary = collect_boundary(model_, 0, nodes, NodeNumbers(model_, nodes), field_),
-         .improve = {.sweeps = 0, .repairs = 0}});
+         .improve = {.smoothing = Smoothing::Off, .repairs = 0}});
     patch_ = reopen_patch(std::move(result.mesh), model_.surface(0), field_);
   }
 

@@ -107,6 +107,52 @@ TEST(MeshModel, TellsOfWaysToQuadsThatHaveNoEffect) {
   EXPECT_TRUE(mesh_model(wave(), {}, options).report.notices.empty());
 }
 
+TEST(MeshModel, TellsOfSmoothingThatHasNoEffect) {
+  PipelineOptions options;
+  options.sizing.size = Length::units(1);
+  options.improve = {.smoothing = Smoothing::Off, .sweeps = 5};
+  options.control.reuse = 0.5;
+  EXPECT_EQ(texts_of(mesh_model(wave(), {}, options).report.notices),
+            (std::vector<std::string>{"reuse has no effect without smoothing = element",
+                                      "sweeps has no effect without smoothing"}));
+  options.improve.smoothing = Smoothing::Element;
+  EXPECT_TRUE(mesh_model(wave(), {}, options).report.notices.empty());
+}
+
+TEST(MeshModel, HasAsManyRegularNodesAsAskedFor) {
+  PipelineOptions options;
+  options.sizing = {.hmax = Length::units(1)};  // more than ten times their distance
+  options.control.regular_nodes = 10'000;
+  for (const double grade : {0.0, 1.5}) {
+    options.sizing.grade = grade;
+    EXPECT_EQ(mesh_model(wave(), {}, options).report.control.nodes, 10'000U);
+  }
+}
+
+/// Questions of each stage with and without the R of the paper, and the share that it answers.
+TEST(MeshModel, AsksNoMoreWithReuse) {
+  Sources sources;
+  sources.fields.push_back(
+      {.patch = 0, .size = [](Uv uv, const Vec3&) { return 0.2 + 0.05 * (uv.u + 6); }});
+  PipelineOptions options;
+  options.sizing = {.curvature = 0, .grade = 0};
+  options.control.kind = ControlKind::Mesh;
+  options.refine.placement = Placement::Circumcentre;
+  options.improve = {.smoothing = Smoothing::Element, .repairs = 0};
+  const PerStage<QueryCounts> without = mesh_model(wave(), sources, options).report.control.queries;
+  for (const double reuse : {0.1, 0.2, 0.5, 0.55, 0.6}) {
+    options.control.reuse = reuse;
+    const PerStage<QueryCounts> with = mesh_model(wave(), sources, options).report.control.queries;
+    EXPECT_EQ(with[Stage::Boundary].total(), without[Stage::Boundary].total());
+    EXPECT_EQ(with[Stage::Refine].total(), without[Stage::Refine].total());
+    // Vertices come to rest at other places, in a few more moves or fewer.
+    EXPECT_LT(static_cast<double>(with[Stage::Improve].total()),
+              1.02 * static_cast<double>(without[Stage::Improve].total()));
+  }
+  const QueryCounts last = mesh_model(wave(), sources, options).report.control.queries.sum();
+  EXPECT_GT(static_cast<double>(last.reused), 0.2 * static_cast<double>(last.total()));
+}
+
 TEST(MeshModel, ConvertsTrianglesToQuads) {
   PipelineOptions options;
   options.sizing.size = Length::units(0.5);

@@ -32,7 +32,7 @@ Report example() {
   report.control.faces = 20;
   report.control.classes = {3, 10, 7};
   report.control.queries[Stage::Boundary].triangle = 4;
-  report.control.queries[Stage::Refine] = {1, 2, 3, 4, 5, 6, 7};
+  report.control.queries[Stage::Refine] = {1, 2, 3, 4, 5, 6, 7, 8, 20};
   report.wall_seconds = 1.5;
   report.seconds[Stage::Refine] = 0.001;
   return report;
@@ -65,6 +65,7 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
                                  "quality",
                                  "quads",
                                  "sag",
+                                 "refine",
                                  "control",
                                  "seconds",
                                  "triangles_per_second",
@@ -80,8 +81,10 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
             "min_scaled_jacobian_in_space", "mean_scaled_jacobian_in_space", "inverted",
             "below_0.1", "folded_in_space", "irregular_vertices", "worst", "worst_in_space"}));
   EXPECT_EQ(keys_of(json["sag"]), (Keys{"asked", "reached", "evaluations"}));
-  EXPECT_EQ(keys_of(json["control"]),
-            (Keys{"kind", "nodes", "faces", "precision", "classes", "queries", "answers"}));
+  EXPECT_EQ(keys_of(json["control"]), (Keys{"kind", "nodes", "faces", "precision", "classes",
+                                            "queries", "answers", "walks"}));
+  EXPECT_EQ(keys_of(json["refine"]),
+            (Keys{"inserted", "left_too_large", "circumcentres_given_up"}));
   EXPECT_EQ(keys_of(json["seconds"]),
             (Keys{"read", "control", "boundary", "triangulate", "refine", "improve", "quad",
                   "assemble", "across", "write", "total", "wall"}));
@@ -94,6 +97,7 @@ TEST(ReportJson, CountsQuestionsByStageAndAnswersByKind) {
       control["answers"],
       Json::parse(
           R"({"s": 1, "t": 6, "o": 3, "linear": 4, "lattice": 5, "extended": 6, "reused": 7})"));
+  EXPECT_EQ(control["walks"], Json::parse(R"({"count": 8, "mean_steps": 2.5})"));
   EXPECT_EQ(control["queries"]["boundary"], 4);
   EXPECT_EQ(control["queries"]["refine"], 28);
   EXPECT_EQ(keys_of(control["queries"]),

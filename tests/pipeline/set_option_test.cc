@@ -45,6 +45,12 @@ TEST(SetOption, SetsEveryOptionThatIsBuilt) {
                                                                   {"placement", "circumcentre"},
                                                                   {"kernel", "swap"},
                                                                   {"smoothing", "off"},
+                                                                  {"smoothing", "best"},
+                                                                  {"smoothing", "laplace"},
+                                                                  {"smoothing", "element"},
+                                                                  {"sweeps", "4"},
+                                                                  {"conformity", "circle"},
+                                                                  {"conformity", "0.5"},
                                                                   {"repairs", "7"},
                                                                   {"max_elements", "1000"}};
   for (const auto& [name, value] : cases) EXPECT_EQ(after(name, value), value) << name;
@@ -63,6 +69,19 @@ TEST(SetOption, ReachesTheStages) {
   EXPECT_EQ(options.refine.placement, Placement::Circumcentre);
   EXPECT_EQ(options.refine.kernel, Kernel::Swap);
   EXPECT_EQ(options.improve.sweeps, 5);
+}
+
+TEST(SetOption, TakesANumberForSmoothingAsSweepsOfTheBestKind) {
+  PipelineOptions options;
+  set_option(options, "smoothing", "laplace");
+  set_option(options, "smoothing", "5");
+  EXPECT_EQ(options.improve.smoothing, Smoothing::Best);
+  EXPECT_EQ(options.improve.sweeps, 5);
+  set_option(options, "smoothing", "element");
+  EXPECT_EQ(options.improve.smoothing, Smoothing::Element);
+  EXPECT_EQ(options.improve.sweeps, 5);
+  EXPECT_NE(fault("smoothing", "-3").find("off, best, laplace, element, or a whole number"),
+            std::string::npos);
 }
 
 TEST(SetOption, SetsTheSizesOfContours) {
@@ -183,7 +202,8 @@ TEST(PipelineOptions, RefuseWhatSetOptionRefuses) {
   EXPECT_EQ(error_with([](auto& o) { o.sizing.hmax = Length::share(5); }), fault("hmax", "500%"));
   EXPECT_EQ(error_with([](auto& o) { o.sizing.sag = Length::units(-1); }), fault("sag", "-1"));
   EXPECT_EQ(error_with([](auto& o) { o.sizing.proximity = kUnset; }), fault("proximity", "nan"));
-  EXPECT_EQ(error_with([](auto& o) { o.improve.sweeps = -1; }), fault("smoothing", "-1"));
+  EXPECT_EQ(error_with([](auto& o) { o.improve.sweeps = 0; }), fault("sweeps", "0"));
+  EXPECT_EQ(error_with([](auto& o) { o.refine.conformity = -1; }), fault("conformity", "-1"));
   EXPECT_EQ(error_with([](auto& o) { o.threads = 257; }), fault("threads", "257"));
   EXPECT_EQ(error_with([](auto& o) { o.patches = static_cast<PatchKind>(9); }),
             fault("patches", "9"));

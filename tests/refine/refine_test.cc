@@ -84,7 +84,7 @@ TEST_P(Refine, CountsTheNewVerticesAndTheQueries) {
   const auto delaunay = empty_square(field());
   const std::size_t before = delaunay->n_vertices(), queries = field().queries();
   const RefineReport report = refine(*delaunay, field(), options());
-  EXPECT_EQ(report.inserted, delaunay->n_vertices() - before);
+  EXPECT_EQ(report.counts.inserted, delaunay->n_vertices() - before);
   EXPECT_EQ(report.queries.total(), field().queries() - queries);
 }
 
@@ -135,8 +135,9 @@ TEST(RefineFrontal, AsksForTheMetricAboutTwiceANode) {
   const FunctionField field = four_point_field();
   const auto delaunay = empty_square(field);
   const RefineReport report = refine(*delaunay, field, kFrontalCavity.options);
-  EXPECT_LT(static_cast<double>(report.queries.total()) / static_cast<double>(report.inserted),
-            2.2);
+  EXPECT_LT(
+      static_cast<double>(report.queries.total()) / static_cast<double>(report.counts.inserted),
+      2.2);
 }
 
 TEST(RefineFrontal, GetsBetterWithSmallerSizes) {
@@ -154,8 +155,33 @@ TEST(RefineCircumcentre, AsksForTheMetricAboutOnceANode) {
   const FunctionField field = four_point_field();
   const auto delaunay = empty_square(field);
   const RefineReport report = refine(*delaunay, field, kCircumcentreCavity.options);
-  EXPECT_LT(static_cast<double>(report.queries.total()) / static_cast<double>(report.inserted),
-            1.3);
+  EXPECT_LT(
+      static_cast<double>(report.queries.total()) / static_cast<double>(report.counts.inserted),
+      1.3);
+}
+
+TEST(RefineConformity, CountsTheCircumcentresThatAreGivenUp) {
+  const FunctionField field = four_point_field();
+  const auto report_with = [&](double conformity) {
+    const auto delaunay = empty_square(field);
+    const RefineReport report =
+        refine(*delaunay, field, {.placement = Placement::Circumcentre, .conformity = conformity});
+    EXPECT_NEAR(valid_area(*delaunay), 1, 1e-12);
+    return report.counts;
+  };
+  // Sizes differ by a factor of ten at most: no pair of metrics by more than ln 10.
+  EXPECT_EQ(report_with(2.4).unconforming, 0u);
+  const RefineCounts some = report_with(0.3), most = report_with(0.01);
+  EXPECT_GT(some.unconforming, 0u);
+  EXPECT_GT(most.unconforming, 10 * some.unconforming);
+  EXPECT_GT(most.inserted, 1000u);  // at the middles of longest sides
+}
+
+TEST(RefineConformity, IsNoMatterInAConstantMetric) {
+  const FunctionField field = testing::constant_field(testing::directed_metric({1, 0}, 0.1, 0.05));
+  const auto delaunay = empty_square(field);
+  const RefineOptions strict = {.placement = Placement::Circumcentre, .conformity = 0.01};
+  EXPECT_EQ(refine(*delaunay, field, strict).counts.unconforming, 0u);
 }
 
 TEST(RefineLimit, EndsTheRun) {

@@ -18,6 +18,19 @@ inline ControlNode node(Uv uv, const SizeTensor& size, const FirstFormFactor& fo
   return {uv, Vec3(uv.u, uv.v, 0), form, size};
 }
 
+/// The metric of a control space of the plane.
+class PlaneField : public MetricField {
+ public:
+  explicit PlaneField(const ControlSpace& control) : control_(control) {}
+
+  Metric at(Uv uv, QueryHint& hint) const override {
+    return control_.metric({uv, Vec3(uv.u, uv.v, 0), kFlat}, hint);
+  }
+
+ private:
+  const ControlSpace& control_;
+};
+
 /// n × n nodes of the plane, rows along u.
 inline std::vector<ControlNode> grid(const Domain& domain, int n,
                                      const std::function<SizeTensor(Uv)>& size) {

@@ -58,43 +58,28 @@ FirstFormFactor mean_of(const std::array<FirstFormFactor, 3>& forms) {
 
 ControlMesh::ControlMesh(const Domain& domain, const std::vector<ControlNode>& nodes,
                          const ControlSpaceOptions& options)
+    : ControlMesh(NodeTriangulation(domain, nodes), nodes, options) {}
+
+ControlMesh::ControlMesh(NodeTriangulation&& triangulation, const std::vector<ControlNode>& nodes,
+                         const ControlSpaceOptions& options)
     : ControlSpace(options, nodes) {
-  const NodeTriangulation triangulation(domain, nodes);
-  std::vector<ControlNode> graded = triangulation.nodes();
-  if (options.grade > 0) grade_sizes(graded, neighbours_in(triangulation.mesh()), options.grade);
+  std::vector<ControlNode> graded = triangulation.release_nodes();
+  mesh_ = triangulation.release();
+  if (options.grade > 0) grade_sizes(graded, neighbours_in(*mesh_), options.grade);
   store_node_metrics(metrics_of(graded));
-  make_mesh(triangulation, graded);
   collect_nodes(graded);
   collect_triangles();
-  make_seed_grid(domain);
+  make_seed_grid(triangulation.domain());
   const bool needs_circles = options.interpolation == Interpolation::Circles ||
                              options.interpolation == Interpolation::Automatic;
-  if (needs_circles) collect_circles(triangulation);
+  if (needs_circles) collect_circles();
   if (options.interpolation == Interpolation::Automatic) {
-    classify(graded);
+    classify();
   } else {
     for (Triangle& t : triangles_) t.interpolation = options.interpolation;
   }
+  write_nodes(graded);
   write_classes();
-}
-
-void ControlMesh::make_mesh(const NodeTriangulation& triangulation,
-                            const std::vector<ControlNode>& nodes) {
-  mesh_ = triangulation.mesh();
-  detach(mesh_, keys::vertex_metric);
-  detach(mesh_, keys::edge_constrained);
-  const auto size = attach(mesh_, keys::vertex_size);
-  const auto inner_size = attach(mesh_, keys::vertex_inner_size);
-  const auto radius = attach(mesh_, keys::vertex_radius);
-  const auto outer_radius = attach(mesh_, keys::vertex_outer_radius);
-  for (const VertexHandle vh : mesh_.vertices()) {
-    const ControlNode& from = nodes[index(vh)];
-    mesh_.set_point(vh, to_openmesh(from.point));
-    mesh_.property(size, vh) = from.size;
-    mesh_.property(inner_size, vh) = from.inner;
-    mesh_.property(radius, vh) = from.radius;
-    mesh_.property(outer_radius, vh) = from.outer_radius;
-  }
 }
 
 void ControlMesh::collect_nodes(const std::vector<ControlNode>& nodes) {
@@ -103,6 +88,8 @@ void ControlMesh::collect_nodes(const std::vector<ControlNode>& nodes) {
   for (const ControlNode& from : nodes) positions.push_back(from.uv);
   const bool is_logarithmic = options().blend == Blend::Logarithmic;
   const bool looks_at_vertices = options().lookup == DiscLookup::Vertices;
+  forms_.reserve(nodes.size());
+  for (const ControlNode& from : nodes) forms_.push_back(from.form);
   node_of_.resize(nodes.size());
   nodes_.reserve(nodes.size());
   for (const int i : hilbert_order(positions)) {
@@ -120,57 +107,74 @@ void ControlMesh::collect_triangles() {
   // In the order of their least nodes, which lie along a curve: a sort by counting.
   const auto least_node = [this](FaceHandle fh) {
     int least = static_cast<int>(nodes_.size());
-    for (const VertexHandle vh : vertices(mesh_, fh)) {
+    for (const VertexHandle vh : vertices(*mesh_, fh)) {
       least = std::min(least, node_of_[index(vh)]);
     }
     return static_cast<std::size_t>(least);
   };
   std::vector<int> next(nodes_.size() + 1, 0);
-  for (const FaceHandle fh : mesh_.faces()) ++next[least_node(fh) + 1];
+  for (const FaceHandle fh : mesh_->faces()) ++next[least_node(fh) + 1];
   for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
-  std::vector<int> triangle_of(mesh_.n_faces());
-  face_of_.resize(mesh_.n_faces());
-  for (const FaceHandle fh : mesh_.faces()) {
+  std::vector<int> triangle_of(mesh_->n_faces());
+  face_of_.resize(mesh_->n_faces());
+  for (const FaceHandle fh : mesh_->faces()) {
     const int place = next[least_node(fh)]++;
     triangle_of[index(fh)] = place;
     face_of_[static_cast<std::size_t>(place)] = fh.idx();
   }
-  triangles_.resize(mesh_.n_faces());
+  triangles_.resize(mesh_->n_faces());
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    HalfedgeHandle heh = mesh_.halfedge_handle(FaceHandle(face_of_[i]));
-    for (std::size_t k = 0; k < 3; ++k, heh = mesh_.next_halfedge_handle(heh)) {
-      const FaceHandle behind = mesh_.opposite_face_handle(heh);
-      triangles_[i].nodes[k] = node_of_[index(mesh_.from_vertex_handle(heh))];
+    HalfedgeHandle heh = mesh_->halfedge_handle(FaceHandle(face_of_[i]));
+    for (std::size_t k = 0; k < 3; ++k, heh = mesh_->next_halfedge_handle(heh)) {
+      const FaceHandle behind = mesh_->opposite_face_handle(heh);
+      triangles_[i].nodes[k] = node_of_[index(mesh_->from_vertex_handle(heh))];
       triangles_[i].neighbours[k] = behind.is_valid() ? triangle_of[index(behind)] : -1;
     }
   }
 }
 
 /// The circles of the triangulation, each in the mean spacing of the vertices as there.
-void ControlMesh::collect_circles(const NodeTriangulation& triangulation) {
-  const PolyMesh& mesh = triangulation.mesh();
+void ControlMesh::collect_circles() {
+  const auto uv = require(*mesh_, keys::vertex_uv);
+  const auto spacing = require(*mesh_, keys::vertex_metric);
   circles_.reserve(triangles_.size());
   metrics_.reserve(triangles_.size());
   for (const int face : face_of_) {
-    const TriangleVertices triangle = vertices(mesh, FaceHandle(face));
-    const auto spacing = [&](std::size_t k) {
-      return mesh.property(triangulation.metric_handle(), triangle[k]);
-    };
-    const Metric metric = mean(spacing(0), spacing(1), spacing(2));
+    const auto [a, b, c] = vertices(*mesh_, FaceHandle(face));
+    const Metric metric =
+        mean(mesh_->property(spacing, a), mesh_->property(spacing, b), mesh_->property(spacing, c));
     metrics_.push_back(metric);
-    circles_.push_back(circumcircle(corners(mesh, triangle, triangulation.uv_handle()), metric));
+    circles_.push_back(circumcircle(
+        {mesh_->property(uv, a), mesh_->property(uv, b), mesh_->property(uv, c)}, metric));
+  }
+}
+
+void ControlMesh::write_nodes(const std::vector<ControlNode>& nodes) {
+  detach(*mesh_, keys::vertex_metric);
+  detach(*mesh_, keys::edge_constrained);
+  const auto size = attach(*mesh_, keys::vertex_size);
+  const auto inner_size = attach(*mesh_, keys::vertex_inner_size);
+  const auto radius = attach(*mesh_, keys::vertex_radius);
+  const auto outer_radius = attach(*mesh_, keys::vertex_outer_radius);
+  for (const VertexHandle vh : mesh_->vertices()) {
+    const ControlNode& from = nodes[index(vh)];
+    mesh_->set_point(vh, to_openmesh(from.point));
+    mesh_->property(size, vh) = from.size;
+    mesh_->property(inner_size, vh) = from.inner;
+    mesh_->property(radius, vh) = from.radius;
+    mesh_->property(outer_radius, vh) = from.outer_radius;
   }
 }
 
 // --- classes ---
 
-void ControlMesh::classify(const std::vector<ControlNode>& nodes) {
+void ControlMesh::classify() {
   QueryHint hint;
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     std::array<FirstFormFactor, 3> forms;
-    HalfedgeHandle heh = mesh_.halfedge_handle(FaceHandle(face_of_[i]));
-    for (std::size_t k = 0; k < 3; ++k, heh = mesh_.next_halfedge_handle(heh)) {
-      forms[k] = nodes[index(mesh_.from_vertex_handle(heh))].form;
+    HalfedgeHandle heh = mesh_->halfedge_handle(FaceHandle(face_of_[i]));
+    for (std::size_t k = 0; k < 3; ++k, heh = mesh_->next_halfedge_handle(heh)) {
+      forms[k] = form(mesh_->from_vertex_handle(heh).idx());
     }
     triangles_[i].interpolation = classify(static_cast<int>(i), forms, hint);
   }
@@ -202,9 +206,10 @@ Interpolation ControlMesh::classify(int index, const std::array<FirstFormFactor,
 }
 
 void ControlMesh::write_classes() {
-  const auto handle = attach(mesh_, keys::face_class);
+  const auto handle = attach(*mesh_, keys::face_class);
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    mesh_.property(handle, FaceHandle(face_of_[i])) = static_cast<int>(triangles_[i].interpolation);
+    mesh_->property(handle, FaceHandle(face_of_[i])) =
+        static_cast<int>(triangles_[i].interpolation);
   }
 }
 
@@ -237,7 +242,7 @@ void ControlMesh::make_seed_grid(const Domain& domain) {
       // There and back, so that steps are short.
       const int column = row % 2 == 0 ? i : side - 1 - i;
       const Uv centre = domain.at((column + 0.5) / side, (row + 0.5) / side);
-      found = walk(centre, found, random);
+      found = walk(centre, found, random).triangle;
       seeds_.triangles[static_cast<std::size_t>(row * side + column)] = found;
     }
   }
@@ -262,22 +267,26 @@ int ControlMesh::exit_towards(Uv uv, int from, int entered_from, RandomBits& ran
 }
 
 /// The triangle that contains a point up to rounding: for sizes a neighbour is as good.
-int ControlMesh::walk(Uv uv, int start, RandomBits& random) const {
-  int at = start, entered_from = -1;
-  for (int steps = 0; steps < kWalkLimit; ++steps) {
-    const int next = exit_towards(uv, at, entered_from, random);
+ControlMesh::Walk ControlMesh::walk(Uv uv, int start, RandomBits& random) const {
+  Walk walk{start};
+  int entered_from = -1;
+  for (; walk.steps < kWalkLimit; ++walk.steps) {
+    const int next = exit_towards(uv, walk.triangle, entered_from, random);
     if (next < 0) break;
-    entered_from = at;
-    at = next;
+    entered_from = walk.triangle;
+    walk.triangle = next;
   }
-  return at;
+  return walk;
 }
 
 void ControlMesh::locate(Uv uv, QueryHint& hint) const {
   const bool is_known = static_cast<std::size_t>(hint.element) < triangles_.size();
   const bool is_near = is_known && seeds_.are_near(node(triangle(hint.element).nodes[0]).uv, uv);
   const int start = is_near ? hint.element : seeds_.triangles[seeds_.cell(uv)];
-  hint.element = walk(uv, start, hint.random);
+  const Walk walked = walk(uv, start, hint.random);
+  hint.element = walked.triangle;
+  ++hint.answers.walks;
+  hint.answers.steps += static_cast<std::size_t>(walked.steps);
 }
 
 // --- interpolation ---
@@ -333,11 +342,13 @@ SizeTensor ControlMesh::linear(const Triangle& t, Uv uv) const {
 SizeTensor ControlMesh::from_circles(int index, Uv uv, const FirstFormFactor& form,
                                      QueryHint& hint) const {
   collect_cavity(index, uv, hint);
-  hint.sizes.clear();
-  hint.squared_distances.clear();
-  for (const int i : hint.cavity_nodes) {
-    hint.sizes.push_back(node(i).value);
-    hint.squared_distances.push_back(squared_distance(form, uv - node(i).uv));
+  const std::size_t count = hint.cavity_nodes.size();
+  hint.sizes.resize(count);
+  hint.squared_distances.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Node& from = node(hint.cavity_nodes[i]);
+    hint.sizes[i] = from.value;
+    hint.squared_distances[i] = squared_distance(form, uv - from.uv);
   }
   return size_of(surfmesh::interpolate(std::span<const SizeTensor>(hint.sizes),
                                        std::span<const double>(hint.squared_distances)));
@@ -346,6 +357,14 @@ SizeTensor ControlMesh::from_circles(int index, Uv uv, const FirstFormFactor& fo
 bool ControlMesh::is_in_circle(int index, Uv uv) const {
   const auto i = static_cast<std::size_t>(index);
   return squared_length(metrics_[i], uv - circles_[i].centre) < circles_[i].squared_radius;
+}
+
+/// The node of a triangle that does not lie on its side to a neighbour.
+int ControlMesh::node_opposite(int index, int neighbour) const {
+  const Triangle& t = triangle(index);
+  const std::size_t side =
+      t.neighbours[0] == neighbour ? 0 : (t.neighbours[1] == neighbour ? 1 : 2);
+  return t.nodes[side == 0 ? 2 : side - 1];
 }
 
 /// Collect the nodes of all triangles around a point whose circumcircles contain it; the containing
@@ -360,11 +379,11 @@ void ControlMesh::collect_cavity(int index, Uv uv, QueryHint& hint) const {
   };
   for (std::size_t i = 0; i < cavity.size(); ++i) {
     for (const int behind : triangle(cavity[i]).neighbours) {
-      if (behind < 0 || is_in(cavity, behind) || !is_in_circle(behind, uv)) continue;
+      // The circle first: it says no most often, but for the triangle that led here.
+      if (behind < 0 || !is_in_circle(behind, uv) || is_in(cavity, behind)) continue;
       cavity.push_back(behind);
-      for (const int candidate : triangle(behind).nodes) {
-        if (!is_in(found, candidate)) found.push_back(candidate);
-      }
+      const int apex = node_opposite(behind, cavity[i]);
+      if (!is_in(found, apex)) found.push_back(apex);
     }
   }
 }

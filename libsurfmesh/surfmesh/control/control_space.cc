@@ -19,7 +19,7 @@ void check(const ControlSpaceOptions& options) {
 ControlSpace::ControlSpace(const ControlSpaceOptions& options,
                            const std::vector<ControlNode>& nodes)
     : options_(options),
-      discs_(options.lookup == DiscLookup::Disc ? nodes : std::vector<ControlNode>()) {
+      discs_(options.lookup == DiscLookup::Disc ? NodeDiscs(nodes) : NodeDiscs({})) {
   check(options);
 }
 
@@ -27,7 +27,7 @@ SizeTensor ControlSpace::size(const SurfacePoint& at, QueryHint& hint) const {
   if (options_.reuse == 0) return size_anew(at, hint);
   const bool is_near =  // false before the first answer, which is NaN
       squared_length(hint.last_metric, at.uv - hint.last_uv) < options_.reuse * options_.reuse;
-  if (is_near) {
+  if (is_near && hint.can_reuse) {
     ++hint.answers.reused;
     return hint.last_size;
   }

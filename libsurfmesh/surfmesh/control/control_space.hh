@@ -46,7 +46,8 @@ struct ControlSpaceOptions {
   /// True if the nodes hold sizes of area sources: in a disc the minimum with them is taken, as it
   /// is with any grade. False: in a disc its own sizes hold alone, as in the paper.
   bool discs_meet_area_sources = false;
-  /// R of the paper: within this metric distance the last sizes are used again; 0 is off.
+  /// R of the paper: within this metric distance the last sizes are used again, where the caller
+  /// allows it (QueryHint::can_reuse); 0 is off.
   double reuse = 0;
 };
 
@@ -73,6 +74,9 @@ class ControlSpace {
 
   /// The nodes with surf:uv, surf:size and positions in space, and the faces between them.
   virtual const PolyMesh& mesh() const = 0;
+
+  /// The first form at a node, by its vertex in mesh().
+  virtual FirstFormFactor form(int node) const = 0;
 
   /// The nodes with the metrics of their sizes. Sizes change there, so every mesh must resolve
   /// these points.

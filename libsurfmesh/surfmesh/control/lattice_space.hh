@@ -53,7 +53,7 @@ class LatticeSpace : public ControlSpace {
   int node_count() const { return static_cast<int>(mesh_.n_vertices()); }
   Uv uv(int node) const { return mesh_.property(uv_, VertexHandle(node)); }
   // By value: nodes may be added while a caller holds the result.
-  FirstFormFactor form(int node) const { return forms_[static_cast<std::size_t>(node)]; }
+  FirstFormFactor form(int node) const override { return forms_[static_cast<std::size_t>(node)]; }
   SizeTensor size(int node) const { return mesh_.property(size_, VertexHandle(node)); }
   using ControlSpace::size;
   SurfacePoint surface_point(int node) const;

@@ -43,6 +43,28 @@ bool is_corner(const Domain& domain, Uv uv) {
   return (uv.u == domain.u0 || uv.u == domain.u1) && (uv.v == domain.v0 || uv.v == domain.v1);
 }
 
+bool comes_alone(const ControlNode& node) { return !std::isfinite(node.spacing.m11); }
+
+/// What the triangulation begins with: regular rows, or the rectangle alone.
+std::vector<Uv> first_points(const Domain& domain, const std::vector<ControlNode>& nodes,
+                             const RegularRows& rows) {
+  if (rows.count() == 0) {
+    return {{domain.u0, domain.v0},
+            {domain.u1, domain.v0},
+            {domain.u1, domain.v1},
+            {domain.u0, domain.v1}};
+  }
+  std::vector<Uv> points;
+  points.reserve(rows.count());
+  for (std::size_t i = 0; i < rows.count(); ++i) points.push_back(nodes[i].uv);
+  return points;
+}
+
+std::vector<std::array<int, 3>> first_triangles(const RegularRows& rows) {
+  if (rows.count() == 0) return {{0, 1, 2}, {0, 2, 3}};
+  return triangles_between(rows);
+}
+
 bool is_badly_shaped(const std::array<Uv, 3>& triangle, const Metric& m, double squared_radius) {
   const auto& [a, b, c] = triangle;
   const double shortest =
@@ -62,23 +84,39 @@ Metric plane_metric(const std::vector<ControlNode>& nodes) {
 }
 
 NodeTriangulation::NodeTriangulation(const Domain& domain, const std::vector<ControlNode>& nodes)
-    : delaunay_({domain.u0, domain.v0}, {domain.u1, domain.v1}),
+    : NodeTriangulation(domain, nodes, find_regular_rows(domain, nodes)) {}
+
+NodeTriangulation::NodeTriangulation(const Domain& domain, const std::vector<ControlNode>& nodes,
+                                     const RegularRows& rows)
+    : domain_(domain),
+      delaunay_(first_points(domain, nodes, rows), first_triangles(rows)),
       rule_{delaunay_.uv_handle(), delaunay_.metric_handle()},
-      nodes_(4) {
-  const Metric plane = plane_metric(nodes);
-  for (int i = 0; i < 4; ++i) delaunay_.metric(VertexHandle(i)) = plane;
+      nodes_(delaunay_.n_vertices()) {
+  const Metric first = rows.count() > 0 ? nodes[0].spacing : plane_metric(nodes);
+  for (std::size_t i = 0; i < delaunay_.n_vertices(); ++i) {
+    delaunay_.metric(VertexHandle(static_cast<int>(i))) = first;
+  }
+  std::copy_n(nodes.begin(), rows.count(), nodes_.begin());
+  if (rows.count() < nodes.size()) insert_all(std::span(nodes).subspan(rows.count()));
+}
+
+/// Corners first, so that no other node takes their place; then those with which nodes that come
+/// alone may be merged.
+void NodeTriangulation::insert_all(std::span<const ControlNode> nodes) {
   delaunay_.reserve(nodes.size());
-  nodes_.reserve(nodes.size());
+  nodes_.reserve(nodes_.size() + nodes.size());
   std::vector<Uv> positions;
   positions.reserve(nodes.size());
   for (const ControlNode& node : nodes) positions.push_back(node.uv);
-  // Corners first, so that no other node takes their place.
   for (const ControlNode& node : nodes) {
-    if (is_corner(domain, node.uv)) insert(node);
+    if (is_corner(domain_, node.uv)) insert(node);
   }
-  for (const int i : spatial_order(positions)) {
-    const ControlNode& node = nodes[static_cast<std::size_t>(i)];
-    if (!is_corner(domain, node.uv)) insert(node);
+  const std::vector<int> order = spatial_order(positions);
+  for (const bool is_alone : {false, true}) {
+    for (const int i : order) {
+      const ControlNode& node = nodes[static_cast<std::size_t>(i)];
+      if (comes_alone(node) == is_alone && !is_corner(domain_, node.uv)) insert(node);
+    }
   }
   delaunay_.shrink();
 }
@@ -91,9 +129,9 @@ void NodeTriangulation::insert(const ControlNode& node) {
                             node.uv.v));
   }
   hint_ = location.face;
-  const bool is_at_corner = location.kind == Location::Kind::OnVertex && location.vertex.idx() < 4;
-  if (!is_at_corner && merge_with_neighbour(node, location.face)) return;
-  const Metric spacing = std::isfinite(node.spacing.m11) ? node.spacing : around(location.face);
+  const bool is_there = location.kind == Location::Kind::OnVertex;
+  if (!is_there && comes_alone(node) && merge_with_neighbour(node, location.face)) return;
+  const Metric spacing = comes_alone(node) ? around(location.face) : node.spacing;
   const VertexHandle vh = delaunay_.insert(node.uv, location.face, rule_);
   if (index(vh) >= nodes_.size()) nodes_.resize(index(vh) + 1);
   ControlNode& slot = nodes_[index(vh)];
@@ -101,8 +139,8 @@ void NodeTriangulation::insert(const ControlNode& node) {
     merge(slot, node);
   } else {
     slot = node;
+    delaunay_.metric(vh) = slot.spacing = spacing;
   }
-  delaunay_.metric(vh) = slot.spacing = spacing;
   hint_ = face_at(vh);
 }
 
@@ -164,11 +202,10 @@ std::vector<Uv> NodeTriangulation::add_inner_nodes() {
 
 /// True if a triangle has a side that is nothing beside the domain.
 bool NodeTriangulation::is_tiny(const std::array<Uv, 3>& triangle) const {
-  const Uv diagonal = delaunay_.uv(VertexHandle(2)) - delaunay_.uv(VertexHandle(0));
   for (std::size_t k = 0; k < 3; ++k) {
     const Uv side = triangle[(k + 1) % 3] - triangle[k];
-    if (std::abs(side.u) < kTinyShare * std::abs(diagonal.u) &&
-        std::abs(side.v) < kTinyShare * std::abs(diagonal.v)) {
+    if (std::abs(side.u) < kTinyShare * (domain_.u1 - domain_.u0) &&
+        std::abs(side.v) < kTinyShare * (domain_.v1 - domain_.v0)) {
       return true;
     }
   }

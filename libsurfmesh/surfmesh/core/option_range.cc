@@ -73,7 +73,8 @@ std::optional<double> OptionRange::read(std::string_view text) const {
 std::string to_text(const OptionRange& range) {
   const std::vector<std::string_view> shown = shown_words(range);
   if (shown.empty()) return numbers_text(range);
-  if (range.has_numbers()) return fmt::format("{}, or {}", shown.front(), numbers_text(range));
+  if (range.has_numbers())
+    return fmt::format("{}, or {}", fmt::join(shown, ", "), numbers_text(range));
   const std::vector<std::string_view> first(shown.begin(), shown.end() - 1);
   if (first.empty()) return std::string(shown.back());
   return fmt::format("{} or {}", fmt::join(first, ", "), shown.back());

@@ -76,7 +76,9 @@ namespace words {
 inline constexpr std::array kOff = {OptionWord{"off", 0}};
 inline constexpr std::array kAuto = {OptionWord{"auto", 0}};
 inline constexpr std::array kAll = {OptionWord{"all", 0}};
-inline constexpr std::array kSweeps = {OptionWord{"off", 0}, OptionWord{"best", 2, WordUse::Alias}};
+inline constexpr std::array kSmoothing = {OptionWord{"off", 0}, OptionWord{"best", -1},
+                                          OptionWord{"laplace", -2}, OptionWord{"element", -3}};
+inline constexpr std::array kConformity = {OptionWord{"circle", 0}};
 inline constexpr std::array kSwitch = {OptionWord{"on", 1}, OptionWord{"off", 0},
                                        OptionWord{"true", 1, WordUse::Alias},
                                        OptionWord{"false", 0, WordUse::Alias}};
@@ -129,8 +131,10 @@ inline constexpr OptionRange kInnerNodes = {"inner_nodes", words::kSwitch};
 inline constexpr OptionRange kReuse = {"reuse", words::kOff, 0, kMostFactor, true};
 inline constexpr OptionRange kPlacement = {"placement", words::kPlacement};
 inline constexpr OptionRange kKernel = {"kernel", words::kKernel};
-inline constexpr OptionRange kSmoothing = {"smoothing", words::kSweeps, 1,
-                                           kMostPasses, false,          true};
+inline constexpr OptionRange kConformity = {"conformity", words::kConformity, 0, kMostFactor, true};
+inline constexpr OptionRange kSmoothing = {"smoothing", words::kSmoothing, 1, kMostPasses, false,
+                                           true};
+inline constexpr OptionRange kSweeps = {"sweeps", {}, 1, kMostPasses, false, true};
 inline constexpr OptionRange kRepairs = {"repairs", words::kOff, 1, kMostPasses, false, true};
 inline constexpr OptionRange kPatches = {"patches", words::kPatches};
 inline constexpr OptionRange kOrient = {"orient", words::kSwitch};

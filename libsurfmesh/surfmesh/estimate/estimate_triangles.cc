@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "surfmesh/control/lattice_space.hh"
+#include "surfmesh/control/control_space.hh"
 #include "surfmesh/control/surface_metric_field.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
@@ -67,7 +67,6 @@ class PatchIntegral {
       : model_(model),
         patch_(patch),
         space_(space),
-        lattice_(dynamic_cast<const LatticeSpace*>(&space)),
         region_(model, patch),
         least_area_(kLeastShare * region_.area()) {}
 
@@ -89,18 +88,10 @@ class PatchIntegral {
     for (const VertexHandle vh : mesh.vertices()) {
       const Uv uv = mesh.property(uv_of, vh);
       const SizeRange range = size_range(mesh.property(size_of, vh));
-      const FirstFormFactor form = form_at(vh, uv);
+      const FirstFormFactor form = space_.form(vh.idx());
       nodes.push_back({uv, form.l11 * form.l22, range.greatest, range.least});
     }
     return nodes;
-  }
-
-  /// A lattice knows the first form at its nodes.
-  FirstFormFactor form_at(VertexHandle vh, Uv uv) const {
-    if (lattice_) return lattice_->form(vh.idx());
-    const Surface& surface = model_.surface(patch_);
-    const Jet jet = surface.evaluate(surface.domain().fold(uv), Order::First);
-    return first_form_factor(jet.du, jet.dv);
   }
 
   void add_faces() {
@@ -167,7 +158,6 @@ class PatchIntegral {
   const Model& model_;
   int patch_;
   const ControlSpace& space_;
-  const LatticeSpace* lattice_;  ///< the space, if it is one
   PatchRegion region_;
   double least_area_;
   QueryHint hint_;

@@ -105,7 +105,7 @@ class LengthFit {
   void smooth_around(VertexHandle vh) {
     neighbours_.assign(1, vh);
     for (const VertexHandle neighbour : mesh().vv_range(vh)) neighbours_.push_back(neighbour);
-    for (const VertexHandle neighbour : neighbours_) moves_.smooth(neighbour);
+    for (const VertexHandle neighbour : neighbours_) moves_.smooth(neighbour, Smoothing::Best);
   }
 
   DelaunayMesh& delaunay_;

@@ -27,10 +27,10 @@ class Improvement {
   Improvement(DelaunayMesh& delaunay, const MetricField& field, const RunContext& context)
       : delaunay_(delaunay), moves_(delaunay, field), context_(context) {}
 
-  void smooth() {
+  void smooth(Smoothing kind) {
     for (std::size_t i = 0; i < delaunay_.n_vertices(); ++i) {
       if (i % kStepsBetweenCancellation == 0) context_.throw_if_cancelled();
-      moves_.smooth(VertexHandle(static_cast<int>(i)));
+      moves_.smooth(VertexHandle(static_cast<int>(i)), kind);
     }
   }
 
@@ -112,7 +112,8 @@ class Improvement {
 }  // namespace
 
 void check(const ImproveOptions& options) {
-  check_option(ranges::kSmoothing, options.sweeps);
+  check_option(ranges::kSmoothing, options.smoothing);
+  check_option(ranges::kSweeps, options.sweeps);
   check_option(ranges::kRepairs, options.repairs);
 }
 
@@ -120,8 +121,10 @@ ImproveReport improve(DelaunayMesh& delaunay, const MetricField& field,
                       const ImproveOptions& options, const RunContext& context) {
   check(options);
   Improvement improvement(delaunay, field, context);
-  for (int i = 0; i < options.sweeps; ++i) improvement.smooth();
-  if (options.sweeps > 0) improvement.swap();
+  if (options.smoothing != Smoothing::Off) {
+    for (int i = 0; i < options.sweeps; ++i) improvement.smooth(options.smoothing);
+    improvement.swap();
+  }
   if (options.repairs > 0) {
     improvement.fit();
     improvement.repair(options.repairs);

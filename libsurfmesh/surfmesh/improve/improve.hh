@@ -9,8 +9,18 @@
 
 namespace surfmesh {
 
+/// How inner vertices are smoothed. The values are those of the words of the option, which also
+/// reads numbers of sweeps.
+enum class Smoothing {
+  Off = 0,
+  Best = -1,     ///< towards unit lengths of the edges
+  Laplace = -2,  ///< to the mean of the neighbours, by the metric at the vertex
+  Element = -3   ///< to the apexes of unit triangles, by the metric at the middle of each triangle
+};
+
 struct ImproveOptions {
-  /// Smoothing sweeps over all inner vertices; the first brings 75 % of the gain, the second 18 %.
+  Smoothing smoothing = Smoothing::Best;
+  /// Over all inner vertices; the first of Best brings 75 % of the gain, the second 18 %.
   int sweeps = 2;
   /// Greatest number of passes over the triangles of low quality, after edges outside the unit
   /// range were collapsed or split; 0 turns both off.
@@ -30,8 +40,8 @@ struct ImproveReport {
   friend bool operator==(const ImproveReport&, const ImproveReport&) = default;
 };
 
-/// Move inner vertices to where their edges have unit length, swap edges by quality, collapse or
-/// split edges that are still far from unit length, and repair the bad triangles that remain.
+/// Smooth the inner vertices, swap edges by quality, collapse or split edges that are still far
+/// from unit length, and repair the bad triangles that remain.
 ///
 /// A change is accepted only if no triangle is inverted and the worst of those around does not
 /// become worse, or stays good. Boundary vertices stay, and keep their numbers.
@@ -41,7 +51,7 @@ struct ImproveReport {
 /// Cost     about 0.3 µs and half a metric query per triangle and sweep, for a mesh in spatial
 ///          order
 /// Throws   InvalidOption; Cancelled
-/// Source   paper, section 2.1, item 4
+/// Source   paper, section 2.1, item 4: Smoothing::Laplace and Smoothing::Element are its two kinds
 ImproveReport improve(DelaunayMesh& delaunay, const MetricField& field,
                       const ImproveOptions& options = {}, const RunContext& context = RunContext());
 

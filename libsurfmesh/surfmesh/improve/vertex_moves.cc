@@ -20,6 +20,19 @@ bool is_well_within_unit_range(double squared_length) {
   return squared_length > 0.501 && squared_length < 1.999;
 }
 
+/// Least height of a unit apex over its base, which may be longer than both sides together.
+constexpr double kLeastHeight = 0.5;
+
+/// The point left of the base from a to b that is a unit away from both in a metric.
+Uv unit_apex(Uv a, Uv b, const Metric& m) {
+  const Uv base = b - a;
+  const double squared = squared_length(m, base);
+  const Uv image{m.m11 * base.u + m.m12 * base.v, m.m12 * base.u + m.m22 * base.v};
+  const double scale = 1 / std::sqrt(determinant(m) * squared);
+  const double height = std::sqrt(std::max(1 - 0.25 * squared, kLeastHeight * kLeastHeight));
+  return 0.5 * (a + b) + height * Uv{-scale * image.v, scale * image.u};
+}
+
 }  // namespace
 
 void VertexMoves::move(VertexHandle vh, const MetricCorner& p) {
@@ -47,10 +60,45 @@ Uv VertexMoves::spring_step(const MetricCorner& centre) const {
   return {(a22 * b1 - a12 * b2) / determinant, (a11 * b2 - a12 * b1) / determinant};
 }
 
-void VertexMoves::smooth(VertexHandle vh) {
+/// The mean of the neighbours, each as often as its distance tells.
+Uv VertexMoves::laplace_step(const MetricCorner& centre) const {
+  double total = 0;
+  Uv sum{0, 0};
+  for (const MetricCorner& neighbour : star_.ring()) {
+    const Uv edge = neighbour.uv - centre.uv;
+    const double length = std::sqrt(squared_length(centre.metric, edge));
+    total += length;
+    sum = sum + length * edge;
+  }
+  return (1 / total) * sum;
+}
+
+Uv VertexMoves::element_step(const MetricCorner& centre) {
+  Uv sum{0, 0};
+  const Uv* previous = &star_.ring().back().uv;
+  for (const MetricCorner& next : star_.ring()) {
+    const Uv middle = (1.0 / 3) * (centre.uv + *previous + next.uv);
+    sum = sum + (unit_apex(*previous, next.uv, field_.at_once(middle, hint_)) - centre.uv);
+    previous = &next.uv;
+  }
+  return (1 / static_cast<double>(star_.ring().size())) * sum;
+}
+
+Uv VertexMoves::smoothing_step(const MetricCorner& centre, Smoothing kind) {
+  switch (kind) {
+    case Smoothing::Laplace:
+      return laplace_step(centre);
+    case Smoothing::Element:
+      return element_step(centre);
+    default:
+      return spring_step(centre);
+  }
+}
+
+void VertexMoves::smooth(VertexHandle vh, Smoothing kind) {
   if (!star_.collect(delaunay_, vh)) return;
   const MetricCorner old = corner(delaunay_, vh);
-  Uv step = spring_step(old);
+  Uv step = smoothing_step(old, kind);
   const double length = std::sqrt(squared_length(old.metric, step));
   if (!(length >= kLeastMove && length < INFINITY)) return;
   for (int attempt = 0; attempt < 2; ++attempt) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "surfmesh/improve/improve.hh"
 #include "surfmesh/improve/star.hh"
 #include "surfmesh/metric/metric_field.hh"
 
@@ -18,12 +19,15 @@ class VertexMoves {
   VertexMoves(DelaunayMesh& delaunay, const MetricField& field)
       : delaunay_(delaunay), field_(field) {}
 
-  /// Move a vertex to where its edges have unit length, or half the way there, if the worst of its
-  /// triangles does not become worse or stays good.
+  /// Move a vertex to a better place, or half the way there, if the worst of its triangles does not
+  /// become worse or stays good. A step below a hundredth of a unit is not worth its metric query.
   ///
-  /// A Gauss-Newton step for Σ (l − 1)² over its edges. A step below a hundredth of a unit is not
-  /// worth its metric query.
-  void smooth(VertexHandle vh);
+  /// Best: a Gauss-Newton step for Σ (l − 1)² over its edges. Laplace: to the mean of its
+  /// neighbours, weighted by their lengths l in the metric at the vertex; without weights, no
+  /// metric would matter. Element: to the mean of the apexes that the triangles around would have
+  /// if their other sides were of unit length, each in the metric at the middle of the triangle.
+  /// Pre      the kind is not Off
+  void smooth(VertexHandle vh, Smoothing kind);
 
   /// Search for a better position for the vertex of a bad triangle, in eight directions, with steps
   /// from 0.2 to 0.02 units. The best one has the greatest score: the least quality minus half the
@@ -37,7 +41,10 @@ class VertexMoves {
 
  private:
   void move(VertexHandle vh, const MetricCorner& p);
+  Uv smoothing_step(const MetricCorner& centre, Smoothing kind);
   Uv spring_step(const MetricCorner& centre) const;
+  Uv laplace_step(const MetricCorner& centre) const;
+  Uv element_step(const MetricCorner& centre);
   double score(const MetricCorner& p, double enough) const;
   MetricCorner best_around(const MetricCorner& from, double step, double& best_score);
 

@@ -42,4 +42,9 @@ double log_conformity(const SizeTensor& h_o, const SizeTensor& h_t) {
   return std::log1p(std::max(greatest_growth(h_o, h_t), greatest_growth(h_t, h_o)));
 }
 
+// Metrics are squares of lengths.
+double metric_conformity(const Metric& a, const Metric& b) {
+  return 0.5 * log_conformity(SizeTensor{a.m11, a.m12, a.m22}, SizeTensor{b.m11, b.m12, b.m22});
+}
+
 }  // namespace surfmesh

@@ -24,6 +24,10 @@ double entry_conformity(const SizeTensor& h_o, const SizeTensor& h_t);
 /// Pre      both positive definite
 double log_conformity(const SizeTensor& h_o, const SizeTensor& h_t);
 
+/// The same for two metrics at near points, where the parameterisation may differ, too: the
+/// greatest logarithm of the ratio of two lengths of one step.
+double metric_conformity(const Metric& a, const Metric& b);
+
 /// How much longer one size tensor asks for than another, in the direction where that is most: the
 /// greatest eigenvalue of A B⁻¹ − 1, at least 0.
 ///

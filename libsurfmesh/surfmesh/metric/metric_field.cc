@@ -11,6 +11,8 @@ QueryCounts& QueryCounts::operator+=(const QueryCounts& other) {
   lattice += other.lattice;
   extended += other.extended;
   reused += other.reused;
+  walks += other.walks;
+  steps += other.steps;
   return *this;
 }
 

@@ -21,6 +21,8 @@ struct QueryCounts {
   std::size_t lattice = 0;   ///< bilinearly in a cell of a lattice
   std::size_t extended = 0;  ///< by an extended node alone
   std::size_t reused = 0;    ///< by the last answer
+  std::size_t walks = 0;     ///< searches for the triangle of a point: no answers by themselves
+  std::size_t steps = 0;     ///< from triangle to triangle in all walks
 
   std::size_t total() const {
     return single + triangle + circles + linear + lattice + extended + reused;
@@ -33,6 +35,9 @@ struct QueryCounts {
 /// threads can query one field.
 struct QueryHint {
   int element = -1;  ///< triangle or cell of the last point: a point near it is found fast
+  /// True where an answer is used once and not kept, so that the last one may do: see
+  /// MetricField::at_once().
+  bool can_reuse = false;
   RandomBits random;
   Uv last_uv;  ///< where the last answer was computed
   SizeTensor last_size;
@@ -55,6 +60,16 @@ class MetricField {
 
   /// Metric at a point of the domain.
   virtual Metric at(Uv uv, QueryHint& hint) const = 0;
+
+  /// The same for an answer that is used once and not kept: it may be that of the last point, if
+  /// that is near. Metrics that are kept, compared or summed up would have steps then.
+  /// Source   paper, section 4, item 1 (R)
+  Metric at_once(Uv uv, QueryHint& hint) const {
+    hint.can_reuse = true;
+    const Metric metric = at(uv, hint);
+    hint.can_reuse = false;
+    return metric;
+  }
 
   /// The same for a caller that has evaluated the surface there to first order.
   virtual Metric at_jet(Uv uv, const Jet& jet, QueryHint& hint) const {

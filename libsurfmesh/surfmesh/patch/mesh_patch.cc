@@ -93,6 +93,7 @@ class PatchRun {
     refined_faces_ = static_cast<std::ptrdiff_t>(patch_.delaunay->n_faces());
     result_.queries[Stage::Refine] = report.queries;
     result_.is_given_up = report.is_stopped;
+    result_.refine = report.counts;
   }
 
   void improve_triangles() {

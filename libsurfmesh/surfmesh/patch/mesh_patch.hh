@@ -32,6 +32,7 @@ struct PatchResult {
   PatchMesh mesh;
   TurnedTriangles turned;    ///< that face against the normal of the surface
   bool is_given_up = false;  ///< see RefineReport::is_stopped
+  RefineCounts refine;       ///< of triangles
   PerStage<double> seconds;
   PerStage<QueryCounts> queries;
 };

@@ -79,10 +79,21 @@ Notices unused_ways(const PipelineOptions& every) {
   if (options.front != QuadOptions{}.front && options.method != QuadMethod::Frontal) {
     tell(ranges::kQuadFront.name, "without quad_method = frontal");
   }
-  if (!options.is_on || options.method == QuadMethod::Frontal) return notices;
   const PipelineOptions defaults;
-  for (const std::string_view name : {ranges::kPlacement.name, ranges::kKernel.name,
-                                      ranges::kSmoothing.name, ranges::kRepairs.name}) {
+  if (every.control.reuse != 0 && every.improve.smoothing != Smoothing::Element) {
+    tell(ranges::kReuse.name, "without smoothing = element");
+  }
+  const bool has_triangles = !options.is_on || options.method == QuadMethod::Frontal;
+  if (has_triangles) {
+    if (every.improve.smoothing == Smoothing::Off &&
+        every.improve.sweeps != defaults.improve.sweeps) {
+      tell(ranges::kSweeps.name, "without smoothing");
+    }
+    return notices;
+  }
+  for (const std::string_view name :
+       {ranges::kPlacement.name, ranges::kKernel.name, ranges::kConformity.name,
+        ranges::kSmoothing.name, ranges::kSweeps.name, ranges::kRepairs.name}) {
     if (get_option(every, name) != get_option(defaults, name)) tell(name, "on quads");
   }
   return notices;
@@ -252,6 +263,7 @@ class Run {
     for (PatchResult& result : results) {
       report_.seconds += result.seconds;
       report_.control.queries += result.queries;
+      report_.refine += result.refine;
       patches_.push_back(std::move(result.mesh));
       turned_.push_back(result.turned);
     }

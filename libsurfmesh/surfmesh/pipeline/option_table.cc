@@ -64,6 +64,17 @@ constexpr LengthAccess kJoining = {
     },
     [](Options& options, const std::optional<Length>& value) { options.joining = value; }};
 
+/// A number is one of sweeps of the best kind.
+constexpr NumberAccess kSmoothing = {
+    &ranges::kSmoothing,
+    [](const Options& options) { return static_cast<double>(options.improve.smoothing); },
+    [](Options& options, double value) {
+      const bool is_count = value > 0;
+      options.improve.smoothing =
+          is_count ? Smoothing::Best : static_cast<Smoothing>(static_cast<int>(value));
+      if (is_count) options.improve.sweeps = static_cast<int>(value);
+    }};
+
 constexpr NumberAccess kOrient = {
     &ranges::kOrient,
     [](const Options& options) { return options.orient.value_or(false) ? 1.0 : 0.0; },
@@ -145,7 +156,8 @@ constexpr auto kTable = std::to_array<Option>({
     {kControl, false, "", "more control nodes, for the shape of the control triangles",
      number(
          ranges::kInnerNodes, [](auto& o) -> auto& { return o.control.inner_nodes; })},
-    {kControl, false, "", "metric distance within which the last sizes are used again",
+    {kControl, false, "",
+     "metric distance within which the last sizes are used again, where they are used once",
      number(
          ranges::kReuse, [](auto& o) -> auto& { return o.control.reuse; })},
     {kMeshing, false, "", "where new nodes go: at the front, or to circumcentres",
@@ -154,9 +166,18 @@ constexpr auto kTable = std::to_array<Option>({
     {kMeshing, false, "", "connection of new nodes: by their cavity, or by edge swaps",
      number(
          ranges::kKernel, [](auto& o) -> auto& { return o.refine.kernel; })},
-    {kMeshing, false, "sweeps", "smoothing sweeps over the inner nodes; best is 2",
+    {kMeshing, false, "",
+     "circumcentres are inserted where the metric there conforms with their triangle: by its "
+     "circle, or by the logarithm of a ratio of lengths",
      number(
-         ranges::kSmoothing, [](auto& o) -> auto& { return o.improve.sweeps; })},
+         ranges::kConformity, [](auto& o) -> auto& { return o.refine.conformity; })},
+    {kMeshing, false, "",
+     "smoothing of the inner nodes: best for lengths, or as in the paper by the metric at the node "
+     "(laplace) or in the triangles (element); a number is best with so many sweeps",
+     kSmoothing},
+    {kMeshing, false, "sweeps", "smoothing sweeps over the inner nodes",
+     number(
+         ranges::kSweeps, [](auto& o) -> auto& { return o.improve.sweeps; })},
     {kMeshing, false, "passes",
      "most passes over bad triangles, after edges far too short or long are collapsed or split",
      number(
@@ -226,6 +247,10 @@ static_assert(stands_for(words::kPlacement, "frontal", Placement::Frontal));
 static_assert(stands_for(words::kPlacement, "circumcentre", Placement::Circumcentre));
 static_assert(stands_for(words::kKernel, "cavity", Kernel::Cavity));
 static_assert(stands_for(words::kKernel, "swap", Kernel::Swap));
+static_assert(stands_for(words::kSmoothing, "off", Smoothing::Off));
+static_assert(stands_for(words::kSmoothing, "best", Smoothing::Best));
+static_assert(stands_for(words::kSmoothing, "laplace", Smoothing::Laplace));
+static_assert(stands_for(words::kSmoothing, "element", Smoothing::Element));
 static_assert(stands_for(words::kQuadMethod, "best", QuadMethod::Best));
 static_assert(stands_for(words::kQuadMethod, "frontal", QuadMethod::Frontal));
 static_assert(stands_for(words::kQuadFront, "lee-lo", QuadFront::LeeLo));

@@ -175,6 +175,13 @@ Json quads_json(const Report& report) {
 /// True for the stages that ask for the metric.
 bool is_asking(Stage stage) { return is_meshing(stage) && stage != Stage::Assemble; }
 
+/// Null where nothing was searched by walks, as in a lattice.
+Json walk_json(const QueryCounts& answers) {
+  if (answers.walks == 0) return nullptr;
+  return {{"count", answers.walks},
+          {"mean_steps", static_cast<double>(answers.steps) / static_cast<double>(answers.walks)}};
+}
+
 Json queries_json(const PerStage<QueryCounts>& queries) {
   Json json = Json::object();
   for (const Stage stage : kStages) {
@@ -211,7 +218,8 @@ Json control_json(const Report::Control& control) {
             {"o", control.classes.circles},
             {"linear", control.classes.linear}}},
           {"queries", queries_json(control.queries)},
-          {"answers", answers_json(control.queries.sum())}};
+          {"answers", answers_json(control.queries.sum())},
+          {"walks", walk_json(control.queries.sum())}};
 }
 
 Json seconds_json(const Report& report) {
@@ -295,9 +303,17 @@ class Lines {
 };
 
 /// Null in the report of an estimate, which has no mesh.
-constexpr std::array<const char*, 10> kFiguresOfMesh = {
-    "mesh",    "patches", "groups",   "edge_lengths",         "edges",
-    "quality", "quads",   "diagonal", "triangles_per_second", "triangles_per_second_in_all"};
+constexpr std::array<const char*, 11> kFiguresOfMesh = {"mesh",
+                                                        "patches",
+                                                        "groups",
+                                                        "edge_lengths",
+                                                        "edges",
+                                                        "quality",
+                                                        "quads",
+                                                        "refine",
+                                                        "diagonal",
+                                                        "triangles_per_second",
+                                                        "triangles_per_second_in_all"};
 
 }  // namespace
 
@@ -334,6 +350,10 @@ std::string to_json(const Report& report) {
        {{"asked", or_null(report.sag.asked)},
         {"reached", or_null(report.sag.reached)},
         {"evaluations", or_null(report.sag.evaluations)}}},
+      {"refine",
+       {{"inserted", report.refine.inserted},
+        {"left_too_large", report.refine.refused},
+        {"circumcentres_given_up", report.refine.unconforming}}},
       {"control", control_json(report.control)},
       {"seconds", seconds_json(report)},
       {"triangles_per_second", report.triangles_per_second()},

@@ -14,6 +14,7 @@
 #include "surfmesh/quality/patch_measures.hh"
 #include "surfmesh/quality/quad_statistics.hh"
 #include "surfmesh/quality/statistics.hh"
+#include "surfmesh/refine/refine.hh"
 
 namespace surfmesh {
 
@@ -83,6 +84,7 @@ struct Report {
   std::optional<WorstFace> worst_quad;
   std::optional<WorstFace> worst_quad_in_space;
   Sag sag;
+  RefineCounts refine;  ///< of triangles in all patches; zeros where quads are made without them
   Control control;
   PerStage<double> seconds;  ///< processor time of all threads
   double wall_seconds = 0;   ///< elapsed time

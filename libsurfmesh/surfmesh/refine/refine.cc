@@ -8,6 +8,7 @@
 #include "surfmesh/core/option_range.hh"
 #include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/delaunay/metric_swaps.hh"
+#include "surfmesh/metric/conformity.hh"
 #include "surfmesh/refine/face_states.hh"
 #include "surfmesh/refine/front.hh"
 #include "surfmesh/refine/placement.hh"
@@ -85,7 +86,7 @@ class Refinement {
       if (!base.is_valid()) {
         states_[entry.face].is_active = false;  // its accepted neighbour has been replaced since
       } else if (!split(entry.face, base)) {
-        ++report_.refused;
+        ++report_.counts.refused;
         front_.accept(entry.face);
       }
     }
@@ -151,7 +152,10 @@ class Refinement {
     const Location location = delaunay_.locate(p, fh);
     if (!is_insertable(location)) return false;
     const Metric metric = field_.at(p, hint_);
-    if (must_conform && !conforms(triangle, p, metric)) return false;
+    if (must_conform && !conforms(triangle, p, metric)) {
+      ++report_.counts.unconforming;
+      return false;
+    }
     delaunay_.find_cavity(p, location, rule_, cavity_);
     if (!keeps_its_distance({p, metric})) return false;
     insert(p, metric, location);
@@ -164,9 +168,12 @@ class Refinement {
             !delaunay_.is_constrained(delaunay_.mesh().edge_handle(location.edge)));
   }
 
-  /// The check of the paper: in the metric at the new point, the point still splits its triangle.
-  static bool conforms(const BaseTriangle& t, Uv p, const Metric& metric) {
-    return in_metric_circle({t.a.uv, t.b.uv, t.apex.uv}, p, metric);
+  /// The check of the paper: the metric at the new point is that of the triangle, nearly. Without
+  /// a threshold, in the metric at the new point, the point still splits its triangle.
+  bool conforms(const BaseTriangle& t, Uv p, const Metric& metric) const {
+    if (options_.conformity == 0) return in_metric_circle({t.a.uv, t.b.uv, t.apex.uv}, p, metric);
+    const Metric of_triangle = mean(t.a.metric, t.b.metric, t.apex.metric);
+    return metric_conformity(of_triangle, metric) <= options_.conformity;
   }
 
   /// Far enough from all nodes around, and not facing a boundary edge under more than 90°.
@@ -191,7 +198,7 @@ class Refinement {
       vh = delaunay_.insert_by_swaps(p, location.face, rule_);
     }
     delaunay_.metric(vh) = metric;
-    ++report_.inserted;
+    ++report_.counts.inserted;
     if (delaunay_.n_faces() > most_faces_) context_.throw_too_many_elements();
     states_.measure_fan(vh);
     front_.add_fan(vh);
@@ -216,9 +223,17 @@ class Refinement {
 
 }  // namespace
 
+RefineCounts& RefineCounts::operator+=(const RefineCounts& other) {
+  inserted += other.inserted;
+  refused += other.refused;
+  unconforming += other.unconforming;
+  return *this;
+}
+
 void check(const RefineOptions& options) {
   check_option(ranges::kPlacement, options.placement);
   check_option(ranges::kKernel, options.kernel);
+  check_option(ranges::kConformity, options.conformity);
 }
 
 RefineReport refine(DelaunayMesh& delaunay, const MetricField& field, const RefineOptions& options,

@@ -21,14 +21,27 @@ enum class Kernel { Cavity, Swap };
 struct RefineOptions {
   Placement placement = Placement::Frontal;
   Kernel kernel = Kernel::Cavity;
+  /// Greatest difference between the metrics at a circumcentre and of its triangle, as the
+  /// logarithm of a ratio of lengths, for which the circumcentre is inserted. 0: it is inserted if
+  /// it lies in the circle of the triangle in the metric at the circumcentre, too.
+  double conformity = 0;
 };
 
 /// Throws   InvalidOption, naming the option, its value and its range
 void check(const RefineOptions& options);
 
+/// What has become of the triangles that were too large.
+struct RefineCounts {
+  std::size_t inserted = 0;      ///< inner nodes
+  std::size_t refused = 0;       ///< triangles left too large because no point was good
+  std::size_t unconforming = 0;  ///< circumcentres given up because the metric there is another one
+
+  RefineCounts& operator+=(const RefineCounts& other);
+  friend bool operator==(const RefineCounts&, const RefineCounts&) = default;
+};
+
 struct RefineReport {
-  std::size_t inserted = 0;  ///< inner nodes
-  std::size_t refused = 0;   ///< triangles left too large because no point was good
+  RefineCounts counts;
   /// True if the run was given up at three times the number of triangles that the metric area asks
   /// for, and twice that of the boundary alone: the metric changes direction faster than elements
   /// can follow.

@@ -66,17 +66,23 @@ void take(ChosenNodes chosen, ControlInput& input) {
   input.sampling.is_coarse = chosen.is_coarse;
 }
 
-/// Refine the triangulation of the nodes for shape; the new nodes have the sizes it gives there.
-void add_inner_nodes(const Surface& surface, const ControlSpaceOptions& options,
-                     std::vector<ControlNode>& nodes) {
-  NodeTriangulation triangulation(surface.domain(), nodes);
-  const ControlMesh control(surface.domain(), nodes,
-                            {.interpolation = options.interpolation, .blend = options.blend});
+/// Refine the triangulation of the nodes for shape; the new nodes have the sizes it gives there. If
+/// there are none, the triangulation is kept.
+void add_inner_nodes(const Surface& surface, ControlInput& input) {
+  auto triangulation = std::make_unique<NodeTriangulation>(surface.domain(), input.nodes);
+  const std::vector<Uv> added = triangulation->add_inner_nodes();
+  if (added.empty()) {
+    input.triangulation = std::move(triangulation);
+    return;
+  }
+  const ControlMesh control(
+      surface.domain(), input.nodes,
+      {.interpolation = input.options.interpolation, .blend = input.options.blend});
   QueryHint hint;
-  for (const Uv uv : triangulation.add_inner_nodes()) {
+  for (const Uv uv : added) {
     const Jet jet = surface.evaluate(surface.domain().fold(uv), Order::First);
     const FirstFormFactor form = first_form_factor(jet.du, jet.dv);
-    nodes.push_back({uv, jet.point, form, control.size({uv, jet.point, form}, hint)});
+    input.nodes.push_back({uv, jet.point, form, control.size({uv, jet.point, form}, hint)});
   }
 }
 
@@ -173,15 +179,20 @@ ControlInput collect_control_input(const Surface& surface, const ResolvedSizing&
   check(input.options);
   input.options.discs_meet_area_sources = has_other_sources(sources, *field) || places.empty();
   if (input.kind != ControlKind::Mesh) {
+    input.options.reuse = 0;  // as unused_option tells
     make_lattice(field, own, places, input, context);
   } else {
     collect_mesh_nodes(*field, own, places, input);
-    if (options.inner_nodes) add_inner_nodes(surface, input.options, input.nodes);
+    if (options.inner_nodes) add_inner_nodes(surface, input);
   }
   return input;
 }
 
 std::unique_ptr<ControlSpace> make_control(ControlInput& input, const RunContext& context) {
+  if (input.triangulation) {
+    const auto triangulation = std::exchange(input.triangulation, nullptr);
+    return std::make_unique<ControlMesh>(std::move(*triangulation), input.nodes, input.options);
+  }
   if (!input.lattice) {
     return std::make_unique<ControlMesh>(input.domain, input.nodes, input.options);
   }

@@ -7,6 +7,7 @@
 
 #include "surfmesh/control/control_space.hh"
 #include "surfmesh/control/lattice_space.hh"
+#include "surfmesh/control/node_triangulation.hh"
 #include "surfmesh/core/notice.hh"
 #include "surfmesh/core/run_context.hh"
 #include "surfmesh/sampling/control_nodes.hh"
@@ -54,6 +55,8 @@ struct ControlInput {
   ControlKind kind = ControlKind::Mesh;  ///< not Automatic
   std::vector<ControlNode> nodes = {};   ///< of a triangulation
   ControlSpaceOptions options = {};
+  /// The triangulation of these nodes, if it is known: make_control takes it.
+  std::unique_ptr<NodeTriangulation> triangulation = {};
   /// A lattice with the sizes of the sources, before gradation: make_control takes it.
   std::unique_ptr<LatticeSpace> lattice = {};
   CellSampling sampling = {};
