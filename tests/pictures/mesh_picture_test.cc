@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pictures/mesh_picture.hh"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+
+#include "surfmesh/core/topology.hh"
+
+namespace surfmesh {
+namespace {
+
+/// n × n squares of the plane, cut in two, at heights of a function.
+template <class Height>
+PolyMesh net(int n, Height height) {
+  PolyMesh mesh;
+  std::vector<std::array<int, 3>> triangles;
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      const int a = j * (n + 1) + i, b = a + 1, d = a + n + 1, c = d + 1;
+      triangles.push_back({a, b, c});
+      triangles.push_back({a, c, d});
+    }
+  }
+  const auto count = static_cast<std::size_t>((n + 1) * (n + 1));
+  build_triangles(mesh, count, triangles);
+  for (int k = 0; k < static_cast<int>(count); ++k) {
+    const double x = k % (n + 1), y = k / (n + 1);
+    mesh.set_point(VertexHandle(k), {x, y, height(x, y)});
+  }
+  return mesh;
+}
+
+std::size_t count_of(std::string_view text, std::string_view part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(EdgeLines, RunThroughEveryEdgeOnce) {
+  const PolyMesh mesh = net(12, [](double, double) { return 0.0; });
+  const auto at = [&](VertexHandle vh) { return PicturePoint{double(vh.idx()), 0}; };
+  std::set<std::pair<int, int>> drawn;
+  std::size_t steps = 0;
+  const auto lines = edge_lines(mesh, at);
+  for (const auto& line : lines) {
+    for (std::size_t i = 1; i < line.size(); ++i, ++steps) {
+      drawn.insert(std::minmax(int(line[i - 1].x), int(line[i].x)));
+    }
+  }
+  EXPECT_EQ(steps, mesh.n_edges());
+  EXPECT_EQ(drawn.size(), mesh.n_edges());
+  EXPECT_LT(lines.size(), mesh.n_edges() / 4);
+}
+
+TEST(PlaneView, FitsARectangleIntoItsFrame) {
+  const PlaneView view({Eigen::Vector2d(-1, 0), Eigen::Vector2d(1, 1)}, {{10, 20}, 100, 100});
+  EXPECT_EQ(view.scale(), 50);
+  EXPECT_EQ(view(-1, 0).x, 10);
+  EXPECT_EQ(view(1, 0).x, 110);
+  EXPECT_EQ(view(0, 0).y, 95);  // in the middle, upwards
+  EXPECT_EQ(view(0, 1).y, 45);
+}
+
+TEST(DrawSurface, DrawsWhatIsSeenOfTheAskedPart) {
+  const PolyMesh flat = net(10, [](double, double) { return 0.0; });
+  const PictureFrame frame{{0, 0}, 200, 100};
+  const auto faces_in = [&](const PolyMesh& mesh, const Vec3& upper) {
+    Svg svg(200, 100);
+    draw_surface(svg, mesh, {.part = {Vec3(0, 0, -9), upper}}, frame);
+    return count_of(svg.text(), "z");
+  };
+  EXPECT_EQ(faces_in(flat, Vec3(10, 10, 9)), 200U);
+  EXPECT_EQ(faces_in(flat, Vec3(5, 10, 9)), 100U);
+  // The far side of a steep roof is not seen.
+  const PolyMesh roof = net(10, [](double, double y) { return -5 * std::abs(y - 5); });
+  Svg svg(200, 100);
+  draw_surface(svg, roof, {.camera = {.azimuth = -90}, .part = {Vec3(0, 0, -99), Vec3(10, 10, 9)}},
+               frame);
+  EXPECT_EQ(count_of(svg.text(), "z"), 100U);
+}
+
+TEST(DrawSurface, DrawsFromBackToFront) {
+  // Two sheets, one in front of the other, of different shades.
+  const PolyMesh steps = net(40, [](double, double y) { return y < 20 ? 0.0 : 30 + 0.8 * y; });
+  Svg svg(400, 300);
+  draw_surface(svg, steps, {.camera = {.azimuth = -90}, .part = {Vec3(0, 0, -9), Vec3(40, 40, 99)}},
+               {{0, 0}, 400, 300});
+  const std::string text = svg.text();
+  const std::size_t first = text.find("fill=\"#", text.find("<path"));
+  const std::size_t last = text.rfind("fill=\"#");
+  EXPECT_NE(text.substr(first, 14), text.substr(last, 14));
+}
+
+TEST(DrawSurface, OfNothingDrawsNothing) {
+  Svg svg(10, 10);
+  draw_surface(svg, PolyMesh(), {.part = {Vec3(0, 0, 0), Vec3(1, 1, 1)}}, {{0, 0}, 10, 10});
+  EXPECT_EQ(svg.text(), Svg(10, 10).text());
+}
+
+}  // namespace
+}  // namespace surfmesh

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "paper/laboratory.hh"
+
+namespace surfmesh::paper {
+
+/// A picture under the name of its file.
+struct Figure {
+  std::string file;
+  std::string svg;
+};
+
+/// Figures 1 and 4 to 10 of the paper, by our meshes in the paper's way.
+std::vector<Figure> draw_figures(Laboratory& laboratory);
+
+}  // namespace surfmesh::paper
