@@ -43,7 +43,9 @@ std::string heading(const std::string& machine) {
 }
 
 void write_tables(const std::filesystem::path& folder, const std::vector<Table>& tables) {
-  const std::string machine = surfmesh::machine_name();
+  const surfmesh::Machine here = surfmesh::this_machine();
+  const std::string machine =
+      fmt::format("{}, {} cores, load {:.1f}", here.processor, here.cores, here.load_before);
   std::string text = heading(machine);
   for (const Table& table : tables) text += to_markdown(table) + "\n";
   surfmesh::write_file(folder / "tables.md", text);
