@@ -20,6 +20,14 @@ using testing::valid_area;
 /// Down to this least quality vertices may be moved in favour of edge lengths.
 constexpr double kGoodQuality = 0.8;
 
+}  // namespace
+
+void PrintTo(Smoothing kind, std::ostream* out) {
+  *out << (kind == Smoothing::Best ? "Best" : kind == Smoothing::Laplace ? "Laplace" : "Element");
+}
+
+namespace {
+
 std::unique_ptr<DelaunayMesh> refined(const FunctionField& field, const RefineOptions& options) {
   auto delaunay = testing::empty_square(field);
   refine(*delaunay, field, options);
@@ -219,11 +227,7 @@ TEST_P(SmoothingKinds, BringAVertexOfAPerfectMeshBack) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, SmoothingKinds,
                          ::testing::Values(Smoothing::Best, Smoothing::Laplace, Smoothing::Element),
-                         [](const auto& test) {
-                           return test.param == Smoothing::Best      ? "Best"
-                                  : test.param == Smoothing::Laplace ? "Laplace"
-                                                                     : "Element";
-                         });
+                         ::testing::PrintToStringParamName());
 
 TEST(Smoothing, ByElementsAsksAtTheMiddlesOfTrianglesByLaplaceOnlyAtVertices) {
   const FunctionField field = testing::four_point_field();
