@@ -277,7 +277,7 @@ TEST(Markdown, NamesMachineToolsAndCommands) {
   comparison.cases = {example()};
   comparison.cases[0].tools[1].command = "gmsh -2 x.geo";
   const std::string text = markdown(comparison);
-  for (const char* part : {"Some Processor", "Gmsh 4.8.4 (/usr/bin/gmsh)", "Not found: Mmgs.",
+  for (const char* part : {"Some Processor", "Gmsh 4.8.4", "Not found: Mmgs.",
                            "    gmsh -2 x.geo\n"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part;
   }

@@ -70,11 +70,14 @@ TEST(DrawSurface, DrawsWhatIsSeenOfTheAskedPart) {
   const PictureFrame frame{{0, 0}, 200, 100};
   const auto faces_in = [&](const PolyMesh& mesh, const Vec3& upper) {
     Svg svg(200, 100);
-    draw_surface(svg, mesh, {.part = {Vec3(0, 0, -9), upper}}, frame);
+    draw_surface(svg, mesh, {.camera = {.azimuth = -90, .elevation = 90}, .part = {-upper, upper}},
+                 frame);
     return count_of(svg.text(), "z");
   };
   EXPECT_EQ(faces_in(flat, Vec3(10, 10, 9)), 200U);
-  EXPECT_EQ(faces_in(flat, Vec3(5, 10, 9)), 100U);
+  // The frame reaches columns to 6 and rows to 4, and one more of each touches it.
+  EXPECT_EQ(faces_in(flat, Vec3(4, 4, 9)), 2U * 7 * 5);
+  EXPECT_EQ(faces_in(flat, Vec3(0.5, 0.5, 9)), 0U);
   // The far side of a steep roof is not seen.
   const PolyMesh roof = net(10, [](double, double y) { return -5 * std::abs(y - 5); });
   Svg svg(200, 100);

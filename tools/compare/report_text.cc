@@ -73,7 +73,7 @@ std::string heading(const Comparison& comparison) {
     if (peer.program.empty()) {
       absent += fmt::format("{}{}", absent.empty() ? "" : ", ", peer.name);
     } else {
-      text += fmt::format(", {} {} ({})", peer.name, peer.version, peer.program.string());
+      text += fmt::format(", {} {}", peer.name, peer.version);
     }
   }
   return text + fmt::format(". Not found: {}.\n", absent.empty() ? "none" : absent);

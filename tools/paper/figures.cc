@@ -173,17 +173,15 @@ Figure meshes_of_second(Laboratory& laboratory, bool has_inner_nodes) {
 /// The mesh of example 3, and a part of it.
 std::vector<Figure> surface_of_third(Laboratory& laboratory) {
   const Outcome outcome = laboratory.third().run({kX, true, true, 40'000}, Way::Paper);
-  const PolyMesh& mesh = outcome.result->mesh;
-  constexpr double kWidth = 900, kHeight = 580;
-  const auto draw = [&mesh](const Eigen::AlignedBox3d& part, double line_width) {
-    Svg svg(kWidth, kHeight);
-    draw_surface(svg, mesh, {.camera = {}, .part = part, .line_width = line_width},
-                 {{kMargin, kMargin}, kWidth - 2 * kMargin, kHeight - 2 * kMargin});
+  constexpr double width = 900, height = 580;
+  const auto draw = [&outcome](double half_side, double line_width) {
+    const Vec3 corner(half_side, half_side, 3);  // the surface is 1.5 high
+    Svg svg(width, height);
+    draw_surface(svg, outcome.result->mesh, {.part = {-corner, corner}, .line_width = line_width},
+                 {{0, 0}, width, height});
     return svg.text();
   };
-  const Eigen::AlignedBox3d whole(Vec3(-7, -7, -3), Vec3(7, 7, 3)),
-      close(Vec3(-0.4, -6, -3), Vec3(3.2, -3, 3));
-  return {{"figure9.svg", draw(whole, 0.1)}, {"figure10.svg", draw(close, 0.5)}};
+  return {{"figure9.svg", draw(6, 0.1)}, {"figure10.svg", draw(1.5, 0.4)}};
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <span>
+#include <utility>
 
 namespace surfmesh {
 namespace {
@@ -107,41 +109,56 @@ class SeenFaces {
 
   const std::vector<SeenFace>& faces() const { return faces_; }
 
-  Eigen::AlignedBox2d box() const {
-    Eigen::AlignedBox2d box;
-    for (const SeenFace& face : faces_) {
-      for (const Eigen::Vector2d& corner : face.corners) box.extend(corner);
-    }
-    return box;
-  }
+  /// Around the faces of the part that fills the frame; empty if there are none.
+  const Eigen::AlignedBox2d& box() const { return box_; }
 
  private:
   void add(const PolyMesh& mesh, FaceHandle fh, const Eigen::AlignedBox3d& part) {
     std::vector<Eigen::Vector3d> corners;
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     for (const VertexHandle vh : mesh.fv_range(fh)) {
       const auto& p = mesh.point(vh);
       corners.emplace_back(p[0], p[1], p[2]);
-      if (!part.contains(corners.back())) return;
-      centre += corners.back();
     }
-    centre /= static_cast<double>(corners.size());
     const Eigen::Vector3d normal =
         (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
     if (!(normal.dot(axes_.towards) > 0)) return;
     SeenFace& face = faces_.emplace_back();
+    bool is_in_part = true;
     for (const Eigen::Vector3d& corner : corners) {
       face.corners.emplace_back(corner.dot(axes_.right), corner.dot(axes_.up));
+      face.depth += corner.dot(axes_.towards) / static_cast<double>(corners.size());
+      is_in_part = is_in_part && part.contains(corner);
     }
-    face.depth = centre.dot(axes_.towards);
     const double light = std::clamp(normal.dot(light_), 0.0, 1.0);
     face.shade = static_cast<int>(std::lround(light * (kShades - 1)));
+    if (!is_in_part) return;
+    for (const Eigen::Vector2d& corner : face.corners) box_.extend(corner);
   }
 
   CameraAxes axes_;
   Eigen::Vector3d light_;
+  Eigen::AlignedBox2d box_;
   std::vector<SeenFace> faces_;
 };
+
+/// The polygons of a number of faces by shade, without those beyond the frame.
+std::map<int, std::vector<std::vector<PicturePoint>>> polygons_by_shade(
+    std::span<const SeenFace> faces, const PlaneView& plane, const PictureFrame& frame) {
+  const Eigen::AlignedBox2d inside(
+      Eigen::Vector2d(frame.corner.x, frame.corner.y),
+      Eigen::Vector2d(frame.corner.x + frame.width, frame.corner.y + frame.height));
+  std::map<int, std::vector<std::vector<PicturePoint>>> polygons;
+  for (const SeenFace& face : faces) {
+    std::vector<PicturePoint> polygon;
+    Eigen::AlignedBox2d around;
+    for (const Eigen::Vector2d& corner : face.corners) {
+      polygon.push_back(plane(corner.x(), corner.y()));
+      around.extend(Eigen::Vector2d(polygon.back().x, polygon.back().y));
+    }
+    if (inside.intersects(around)) polygons[face.shade].push_back(std::move(polygon));
+  }
+  return polygons;
+}
 
 }  // namespace
 
@@ -162,18 +179,12 @@ std::vector<std::vector<PicturePoint>> edge_lines(
 void draw_surface(Svg& svg, const PolyMesh& mesh, const SurfaceView& view,
                   const PictureFrame& frame) {
   const SeenFaces seen(mesh, view);
-  if (seen.faces().empty()) return;
+  if (seen.box().isEmpty()) return;
   const PlaneView plane(seen.box(), frame);
-  for (std::size_t first = 0; first < seen.faces().size(); first += kFacesAtOnce) {
-    const std::size_t end = std::min(first + kFacesAtOnce, seen.faces().size());
-    std::map<int, std::vector<std::vector<PicturePoint>>> by_shade;
-    for (std::size_t i = first; i < end; ++i) {
-      std::vector<PicturePoint>& polygon = by_shade[seen.faces()[i].shade].emplace_back();
-      for (const Eigen::Vector2d& c : seen.faces()[i].corners) {
-        polygon.push_back(plane(c.x(), c.y()));
-      }
-    }
-    for (auto& [shade, polygons] : by_shade) {
+  const std::span<const SeenFace> faces = seen.faces();
+  for (std::size_t first = 0; first < faces.size(); first += kFacesAtOnce) {
+    const std::size_t count = std::min(kFacesAtOnce, faces.size() - first);
+    for (auto& [shade, polygons] : polygons_by_shade(faces.subspan(first, count), plane, frame)) {
       // From left to right: short steps from one to the next take less space.
       std::sort(polygons.begin(), polygons.end(),
                 [](const auto& a, const auto& b) { return a[0].x < b[0].x; });

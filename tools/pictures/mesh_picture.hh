@@ -45,13 +45,13 @@ struct Camera {
 /// What of a mesh in space is drawn.
 struct SurfaceView {
   Camera camera = {};
-  Eigen::AlignedBox3d part;  ///< faces with a corner outside are left out
+  Eigen::AlignedBox3d part;  ///< the faces within it fill the frame; others are drawn around them
   double line_width = 0.3;   ///< of edges, pixels
 };
 
 /// Draw the faces of a mesh with their edges, shaded by a light from the upper left. Faces behind
-/// others are drawn first; those whose back is seen are left out, so the surface has to be the
-/// graph of a function, seen from above.
+/// others are drawn first. Left out are faces beyond the frame, and those whose back is seen, so
+/// the surface has to be the graph of a function, seen from above.
 void draw_surface(Svg& svg, const PolyMesh& mesh, const SurfaceView& view,
                   const PictureFrame& frame);
 
