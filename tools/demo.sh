@@ -12,7 +12,7 @@ export CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}"
 
 tools/setup.sh
 cmake --preset release
-cmake --build --preset release --target tools/all
+cmake --build --preset release --target surfmesh_program
 
 mkdir -p out
 for model in models/knob.obj models/wave.json; do
