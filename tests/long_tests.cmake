@@ -1,5 +1,6 @@
 # Tests that build something themselves. Those with the label long are left out by
-# `ctest --preset release`; `ctest --preset all` runs them, too.
+# `ctest --preset release`; `ctest --preset all` runs them, too, but for those with the label nightly,
+# which do not fit into 45 minutes on two cores with the rest.
 
 # surfmesh_add_building_test(<name> <labels> <command...>): runs alone, for it uses all cores.
 function(surfmesh_add_building_test name labels)
@@ -17,7 +18,7 @@ endfunction()
 
 if(SURFMESH_INSTALL AND TARGET surfmesh_program)
   surfmesh_add_package_test(Package.Installed installed package)
-  surfmesh_add_package_test(Package.InstalledShared shared "package;long")
+  surfmesh_add_package_test(Package.InstalledShared shared "package;long;nightly")
   surfmesh_add_package_test(Package.Subproject subproject "package;long")
 endif()
 
@@ -25,7 +26,7 @@ surfmesh_add_building_test(PublicHeaders.CompileAlone "package;long"
   ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target all_verify_interface_header_sets)
 
 # The tests of these stages again, under the address and undefined-behaviour sanitizers. Those of the
-# second list do not fit into 45 minutes on two cores with the rest, and have the label nightly.
+# second list have the label nightly.
 set(sanitized core io geometry formula model metric quality delaunay boundary refine improve patch_mesh
     quad patch control assemble across formats)
 set(sanitized_nightly cage sizes sampling estimate model_file)

@@ -20,8 +20,8 @@ class ControlMesh : public ControlSpace {
   ///
   /// Writes   surf:uv, surf:size, surf:class, surf:inner_size, surf:radius, surf:outer_radius and
   ///          point() of the control mesh
-  /// Cost     O(n log n), about 1.5 µs per node, 4 µs with classification; of regular rows 0.5 and
-  ///          1 µs
+  /// Cost     O(n log n), about 1.5 µs per node, 4 µs with classification; of regular rows 0.9 and
+  ///          2 µs
   /// Pre      the corners of the bounding rectangle of the domain are among the nodes
   /// Throws   InvalidInput for a node outside the rectangle, naming its (u,v); InvalidOption
   ControlMesh(const Domain& domain, const std::vector<ControlNode>& nodes,
