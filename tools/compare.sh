@@ -2,7 +2,7 @@
 # Compare surfmesh with Gmsh, BAMG (ffbamg of Debian's freefem++), Mmg2d and Mmgs: those of them
 # that are in PATH, nothing is installed. Results in DIR (out/compare): compare.md, compare.json,
 # and the charts compare_speed.svg and compare_quality.svg.
-# --rounds N (5): how often each tool runs. --quick leaves out the mesh of a million triangles.
+# --rounds N (3): how often each tool runs. --quick leaves out the mesh of a million triangles.
 set -euo pipefail
 
 usage() {

@@ -32,6 +32,11 @@ sed -e '1,2d' -e '/^## Commands/,$d' -e 's/^## /### /' out/compare/compare.md >o
 
 # replace NAME FILE: put a file between the marks of a name.
 replace() {
+  local mark
+  for mark in "<!-- begin $1 -->" "<!-- end $1 -->"; do
+    grep -qxF -- "$mark" "$page" || { echo "$page has no line '$mark'" >&2; exit 1; }
+  done
+  [ -s "$2" ] || { echo "$2 is empty" >&2; exit 1; }
   awk -v name="$1" -v file="$2" '
     $0 == "<!-- end " name " -->" { skips = 0 }
     !skips { print }

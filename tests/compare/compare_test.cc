@@ -17,6 +17,8 @@
 #include "compare/run_process.hh"
 #include "compare/triangle_file.hh"
 #include "pictures/machine.hh"
+#include "pictures/median.hh"
+#include "support/folders.hh"
 #include "surfmesh/core/error.hh"
 
 namespace surfmesh {
@@ -185,7 +187,8 @@ TEST(FindProgram, LooksInEachDirectory) {
 }
 
 ProcessRun run_shell(const std::string& script, double time_limit) {
-  return run_process({"sh", "-c", script}, ::testing::TempDir(), time_limit);
+  const TestFolder folder;
+  return run_process({"sh", "-c", script}, folder.path(), time_limit);
 }
 
 TEST(RunProcess, TellsHowItEnded) {
@@ -193,7 +196,8 @@ TEST(RunProcess, TellsHowItEnded) {
   EXPECT_EQ(failure_of(run_shell("exit 0", 20)), "");
   EXPECT_EQ(failure_of(run_shell("exit 5", 20)), "failed (exit status 5)");
   EXPECT_EQ(failure_of(run_shell("kill -SEGV $$", 20)), "crashed (signal 11)");
-  EXPECT_EQ(failure_of(run_process({"/no/such/tool"}, ::testing::TempDir(), 20)),
+  const TestFolder folder;
+  EXPECT_EQ(failure_of(run_process({"/no/such/tool"}, folder.path(), 20)),
             "failed (exit status 127)");
 }
 
@@ -262,8 +266,10 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 
 TEST(Charts, HaveABarForEachTool) {
   const std::string title = bar_chart("none", {});
-  for (const std::string& chart : {speed_chart({example()}), quality_chart({example()})}) {
-    EXPECT_EQ(count_of(chart, "<rect") - count_of(title, "<rect"), 3u);
+  for (const bool is_speed : {true, false}) {
+    const std::string chart = is_speed ? speed_chart({example()}) : quality_chart({example()});
+    // Of the whole process, and of meshing alone.
+    EXPECT_EQ(count_of(chart, "<rect") - count_of(title, "<rect"), is_speed ? 6u : 3u);
     EXPECT_NE(chart.find(">Gmsh<"), std::string::npos);
     EXPECT_NE(chart.find("crashed (signal 11)"), std::string::npos);
   }
@@ -277,8 +283,8 @@ TEST(Markdown, NamesMachineToolsAndCommands) {
   comparison.cases = {example()};
   comparison.cases[0].tools[1].command = "gmsh -2 x.geo";
   const std::string text = markdown(comparison);
-  for (const char* part : {"Some Processor", "Gmsh 4.8.4", "Not found: Mmgs.",
-                           "    gmsh -2 x.geo\n"}) {
+  for (const char* part :
+       {"Some Processor", "Gmsh 4.8.4", "Not found: Mmgs.", "    gmsh -2 x.geo\n"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part;
   }
   EXPECT_EQ(to_json(comparison).at("cases").at(0).at("tools").size(), 3u);

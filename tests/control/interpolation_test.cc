@@ -316,7 +316,7 @@ TEST(Reuse, IsOnlyForAnswersThatAreNotKept) {
   const testing::PlaneField field(control);
   QueryHint hint;
   const Metric first = field.at({0.5, 0.5}, hint);
-  EXPECT_EQ(field.at_once({0.51, 0.5}, hint), first);
+  EXPECT_EQ(field.at_unkept({0.51, 0.5}, hint), first);
   EXPECT_NE(field.at({0.51, 0.5}, hint), first);
   EXPECT_EQ(hint.answers.reused, 1U);
 }

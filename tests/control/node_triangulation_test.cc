@@ -100,6 +100,9 @@ TEST(RegularRows, AreFoundAtTheFrontOnly) {
   std::vector<ControlNode> others = nodes;
   std::rotate(others.begin(), others.end() - 1, others.end());
   EXPECT_EQ(find_regular_rows(domain, others).count(), 0U);
+  for (ControlNode& node : nodes) node.spacing.m12 = 0.1;  // not along the rows
+  EXPECT_EQ(find_regular_rows(domain, nodes).count(), 0U);
+  for (ControlNode& node : nodes) node.spacing.m12 = 0;
   nodes.resize(48);  // the last row is not whole
   EXPECT_EQ(find_regular_rows(domain, nodes).count(), 0U);
   EXPECT_EQ(find_regular_rows({0, 4, 0, 1}, regular_nodes(domain, 7, isotropic(1))).count(), 0U);

@@ -229,6 +229,14 @@ INSTANTIATE_TEST_SUITE_P(Kinds, SmoothingKinds,
                          ::testing::Values(Smoothing::Best, Smoothing::Laplace, Smoothing::Element),
                          ::testing::PrintToStringParamName());
 
+TEST(Smoothing, ByANumberIsTheBestKindWithSoManySweeps) {
+  const FunctionField field = testing::four_point_field();
+  const auto by_number = refined(field, {}), by_kind = refined(field, {});
+  EXPECT_EQ(improve(*by_number, field, {.smoothing = sweeps_of(4), .sweeps = 1}),
+            improve(*by_kind, field, {.smoothing = Smoothing::Best, .sweeps = 4}));
+  EXPECT_EQ(positions(*by_number), positions(*by_kind));
+}
+
 TEST(Smoothing, ByElementsAsksAtTheMiddlesOfTrianglesByLaplaceOnlyAtVertices) {
   const FunctionField field = testing::four_point_field();
   const auto asked = [&](Smoothing kind) {

@@ -20,6 +20,7 @@ TEST_F(SurfmeshPaper, MakesAllTablesAndFigures) {
     EXPECT_GT(json["tables"][std::string("table") + number]["rows"].size(), 1U);
   }
   EXPECT_EQ(json["tables"]["variants_in_the_papers_way"]["rows"].size(), 36U);
+  EXPECT_EQ(json["tables"]["variants_today"]["rows"].size(), 18U);
   for (const char* number : {"1", "4", "5", "6", "7", "8", "9", "10"}) {
     const std::string svg = read_text(made / (std::string("figure") + number + ".svg"));
     EXPECT_TRUE(svg.starts_with("<svg ") && svg.ends_with("</svg>\n")) << number;
@@ -43,6 +44,14 @@ TEST_F(SurfmeshPaper, TellsAFolderThatCannotBe) {
   EXPECT_EQ(run("-o file/x"), 1);
   EXPECT_TRUE(says("surfmesh-paper: error: "));
   EXPECT_EQ(run("-o file"), 1);
+  EXPECT_TRUE(says("cannot make the folder 'file'"));
+}
+
+TEST_F(SurfmeshPaper, TellsAFileThatCannotBeBeforeItBegins) {
+  ASSERT_EQ(shell("mkdir -p out/tables.md"), 0);
+  EXPECT_EQ(run("-o out"), 1);
+  EXPECT_TRUE(says("tables.md"));
+  EXPECT_FALSE(says("example 1"));
 }
 
 TEST_F(SurfmeshPaper, HasAHelp) {

@@ -87,15 +87,18 @@ TEST(DrawSurface, DrawsWhatIsSeenOfTheAskedPart) {
 }
 
 TEST(DrawSurface, DrawsFromBackToFront) {
-  // Two sheets, one in front of the other, of different shades.
-  const PolyMesh steps = net(40, [](double, double y) { return y < 20 ? 0.0 : 30 + 0.8 * y; });
+  // A flat sheet in front of a steep one, which is turned from the light.
+  const PolyMesh steps = net(40, [](double x, double y) { return y < 20 ? 0.0 : 120 - 3 * x; });
   Svg svg(400, 300);
-  draw_surface(svg, steps, {.camera = {.azimuth = -90}, .part = {Vec3(0, 0, -9), Vec3(40, 40, 99)}},
+  draw_surface(svg, steps,
+               {.camera = {.azimuth = -90}, .part = {Vec3(0, 0, -9), Vec3(40, 40, 130)}},
                {{0, 0}, 400, 300});
   const std::string text = svg.text();
-  const std::size_t first = text.find("fill=\"#", text.find("<path"));
-  const std::size_t last = text.rfind("fill=\"#");
-  EXPECT_NE(text.substr(first, 14), text.substr(last, 14));
+  const auto shade_at = [&](std::size_t at) {
+    return std::stoi(text.substr(text.find("fill=\"#", at) + 7, 2), nullptr, 16);
+  };
+  const int first = shade_at(text.find("<path")), last = shade_at(text.rfind("<path"));
+  EXPECT_LT(first, last - 20) << "the steep sheet is behind";
 }
 
 TEST(DrawSurface, OfNothingDrawsNothing) {

@@ -15,7 +15,7 @@ TEST(Svg, IsAWhitePictureOfItsSize) {
 
 TEST(Svg, GivesPolygonsAsShortSteps) {
   Svg svg(10, 10);
-  svg.add_polygons({{{1, 2}, {1.5, 2}, {0.5, 2.25}}, {{3, 3}, {4, 3}, {4, 4.5}}},
+  svg.add_polygons({{{1, 2}, {1.5, 2}, {0.5, 2.25}}, {}, {{3, 3}, {4, 3}, {4, 4.5}}},
                    {"#ffffff", "#000000", 0.5});
   // The second begins at a step from the first corner of the first.
   EXPECT_NE(svg.text().find("d=\"m1 2l.5 0-1 .3zm2 1l1 0 0 1.5z\""), std::string::npos)

@@ -68,18 +68,18 @@ TEST(SetOption, ReachesTheStages) {
   EXPECT_EQ(options.control.regular_nodes, 100);
   EXPECT_EQ(options.refine.placement, Placement::Circumcentre);
   EXPECT_EQ(options.refine.kernel, Kernel::Swap);
-  EXPECT_EQ(options.improve.sweeps, 5);
+  EXPECT_EQ(options.improve.smoothing, sweeps_of(5));
 }
 
-TEST(SetOption, TakesANumberForSmoothingAsSweepsOfTheBestKind) {
+TEST(SetOption, TakesANumberForSmoothingInPlaceOfAKind) {
   PipelineOptions options;
   set_option(options, "smoothing", "laplace");
   set_option(options, "smoothing", "5");
-  EXPECT_EQ(options.improve.smoothing, Smoothing::Best);
-  EXPECT_EQ(options.improve.sweeps, 5);
+  EXPECT_EQ(options.improve.smoothing, sweeps_of(5));
+  EXPECT_EQ(to_text(get_option(options, "smoothing")), "5");
   set_option(options, "smoothing", "element");
   EXPECT_EQ(options.improve.smoothing, Smoothing::Element);
-  EXPECT_EQ(options.improve.sweeps, 5);
+  EXPECT_EQ(options.improve.sweeps, ImproveOptions().sweeps);  // not those of before
   EXPECT_NE(fault("smoothing", "-3").find("off, best, laplace, element, or a whole number"),
             std::string::npos);
 }

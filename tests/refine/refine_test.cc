@@ -177,6 +177,12 @@ TEST(RefineConformity, CountsTheCircumcentresThatAreGivenUp) {
   EXPECT_GT(most.inserted, 1000u);  // at the middles of longest sides
 }
 
+TEST(RefineConformity, BelongsToCircumcentresAlone) {
+  const FunctionField field = four_point_field();
+  const auto with = empty_square(field), without = empty_square(field);
+  EXPECT_EQ(refine(*with, field, {.conformity = 0.01}), refine(*without, field, {}));
+}
+
 TEST(RefineConformity, IsNoMatterInAConstantMetric) {
   const FunctionField field = testing::constant_field(testing::directed_metric({1, 0}, 0.1, 0.05));
   const auto delaunay = empty_square(field);

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "compare/triangle_file.hh"
+#include "surfmesh/io/output_file.hh"
 
 namespace surfmesh::compare {
 namespace {
@@ -26,7 +27,7 @@ using Text = fmt::memory_buffer;
 void write(const std::filesystem::path& stem, const char* ending, const Text& text) {
   std::filesystem::path path = stem;
   path += ending;
-  write_text(path, {text.data(), text.size()});
+  write_file(path, {text.data(), text.size()});
 }
 
 /// Call `visit` with the node numbers of each triangle, two to a cell.
@@ -147,7 +148,7 @@ void write_gmsh_view(const Background& background, const std::filesystem::path& 
 
 void write_gmsh_square(const Background& background, const std::filesystem::path& path) {
   const Domain& d = background.domain;
-  write_text(path, fmt::format("Point(1) = {{{0}, {1}, 0}};\nPoint(2) = {{{2}, {1}, 0}};\n"
+  write_file(path, fmt::format("Point(1) = {{{0}, {1}, 0}};\nPoint(2) = {{{2}, {1}, 0}};\n"
                                "Point(3) = {{{2}, {3}, 0}};\nPoint(4) = {{{0}, {3}, 0}};\n"
                                "Line(1) = {{1, 2}};\nLine(2) = {{2, 3}};\nLine(3) = {{3, 4}};\n"
                                "Line(4) = {{4, 1}};\nCurve Loop(1) = {{1, 2, 3, 4}};\n"

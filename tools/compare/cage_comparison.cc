@@ -10,6 +10,7 @@
 
 #include "compare/tool_runs.hh"
 #include "compare/triangle_file.hh"
+#include "surfmesh/io/output_file.hh"
 #include "surfmesh/pipeline/load_model.hh"
 
 namespace surfmesh::compare {
@@ -157,7 +158,7 @@ void write_dense(const Settings& settings, const Cage& cage) {
   }
   if (!std::filesystem::exists(settings.work / (name + ".obj"))) return;
   write_medit(read_triangles(settings.work / (name + ".obj")), settings.work / (name + ".mesh"));
-  write_text(settings.work / (cage.name + ".geo"),
+  write_file(settings.work / (cage.name + ".geo"),
              fmt::format("Merge \"{}.stl\";\nClassifySurfaces{{40*Pi/180, 1, 1, Pi}};\n"
                          "CreateGeometry;\nMesh.MeshSizeExtendFromBoundary = 0;\n"
                          "Mesh.MeshSizeFromPoints = 0;\n",

@@ -3,14 +3,9 @@
 
 #include <algorithm>
 
-namespace surfmesh::compare {
+#include "pictures/median.hh"
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  if (values.size() % 2 == 1) return values[middle];
-  return 0.5 * (values[middle - 1] + values[middle]);
-}
+namespace surfmesh::compare {
 
 std::optional<Spread> ratio(const std::vector<double>& of, const std::vector<double>& to) {
   std::vector<double> ratios;

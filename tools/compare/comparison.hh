@@ -40,10 +40,6 @@ struct Spread {
   friend bool operator==(const Spread&, const Spread&) = default;
 };
 
-/// The middle value, or the mean of the two in the middle.
-/// Pre      there is a value
-double median(std::vector<double> values);
-
 /// Round by round, how many times the seconds of `of` are those of `to`; nothing if there are none.
 std::optional<Spread> ratio(const std::vector<double>& of, const std::vector<double>& to);
 
@@ -55,7 +51,7 @@ struct Settings {
   std::filesystem::path source;  ///< the directory of the repository
   std::filesystem::path work;    ///< for inputs and outputs of the tools
   std::filesystem::path surfmesh;
-  int rounds = 5;
+  int rounds = 3;
   bool is_quick = false;    ///< leave out what takes long
   double time_limit = 120;  ///< seconds by the clock, of one run
   std::function<void(const std::string&)> tell = [](const std::string&) {};  ///< progress

@@ -15,19 +15,19 @@ namespace {
 constexpr double kVersionTimeLimit = 20;  // seconds
 
 /// The first number with a point, such as 4.8.4, of what a program says of itself.
-std::string version_of(const std::filesystem::path& program, const std::string& option) {
-  const auto run = run_process({program.string(), option}, std::filesystem::temp_directory_path(),
-                               kVersionTimeLimit);
+std::string version_of(const std::filesystem::path& program, const std::string& option,
+                       const std::filesystem::path& work) {
+  const auto run = run_process({program.string(), option}, work, kVersionTimeLimit);
   static const std::regex pattern(R"([vV]?(\d+\.\d+(\.\d+)*))");
   std::smatch found;
   return std::regex_search(run.log, found, pattern) ? found[1].str() : "of unknown version";
 }
 
 Peer make_peer(PeerKind kind, const std::string& name, const std::vector<std::string>& programs,
-               const std::string& version_option) {
+               const std::string& version_option, const std::filesystem::path& work) {
   const char* path = std::getenv("PATH");
   Peer peer{kind, name, find_program(programs, path != nullptr ? path : ""), ""};
-  if (!peer.program.empty()) peer.version = version_of(peer.program, version_option);
+  if (!peer.program.empty()) peer.version = version_of(peer.program, version_option, work);
   return peer;
 }
 
@@ -42,11 +42,11 @@ std::optional<double> last_number(const std::string& log, const std::regex& patt
 
 }  // namespace
 
-std::vector<Peer> find_peers() {
-  return {make_peer(PeerKind::Gmsh, "Gmsh", {"gmsh"}, "--version"),
-          make_peer(PeerKind::Bamg, "BAMG", {"ffbamg", "bamg"}, "-h"),
-          make_peer(PeerKind::Mmg2d, "Mmg2d", {"mmg2d_O3", "mmg2d"}, "-h"),
-          make_peer(PeerKind::Mmgs, "Mmgs", {"mmgs_O3", "mmgs"}, "-h")};
+std::vector<Peer> find_peers(const std::filesystem::path& work) {
+  return {make_peer(PeerKind::Gmsh, "Gmsh", {"gmsh"}, "--version", work),
+          make_peer(PeerKind::Bamg, "BAMG", {"ffbamg", "bamg"}, "-h", work),
+          make_peer(PeerKind::Mmg2d, "Mmg2d", {"mmg2d_O3", "mmg2d"}, "-h", work),
+          make_peer(PeerKind::Mmgs, "Mmgs", {"mmgs_O3", "mmgs"}, "-h", work)};
 }
 
 std::filesystem::path find_program(const std::vector<std::string>& names, std::string_view path) {

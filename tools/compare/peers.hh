@@ -20,7 +20,7 @@ struct Peer {
 };
 
 /// All that are known, with those found in PATH. Asks each for its version.
-std::vector<Peer> find_peers();
+std::vector<Peer> find_peers(const std::filesystem::path& work);
 
 /// Among the names, the first in one of the directories of a PATH; empty if none is.
 std::filesystem::path find_program(const std::vector<std::string>& names, std::string_view path);

@@ -6,18 +6,20 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/cage_comparison.hh"
+#include "pictures/median.hh"
 
 namespace surfmesh::compare {
 namespace {
 
 constexpr const char* kNone = "–";
 
-/// "43,100" for 43,123: speeds have no more digits than three.
+/// "43,123".
 std::string with_commas(std::size_t number) {
   if (number < 1000) return std::to_string(number);
   return fmt::format("{},{:03}", with_commas(number / 1000), number % 1000);
 }
 
+/// "43,100" for 43,123: three digits are all that a measured speed has.
 std::string speed_text(std::optional<double> speed) {
   if (!speed) return kNone;
   double unit = 1;
@@ -53,11 +55,15 @@ std::string row(const ToolResult& result, const ToolResult& first, bool is_cage)
     return line + "\n";
   }
   const auto cells = is_cage ? cage_cells(result) : plane_cells(result.mesh);
+  // Times of meshes that are farther away than asked for are not comparable.
+  const bool is_comparable = !is_cage || result.distance <= kWantedSag;
   return fmt::format("| {} | {} | {} | {} | {} | {} |\n", result.tool, cells,
                      speed_text(speed(result.mesh.triangles, result.meshing_seconds)),
                      speed_text(speed(result.mesh.triangles, result.processor_seconds)),
                      seconds_text(result.processor_seconds),
-                     spread_text(ratio(result.processor_seconds, first.processor_seconds)));
+                     is_comparable
+                         ? spread_text(ratio(result.processor_seconds, first.processor_seconds))
+                         : kNone);
 }
 
 std::string heading(const Comparison& comparison) {
@@ -92,7 +98,8 @@ constexpr const char* kHowToRead =
 constexpr const char* kHowToReadCages =
     "\nThe other tools remesh a mesh of the cage by surfmesh with a twentieth of the sag, whose "
     "making is not counted. Their option was sought in a few runs before, so that the distance is "
-    "just below the wish. Distance: the greatest from the surface, in % of the diagonal, by "
+    "just below the wish; where no option reached it, the best one stands, without a comparison of "
+    "times. Distance: the greatest from the surface, in % of the diagonal, by "
     "`surfmesh check` for all; Q is that in space.\n";
 
 std::string commands(const Comparison& comparison) {

@@ -3,10 +3,12 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 #include <cerrno>
 #include <chrono>
@@ -14,7 +16,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <string_view>
 #include <thread>
 
 #include "surfmesh/core/error.hh"
@@ -28,11 +29,13 @@ constexpr int kNoSuchProgram = 127;  // as shells have it
 /// Become the program; only what may be done between fork and exec.
 [[noreturn]] void become(char* const* arguments, const char* directory) {
   setpgid(0, 0);
+#ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // do not outlive the comparison
-  const bool is_there = chdir(directory) == 0;
+#endif
+  if (chdir(directory) != 0) _exit(kNoSuchProgram);
   const int log = open(kLog, O_WRONLY | O_CREAT | O_TRUNC, 0644);
   const int nothing = open("/dev/null", O_RDONLY);
-  if (is_there && log >= 0 && nothing >= 0) {
+  if (log >= 0 && nothing >= 0) {
     dup2(nothing, STDIN_FILENO);
     dup2(log, STDOUT_FILENO);
     dup2(log, STDERR_FILENO);
@@ -56,6 +59,7 @@ void wait_for(pid_t process, double time_limit, ProcessRun& run) {
   for (pid_t ended = 0; ended == 0;) {
     ended = wait4(process, &status, run.is_timed_out ? 0 : WNOHANG, &usage);
     if (ended < 0 && errno == EINTR) ended = 0;
+    if (ended < 0) throw Error(ErrorCode::Io, "the end of another process cannot be seen");
     if (ended != 0) break;
     if (Clock::now() > end) {
       run.is_timed_out = true;
@@ -76,6 +80,8 @@ ProcessRun run_process(const Command& command, const std::filesystem::path& dire
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
+  std::error_code error;
+  std::filesystem::remove(directory / kLog, error);  // that of another run
   setenv("OMP_NUM_THREADS", "1", 1);
   const pid_t process = fork();
   if (process < 0) throw Error(ErrorCode::Io, "cannot start another process");
@@ -96,11 +102,18 @@ std::string failure_of(const ProcessRun& run) {
 }
 
 std::string command_line(const Command& command) {
+  constexpr const char* kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=%+,-";
   std::string line;
   for (const std::string& word : command) {
-    const bool is_plain = word.find_first_of(" '\"*?;()") == word.npos && !word.empty();
     if (!line.empty()) line += ' ';
-    line += is_plain ? word : "'" + word + "'";
+    if (!word.empty() && word.find_first_not_of(kPlain) == word.npos) {
+      line += word;
+      continue;
+    }
+    line += '\'';
+    for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += '\'';
   }
   return line;
 }

@@ -12,7 +12,9 @@
 #include "compare/report_text.hh"
 #include "compare/run_process.hh"
 #include "compare/triangle_file.hh"
+#include "exit_status.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/io/output_file.hh"
 
 namespace surfmesh::compare {
 namespace {
@@ -22,8 +24,7 @@ struct Arguments {
   Settings settings;
 };
 
-constexpr int kMostRounds = 100;
-constexpr int kWrongUsage = 2;
+constexpr int kMostRounds = 99;
 
 void add_to(CLI::App& app, Arguments& arguments) {
   Settings& settings = arguments.settings;
@@ -66,10 +67,10 @@ void make_directories(Arguments& arguments) {
 }
 
 void write_results(const Comparison& comparison, const std::filesystem::path& output) {
-  write_text(output / "compare.md", markdown(comparison));
-  write_text(output / "compare.json", to_json(comparison).dump(2) + "\n");
-  write_text(output / "compare_speed.svg", speed_chart(comparison.cases));
-  write_text(output / "compare_quality.svg", quality_chart(comparison.cases));
+  write_file(output / "compare.md", markdown(comparison));
+  write_file(output / "compare.json", to_json(comparison).dump(2) + "\n");
+  write_file(output / "compare_speed.svg", speed_chart(comparison.cases));
+  write_file(output / "compare_quality.svg", quality_chart(comparison.cases));
 }
 
 void tell_peers(const Comparison& comparison) {
@@ -93,7 +94,7 @@ void run(Arguments arguments) {
   Comparison comparison;
   comparison.machine = this_machine();
   comparison.surfmesh_version = surfmesh_version(settings);
-  comparison.peers = find_peers();
+  comparison.peers = find_peers(settings.work);
   comparison.rounds = settings.rounds;
   comparison.time_limit = settings.time_limit;
   write_results(comparison, arguments.output);  // an error here should not come after an hour
@@ -124,13 +125,13 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kWrongUsage;
+    return app.exit(error) == 0 ? surfmesh::kDone : surfmesh::kWrongUsage;
   }
   try {
     run(arguments);
-    return 0;
+    return surfmesh::kDone;
   } catch (const std::exception& error) {
     fmt::print(stderr, "surfmesh_compare: error: {}\n", error.what());
-    return 1;
+    return surfmesh::kFailed;
   }
 }

@@ -12,6 +12,7 @@
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/formats/read_mesh.hh"
+#include "surfmesh/io/output_file.hh"
 
 namespace surfmesh::compare {
 namespace {
@@ -231,6 +232,9 @@ TriangleMesh read_by_library(const std::filesystem::path& path) {
     }
     mesh.triangles.push_back({face[0], face[1], face[2]});
   }
+  if (mesh.triangles.empty()) {
+    throw Error(ErrorCode::InvalidInput, fmt::format("{}: there is no triangle", path.string()));
+  }
   return mesh;
 }
 
@@ -257,7 +261,7 @@ void write_obj(const TriangleMesh& mesh, const std::filesystem::path& path) {
   for (const auto& [a, b, c] : mesh.triangles) {
     fmt::format_to(out, "f {} {} {}\n", a + 1, b + 1, c + 1);
   }
-  write_text(path, {text.data(), text.size()});
+  write_file(path, {text.data(), text.size()});
 }
 
 void write_medit(const TriangleMesh& mesh, const std::filesystem::path& path) {
@@ -270,13 +274,7 @@ void write_medit(const TriangleMesh& mesh, const std::filesystem::path& path) {
     fmt::format_to(out, "{} {} {} 1\n", a + 1, b + 1, c + 1);
   }
   fmt::format_to(out, "End\n");
-  write_text(path, {text.data(), text.size()});
-}
-
-void write_text(const std::filesystem::path& path, std::string_view text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text << std::flush;
-  if (!file) throw Error(ErrorCode::Io, fmt::format("cannot write {}", path.string()));
+  write_file(path, {text.data(), text.size()});
 }
 
 }  // namespace surfmesh::compare

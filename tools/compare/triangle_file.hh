@@ -40,7 +40,4 @@ void write_obj(const TriangleMesh& mesh, const std::filesystem::path& path);
 /// Throws   Io if the file cannot be written
 void write_medit(const TriangleMesh& mesh, const std::filesystem::path& path);
 
-/// Throws   Io if the file cannot be written
-void write_text(const std::filesystem::path& path, std::string_view text);
-
 }  // namespace surfmesh::compare

@@ -72,6 +72,7 @@ PipelineOptions Experiment::options(const Variant& variant, Way way, bool has_qu
   options.quads.is_on = has_quads;
   if (way == Way::Today) return options;
   options.refine.placement = Placement::Circumcentre;
+  options.refine.conformity = variant.conformity;
   options.improve = {.smoothing = way == Way::Paper ? Smoothing::Element : Smoothing::Off,
                      .sweeps = kSweeps,
                      .repairs = 0};
@@ -95,13 +96,13 @@ Outcome Experiment::run(const Variant& variant, Way way, bool has_quads) {
 const ControlSpace& Experiment::control(const Variant& variant) {
   Variant own = variant;
   own.is_reusing = false;
-  const auto [entry, is_new] = controls_.try_emplace(fmt::format("{} {}", label(own), own.nodes));
-  if (is_new) {
+  const std::string key = fmt::format("{} {}", label(own), own.nodes);
+  if (!controls_.contains(key)) {
     const ResolvedSizing sizing = resolve(input_.options.sizing, input_.model.diagonal);
-    entry->second = make_control_spaces(input_.model, input_.sources, sizing,
-                                        options(own, Way::Paper, false).control);
+    controls_.emplace(key, make_control_spaces(input_.model, input_.sources, sizing,
+                                               options(own, Way::Paper, false).control));
   }
-  return *entry->second.spaces.front();
+  return *controls_.at(key).spaces.front();
 }
 
 /// The edges in the metric of the same nodes by another interpolation.

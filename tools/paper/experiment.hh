@@ -17,7 +17,7 @@ namespace surfmesh::paper {
 /// How a mesh is made.
 enum class Way {
   Paper,       ///< as in section 2.1: circumcentres, smoothing by elements, quads from the fronts
-  Unsmoothed,  ///< the same without smoothing, which the figures of the paper are without
+  Unsmoothed,  ///< the same without smoothing
   Today        ///< with the defaults of surfmesh
 };
 
@@ -27,6 +27,7 @@ struct Variant {
   bool has_inner_nodes = false;  ///< I
   bool is_reusing = false;       ///< R
   int nodes = 0;                 ///< regular ones; 0: those that the model gives
+  double conformity = 0;         ///< see RefineOptions, in the paper's way
 };
 
 /// "V_x+IR".

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <utility>
 
 #include "pictures/mesh_picture.hh"
@@ -89,16 +91,15 @@ void draw_control(Svg& svg, const PolyMesh& mesh, const PictureFrame& frame) {
   }
 }
 
-/// The legend of draw_control, in the frame's upper left corner.
+/// The legend of draw_control, below the left of the frame.
 void draw_class_legend(Svg& svg, const PictureFrame& frame) {
   constexpr std::array names = {"V_s", "V_t", "V_o"};
-  constexpr double side = 12, width = 46;
-  svg.add_rectangle({frame.corner.x, frame.corner.y}, 3 * width + 6, side + 8,
-                    {"#ffffff", "#000000", 0.4});
+  constexpr double side = 12, width = 46, gap = 8;
+  const double y = frame.corner.y + frame.height + gap;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const double x = frame.corner.x + 5 + width * static_cast<double>(i);
-    svg.add_rectangle({x, frame.corner.y + 4}, side, side, {kClassColours[i], "#000000", 0.4});
-    svg.add_text({x + side + 3, frame.corner.y + side + 2}, names[i], 11);
+    const double x = frame.corner.x + width * static_cast<double>(i);
+    svg.add_rectangle({x, y}, side, side, {kClassColours[i], "#000000", 0.4});
+    svg.add_text({x + side + 3, y + side - 1}, names[i], 11);
   }
 }
 
@@ -151,7 +152,7 @@ Figure control_of_first(Laboratory& laboratory) {
     panels.svg().add_circle(view(at.x(), at.y()), 5,
                             {is_small ? "#000000" : "#ffffff", "#000000", 1.2});
   }
-  draw_control(panels.svg(), mesh, panels.next("b) their triangulation"));
+  draw_plane(panels.svg(), mesh, panels.next("b) their triangulation"), 0.6);
   return {"figure6.svg", panels.svg().text()};
 }
 
@@ -185,6 +186,14 @@ std::vector<Figure> surface_of_third(Laboratory& laboratory) {
 }
 
 }  // namespace
+
+std::vector<std::string> figure_names() {
+  std::vector<std::string> names;
+  for (const int number : {1, 4, 5, 6, 7, 8, 9, 10}) {
+    names.push_back(fmt::format("figure{}.svg", number));
+  }
+  return names;
+}
 
 std::vector<Figure> draw_figures(Laboratory& laboratory) {
   std::vector<Figure> figures = {

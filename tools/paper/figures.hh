@@ -14,6 +14,9 @@ struct Figure {
   std::string svg;
 };
 
+/// Their names, in their order.
+std::vector<std::string> figure_names();
+
 /// Figures 1 and 4 to 10 of the paper, by our meshes in the paper's way.
 std::vector<Figure> draw_figures(Laboratory& laboratory);
 

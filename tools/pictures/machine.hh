@@ -15,7 +15,7 @@ struct Machine {
   std::string day;  ///< 2026-11-29
 };
 
-/// Without the load after.
+/// With the load of now for both.
 Machine this_machine();
 
 /// Mean load of the last minute; 0 if unknown.

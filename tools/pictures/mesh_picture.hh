@@ -42,7 +42,7 @@ struct Camera {
   double elevation = 35;
 };
 
-/// What of a mesh in space is drawn.
+/// What part of a mesh in space is drawn, and how.
 struct SurfaceView {
   Camera camera = {};
   Eigen::AlignedBox3d part;  ///< the faces within it fill the frame; others are drawn around them

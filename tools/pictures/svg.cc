@@ -85,6 +85,7 @@ void Svg::add_path(const std::vector<std::vector<PicturePoint>>& lines, bool is_
   body_ += fmt::format("<path {} d=\"", style_text(style));
   long x = 0, y = 0;  // where the pen is
   for (const std::vector<PicturePoint>& line : lines) {
+    if (line.empty()) continue;
     long first_x = 0, first_y = 0;
     for (std::size_t i = 0; i < line.size(); ++i) {
       const long to_x = units(line[i].x), to_y = units(line[i].y);

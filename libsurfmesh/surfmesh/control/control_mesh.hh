@@ -28,6 +28,8 @@ class ControlMesh : public ControlSpace {
               const ControlSpaceOptions& options);
 
   /// The same from nodes that have been triangulated; takes the mesh.
+  ///
+  /// Pre      `nodes` are those that the triangulation was made from
   ControlMesh(NodeTriangulation&& triangulation, const std::vector<ControlNode>& nodes,
               const ControlSpaceOptions& options);
 

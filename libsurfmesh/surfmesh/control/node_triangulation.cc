@@ -108,14 +108,15 @@ void NodeTriangulation::insert_all(std::span<const ControlNode> nodes) {
   std::vector<Uv> positions;
   positions.reserve(nodes.size());
   for (const ControlNode& node : nodes) positions.push_back(node.uv);
-  for (const ControlNode& node : nodes) {
-    if (is_corner(domain_, node.uv)) insert(node);
-  }
   const std::vector<int> order = spatial_order(positions);
-  for (const bool is_alone : {false, true}) {
-    for (const int i : order) {
-      const ControlNode& node = nodes[static_cast<std::size_t>(i)];
-      if (comes_alone(node) == is_alone && !is_corner(domain_, node.uv)) insert(node);
+  for (const bool is_at_corner : {true, false}) {
+    for (const bool is_alone : {false, true}) {
+      for (const int i : order) {
+        const ControlNode& node = nodes[static_cast<std::size_t>(i)];
+        if (is_corner(domain_, node.uv) == is_at_corner && comes_alone(node) == is_alone) {
+          insert(node);
+        }
+      }
     }
   }
   delaunay_.shrink();

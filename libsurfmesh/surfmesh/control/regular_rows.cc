@@ -6,13 +6,18 @@
 namespace surfmesh {
 namespace {
 
+/// True for a metric in which rectangles have their four corners on a circle.
+bool is_along_rows(const Metric& spacing) {
+  return std::isfinite(spacing.m11) && std::isfinite(spacing.m22) && spacing.m12 == 0;
+}
+
 class RowScan {
  public:
   RowScan(const Domain& domain, const std::vector<ControlNode>& nodes)
       : domain_(domain), nodes_(nodes) {}
 
   RegularRows scan() const {
-    if (!is_node(0, {domain_.u0, domain_.v0}) || !std::isfinite(nodes_[0].spacing.m11)) return {};
+    if (!is_node(0, {domain_.u0, domain_.v0}) || !is_along_rows(nodes_[0].spacing)) return {};
     RegularRows rows{1, 1};
     while (is_node(rows.width) && nodes_[rows.width].uv.v == domain_.v0) ++rows.width;
     if (!is_first_row(rows.width)) return {};

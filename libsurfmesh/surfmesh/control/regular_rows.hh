@@ -19,7 +19,8 @@ struct RegularRows {
 };
 
 /// The rows at the front of a list of nodes, from the lower left corner of the rectangle of a
-/// domain to the upper right one; none if the list does not begin with such rows.
+/// domain to the upper right one; none if the list does not begin with such rows, or their
+/// spacing is not along them.
 ///
 /// Cost     O(rows)
 RegularRows find_regular_rows(const Domain& domain, const std::vector<ControlNode>& nodes);

@@ -122,7 +122,10 @@ ImproveReport improve(DelaunayMesh& delaunay, const MetricField& field,
   check(options);
   Improvement improvement(delaunay, field, context);
   if (options.smoothing != Smoothing::Off) {
-    for (int i = 0; i < options.sweeps; ++i) improvement.smooth(options.smoothing);
+    const int count = static_cast<int>(options.smoothing);
+    const Smoothing kind = count > 0 ? Smoothing::Best : options.smoothing;
+    const int sweeps = count > 0 ? count : options.sweeps;
+    for (int i = 0; i < sweeps; ++i) improvement.smooth(kind);
     improvement.swap();
   }
   if (options.repairs > 0) {

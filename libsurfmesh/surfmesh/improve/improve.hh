@@ -9,8 +9,8 @@
 
 namespace surfmesh {
 
-/// How inner vertices are smoothed. The values are those of the words of the option, which also
-/// reads numbers of sweeps.
+/// How inner vertices are smoothed. A positive value is a number of sweeps of Best: see
+/// sweeps_of().
 enum class Smoothing {
   Off = 0,
   Best = -1,     ///< towards unit lengths of the edges
@@ -26,6 +26,9 @@ struct ImproveOptions {
   /// range were collapsed or split; 0 turns both off.
   int repairs = 3;
 };
+
+/// `count` sweeps of Smoothing::Best, whatever `sweeps` says.
+constexpr Smoothing sweeps_of(int count) { return static_cast<Smoothing>(count); }
 
 /// Throws   InvalidOption, naming the option, its value and its range
 void check(const ImproveOptions& options);

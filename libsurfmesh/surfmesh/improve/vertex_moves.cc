@@ -78,7 +78,7 @@ Uv VertexMoves::element_step(const MetricCorner& centre) {
   const Uv* previous = &star_.ring().back().uv;
   for (const MetricCorner& next : star_.ring()) {
     const Uv middle = (1.0 / 3) * (centre.uv + *previous + next.uv);
-    sum = sum + (unit_apex(*previous, next.uv, field_.at_once(middle, hint_)) - centre.uv);
+    sum = sum + (unit_apex(*previous, next.uv, field_.at_unkept(middle, hint_)) - centre.uv);
     previous = &next.uv;
   }
   return (1 / static_cast<double>(star_.ring().size())) * sum;

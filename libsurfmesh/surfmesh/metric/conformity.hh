@@ -25,7 +25,9 @@ double entry_conformity(const SizeTensor& h_o, const SizeTensor& h_t);
 double log_conformity(const SizeTensor& h_o, const SizeTensor& h_t);
 
 /// The same for two metrics at near points, where the parameterisation may differ, too: the
-/// greatest logarithm of the ratio of two lengths of one step.
+/// greatest logarithm of the ratio of two lengths of one step. No dimension; 0 for equal metrics.
+///
+/// Pre      both positive definite
 double metric_conformity(const Metric& a, const Metric& b);
 
 /// How much longer one size tensor asks for than another, in the direction where that is most: the

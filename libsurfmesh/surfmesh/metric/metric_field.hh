@@ -36,7 +36,7 @@ struct QueryCounts {
 struct QueryHint {
   int element = -1;  ///< triangle or cell of the last point: a point near it is found fast
   /// True where an answer is used once and not kept, so that the last one may do: see
-  /// MetricField::at_once().
+  /// MetricField::at_unkept().
   bool can_reuse = false;
   RandomBits random;
   Uv last_uv;  ///< where the last answer was computed
@@ -64,7 +64,7 @@ class MetricField {
   /// The same for an answer that is used once and not kept: it may be that of the last point, if
   /// that is near. Metrics that are kept, compared or summed up would have steps then.
   /// Source   paper, section 4, item 1 (R)
-  Metric at_once(Uv uv, QueryHint& hint) const {
+  Metric at_unkept(Uv uv, QueryHint& hint) const {
     hint.can_reuse = true;
     const Metric metric = at(uv, hint);
     hint.can_reuse = false;

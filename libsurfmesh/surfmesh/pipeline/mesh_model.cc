@@ -64,6 +64,28 @@ Notices unused_sizes(const PipelineOptions& options) {
   return notices;
 }
 
+/// What belongs to one way of placement or smoothing has no effect on the others.
+Notices unused_for_triangles(const PipelineOptions& options) {
+  const Smoothing smoothing = options.improve.smoothing;
+  Notices notices;
+  const auto tell = [&](const OptionRange& option, const std::string& reason) {
+    notices.push_back(
+        warning(NoticeKind::UnusedOption, fmt::format("{} has no effect {}", option.name, reason)));
+  };
+  if (options.refine.conformity != 0 && options.refine.placement != Placement::Circumcentre) {
+    tell(ranges::kConformity, "without placement = circumcentre");
+  }
+  if (options.improve.sweeps != ImproveOptions().sweeps && static_cast<int>(smoothing) >= 0) {
+    tell(ranges::kSweeps, smoothing == Smoothing::Off
+                              ? "without smoothing"
+                              : fmt::format("beside smoothing = {}", static_cast<int>(smoothing)));
+  }
+  if (options.control.reuse != 0 && smoothing != Smoothing::Element) {
+    tell(ranges::kReuse, "without smoothing = element");
+  }
+  return notices;
+}
+
 /// The way to quads has no effect without them, nor does the way of the fronts without these, nor
 /// what makes triangles on the way without triangles.
 Notices unused_ways(const PipelineOptions& every) {
@@ -80,20 +102,15 @@ Notices unused_ways(const PipelineOptions& every) {
     tell(ranges::kQuadFront.name, "without quad_method = frontal");
   }
   const PipelineOptions defaults;
-  if (every.control.reuse != 0 && every.improve.smoothing != Smoothing::Element) {
-    tell(ranges::kReuse.name, "without smoothing = element");
-  }
   const bool has_triangles = !options.is_on || options.method == QuadMethod::Frontal;
   if (has_triangles) {
-    if (every.improve.smoothing == Smoothing::Off &&
-        every.improve.sweeps != defaults.improve.sweeps) {
-      tell(ranges::kSweeps.name, "without smoothing");
-    }
+    append(unused_for_triangles(every), notices);
     return notices;
   }
   for (const std::string_view name :
        {ranges::kPlacement.name, ranges::kKernel.name, ranges::kConformity.name,
-        ranges::kSmoothing.name, ranges::kSweeps.name, ranges::kRepairs.name}) {
+        ranges::kSmoothing.name, ranges::kSweeps.name, ranges::kRepairs.name,
+        ranges::kReuse.name}) {
     if (get_option(every, name) != get_option(defaults, name)) tell(name, "on quads");
   }
   return notices;

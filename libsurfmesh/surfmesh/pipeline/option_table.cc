@@ -64,17 +64,6 @@ constexpr LengthAccess kJoining = {
     },
     [](Options& options, const std::optional<Length>& value) { options.joining = value; }};
 
-/// A number is one of sweeps of the best kind.
-constexpr NumberAccess kSmoothing = {
-    &ranges::kSmoothing,
-    [](const Options& options) { return static_cast<double>(options.improve.smoothing); },
-    [](Options& options, double value) {
-      const bool is_count = value > 0;
-      options.improve.smoothing =
-          is_count ? Smoothing::Best : static_cast<Smoothing>(static_cast<int>(value));
-      if (is_count) options.improve.sweeps = static_cast<int>(value);
-    }};
-
 constexpr NumberAccess kOrient = {
     &ranges::kOrient,
     [](const Options& options) { return options.orient.value_or(false) ? 1.0 : 0.0; },
@@ -127,7 +116,8 @@ constexpr auto kTable = std::to_array<Option>({
     {kSizes, false, "", "source of curvature: second derivatives, or differences of positions",
      number(
          ranges::kCurvatureFrom, [](auto& o) -> auto& { return o.sizing.curvature_from; })},
-    {kControl, false, "nodes", "control nodes: chosen to the precision, or so many regular ones",
+    {kControl, false, "nodes",
+     "control nodes: chosen to the precision, or so many regular ones in each patch, as a square",
      number(
          ranges::kNodes, [](auto& o) -> auto& { return o.control.regular_nodes; })},
     {kControl, false, "", "conformity of the control space with the sizes asked for",
@@ -157,7 +147,7 @@ constexpr auto kTable = std::to_array<Option>({
      number(
          ranges::kInnerNodes, [](auto& o) -> auto& { return o.control.inner_nodes; })},
     {kControl, false, "",
-     "metric distance within which the last sizes are used again, where they are used once",
+     "metric distance within which smoothing by elements uses the last sizes again",
      number(
          ranges::kReuse, [](auto& o) -> auto& { return o.control.reuse; })},
     {kMeshing, false, "", "where new nodes go: at the front, or to circumcentres",
@@ -167,15 +157,18 @@ constexpr auto kTable = std::to_array<Option>({
      number(
          ranges::kKernel, [](auto& o) -> auto& { return o.refine.kernel; })},
     {kMeshing, false, "",
-     "circumcentres are inserted where the metric there conforms with their triangle: by its "
-     "circle, or by the logarithm of a ratio of lengths",
+     "circumcentres are given up unless the metric there conforms with that of the triangle: by "
+     "its "
+     "circle, or to within a logarithm of a ratio of lengths (with placement circumcentre)",
      number(
          ranges::kConformity, [](auto& o) -> auto& { return o.refine.conformity; })},
     {kMeshing, false, "",
      "smoothing of the inner nodes: best for lengths, or as in the paper by the metric at the node "
      "(laplace) or in the triangles (element); a number is best with so many sweeps",
-     kSmoothing},
-    {kMeshing, false, "sweeps", "smoothing sweeps over the inner nodes",
+     number(
+         ranges::kSmoothing, [](auto& o) -> auto& { return o.improve.smoothing; })},
+    {kMeshing, false, "sweeps",
+     "smoothing sweeps over the inner nodes; more than a few of laplace or element harm",
      number(
          ranges::kSweeps, [](auto& o) -> auto& { return o.improve.sweeps; })},
     {kMeshing, false, "passes",

@@ -171,7 +171,9 @@ class Refinement {
   /// The check of the paper: the metric at the new point is that of the triangle, nearly. Without
   /// a threshold, in the metric at the new point, the point still splits its triangle.
   bool conforms(const BaseTriangle& t, Uv p, const Metric& metric) const {
-    if (options_.conformity == 0) return in_metric_circle({t.a.uv, t.b.uv, t.apex.uv}, p, metric);
+    if (options_.conformity == 0 || options_.placement == Placement::Frontal) {
+      return in_metric_circle({t.a.uv, t.b.uv, t.apex.uv}, p, metric);
+    }
     const Metric of_triangle = mean(t.a.metric, t.b.metric, t.apex.metric);
     return metric_conformity(of_triangle, metric) <= options_.conformity;
   }

@@ -21,9 +21,10 @@ enum class Kernel { Cavity, Swap };
 struct RefineOptions {
   Placement placement = Placement::Frontal;
   Kernel kernel = Kernel::Cavity;
-  /// Greatest difference between the metrics at a circumcentre and of its triangle, as the
-  /// logarithm of a ratio of lengths, for which the circumcentre is inserted. 0: it is inserted if
-  /// it lies in the circle of the triangle in the metric at the circumcentre, too.
+  /// With Circumcentre: greatest difference between the metrics at a circumcentre and of its
+  /// triangle, as the logarithm of a ratio of lengths, for which the circumcentre is inserted. 0:
+  /// it is inserted if it lies in the circle of the triangle in the metric at the circumcentre,
+  /// too.
   double conformity = 0;
 };
 
@@ -34,7 +35,7 @@ void check(const RefineOptions& options);
 struct RefineCounts {
   std::size_t inserted = 0;      ///< inner nodes
   std::size_t refused = 0;       ///< triangles left too large because no point was good
-  std::size_t unconforming = 0;  ///< circumcentres given up because the metric there is another one
+  std::size_t unconforming = 0;  ///< circumcentres given up because the metric there differs
 
   RefineCounts& operator+=(const RefineCounts& other);
   friend bool operator==(const RefineCounts&, const RefineCounts&) = default;

@@ -55,7 +55,8 @@ struct ControlInput {
   ControlKind kind = ControlKind::Mesh;  ///< not Automatic
   std::vector<ControlNode> nodes = {};   ///< of a triangulation
   ControlSpaceOptions options = {};
-  /// The triangulation of these nodes, if it is known: make_control takes it.
+  /// The triangulation of these nodes, if it is known: make_control takes it, so that nodes may be
+  /// added afterwards.
   std::unique_ptr<NodeTriangulation> triangulation = {};
   /// A lattice with the sizes of the sources, before gradation: make_control takes it.
   std::unique_ptr<LatticeSpace> lattice = {};
