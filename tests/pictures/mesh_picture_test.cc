@@ -4,11 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <string_view>
 
-#include "surfmesh/core/topology.hh"
+#include "support/meshes.hh"
 
 namespace surfmesh {
 namespace {
@@ -16,20 +15,10 @@ namespace {
 /// n × n squares of the plane, cut in two, at heights of a function.
 template <class Height>
 PolyMesh net(int n, Height height) {
-  PolyMesh mesh;
-  std::vector<std::array<int, 3>> triangles;
-  for (int j = 0; j < n; ++j) {
-    for (int i = 0; i < n; ++i) {
-      const int a = j * (n + 1) + i, b = a + 1, d = a + n + 1, c = d + 1;
-      triangles.push_back({a, b, c});
-      triangles.push_back({a, c, d});
-    }
-  }
-  const auto count = static_cast<std::size_t>((n + 1) * (n + 1));
-  build_triangles(mesh, count, triangles);
-  for (int k = 0; k < static_cast<int>(count); ++k) {
-    const double x = k % (n + 1), y = k / (n + 1);
-    mesh.set_point(VertexHandle(k), {x, y, height(x, y)});
+  PolyMesh mesh = testing::plane_grid(n, n);
+  for (const VertexHandle vh : mesh.vertices()) {
+    const auto& p = mesh.point(vh);
+    mesh.set_point(vh, {p[0], p[1], height(p[0], p[1])});
   }
   return mesh;
 }
@@ -42,7 +31,7 @@ std::size_t count_of(std::string_view text, std::string_view part) {
 
 TEST(EdgeLines, RunThroughEveryEdgeOnce) {
   const PolyMesh mesh = net(12, [](double, double) { return 0.0; });
-  const auto at = [&](VertexHandle vh) { return PicturePoint{double(vh.idx()), 0}; };
+  const auto at = [](VertexHandle vh) { return PicturePoint{double(vh.idx()), 0}; };
   std::set<std::pair<int, int>> drawn;
   std::size_t steps = 0;
   const auto lines = edge_lines(mesh, at);

@@ -116,12 +116,12 @@ TEST(MeshModel, TellsOfSmoothingThatHasNoEffect) {
   EXPECT_EQ(texts_of(mesh_model(wave(), {}, options).report.notices),
             (std::vector<std::string>{"conformity has no effect without placement = circumcentre",
                                       "sweeps has no effect without smoothing",
-                                      "reuse has no effect without smoothing = element"}));
+                                      "reuse answers no question without smoothing = element"}));
   options.improve.smoothing = sweeps_of(3);
   options.refine.placement = Placement::Circumcentre;
   EXPECT_EQ(texts_of(mesh_model(wave(), {}, options).report.notices),
             (std::vector<std::string>{"sweeps has no effect beside smoothing = 3",
-                                      "reuse has no effect without smoothing = element"}));
+                                      "reuse answers no question without smoothing = element"}));
   options.improve.smoothing = Smoothing::Element;
   EXPECT_TRUE(mesh_model(wave(), {}, options).report.notices.empty());
   options.quads.is_on = true;
@@ -129,7 +129,7 @@ TEST(MeshModel, TellsOfSmoothingThatHasNoEffect) {
             (std::vector<std::string>{
                 "placement has no effect on quads", "conformity has no effect on quads",
                 "smoothing has no effect on quads", "sweeps has no effect on quads",
-                "reuse has no effect on quads"}));
+                "reuse answers no question on quads"}));
 }
 
 TEST(MeshModel, HasAsManyRegularNodesAsAskedFor) {

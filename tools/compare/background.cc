@@ -14,9 +14,7 @@ namespace surfmesh::compare {
 namespace {
 
 Uv node_at(const Background& grid, int i, int j) {
-  const double s = double(i) / grid.cells, t = double(j) / grid.cells;
-  return {(1 - s) * grid.domain.u0 + s * grid.domain.u1,
-          (1 - t) * grid.domain.v0 + t * grid.domain.v1};
+  return grid.domain.at(double(i) / grid.cells, double(j) / grid.cells);
 }
 
 /// The number of a node in files, which count from 1.

@@ -22,7 +22,7 @@ struct RegularRows {
 /// domain to the upper right one; none if the list does not begin with such rows, or their
 /// spacing is not along them.
 ///
-/// Cost     O(rows)
+/// Cost     O(n) for n nodes in such rows
 RegularRows find_regular_rows(const Domain& domain, const std::vector<ControlNode>& nodes);
 
 /// Triangles between the nodes of rows, counter-clockwise: a Delaunay triangulation in the metric

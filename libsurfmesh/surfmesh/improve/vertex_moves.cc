@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "surfmesh/improve/vertex_search.hh"
+#include "surfmesh/metric/perpendicular.hh"
 #include "surfmesh/metric/triangle.hh"
 
 namespace surfmesh {
@@ -26,11 +27,10 @@ constexpr double kLeastHeight = 0.5;
 /// The point left of the base from a to b that is a unit away from both in a metric.
 Uv unit_apex(Uv a, Uv b, const Metric& m) {
   const Uv base = b - a;
-  const double squared = squared_length(m, base);
-  const Uv image{m.m11 * base.u + m.m12 * base.v, m.m12 * base.u + m.m22 * base.v};
-  const double scale = 1 / std::sqrt(determinant(m) * squared);
-  const double height = std::sqrt(std::max(1 - 0.25 * squared, kLeastHeight * kLeastHeight));
-  return 0.5 * (a + b) + height * Uv{-scale * image.v, scale * image.u};
+  const double length = std::sqrt(squared_length(m, base));
+  const double height =
+      std::sqrt(std::max(1 - 0.25 * length * length, kLeastHeight * kLeastHeight));
+  return 0.5 * (a + b) + height * unit_left_of(base, length, m);
 }
 
 }  // namespace

@@ -20,7 +20,6 @@
 #include "surfmesh/boundary/patch_boundary.hh"
 #include "surfmesh/control/surface_metric_field.hh"
 #include "surfmesh/core/error.hh"
-#include "surfmesh/core/option_range.hh"
 #include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/validate.hh"
@@ -37,7 +36,7 @@
 #include "surfmesh/pipeline/patch_cache.hh"
 #include "surfmesh/pipeline/patch_names.hh"
 #include "surfmesh/pipeline/reach_sag.hh"
-#include "surfmesh/pipeline/set_option.hh"
+#include "surfmesh/pipeline/unused_options.hh"
 #include "surfmesh/pipeline/unused_sources.hh"
 #include "surfmesh/quad/improper_quads.hh"
 #include "surfmesh/quality/patch_measures.hh"
@@ -47,74 +46,6 @@ namespace {
 
 /// Meshes of up to so many quads are made in two ways.
 constexpr std::size_t kMostQuadsMadeTwice = 1000;
-
-/// Beside one length everywhere, other sizes that were asked for have no effect.
-Notices unused_sizes(const PipelineOptions& options) {
-  Notices notices;
-  if (!options.sizing.size) return notices;
-  PipelineOptions defaults;
-  defaults.sizing.size = options.sizing.size;
-  for (const std::string_view name :
-       {ranges::kCurvature.name, ranges::kSag.name, ranges::kHmin.name, ranges::kHmax.name,
-        ranges::kStretch.name, ranges::kGrade.name, ranges::kProximity.name}) {
-    if (get_option(options, name) == get_option(defaults, name)) continue;
-    notices.push_back(
-        warning(NoticeKind::UnusedOption, fmt::format("{} has no effect beside size", name)));
-  }
-  return notices;
-}
-
-/// What belongs to one way of placement or smoothing has no effect on the others.
-Notices unused_for_triangles(const PipelineOptions& options) {
-  const Smoothing smoothing = options.improve.smoothing;
-  Notices notices;
-  const auto tell = [&](const OptionRange& option, const std::string& reason) {
-    notices.push_back(
-        warning(NoticeKind::UnusedOption, fmt::format("{} has no effect {}", option.name, reason)));
-  };
-  if (options.refine.conformity != 0 && options.refine.placement != Placement::Circumcentre) {
-    tell(ranges::kConformity, "without placement = circumcentre");
-  }
-  if (options.improve.sweeps != ImproveOptions().sweeps && static_cast<int>(smoothing) >= 0) {
-    tell(ranges::kSweeps, smoothing == Smoothing::Off
-                              ? "without smoothing"
-                              : fmt::format("beside smoothing = {}", static_cast<int>(smoothing)));
-  }
-  if (options.control.reuse != 0 && smoothing != Smoothing::Element) {
-    tell(ranges::kReuse, "without smoothing = element");
-  }
-  return notices;
-}
-
-/// The way to quads has no effect without them, nor does the way of the fronts without these, nor
-/// what makes triangles on the way without triangles.
-Notices unused_ways(const PipelineOptions& every) {
-  const QuadOptions& options = every.quads;
-  Notices notices;
-  const auto tell = [&](std::string_view name, std::string_view reason) {
-    notices.push_back(
-        warning(NoticeKind::UnusedOption, fmt::format("{} has no effect {}", name, reason)));
-  };
-  if (options.method != QuadMethod::Best && !options.is_on) {
-    tell(ranges::kQuadMethod.name, "without quads");
-  }
-  if (options.front != QuadOptions{}.front && options.method != QuadMethod::Frontal) {
-    tell(ranges::kQuadFront.name, "without quad_method = frontal");
-  }
-  const PipelineOptions defaults;
-  const bool has_triangles = !options.is_on || options.method == QuadMethod::Frontal;
-  if (has_triangles) {
-    append(unused_for_triangles(every), notices);
-    return notices;
-  }
-  for (const std::string_view name :
-       {ranges::kPlacement.name, ranges::kKernel.name, ranges::kConformity.name,
-        ranges::kSmoothing.name, ranges::kSweeps.name, ranges::kRepairs.name,
-        ranges::kReuse.name}) {
-    if (get_option(every, name) != get_option(defaults, name)) tell(name, "on quads");
-  }
-  return notices;
-}
 
 class Run {
  public:
@@ -126,8 +57,7 @@ class Run {
     if (options.quads.is_on) demands_.parity = SegmentParity::EvenPatches;
     append(model.notices, report_.notices);
     append(detail::options_too_late(model, options), report_.notices);
-    append(unused_sizes(options), report_.notices);
-    append(unused_ways(options), report_.notices);
+    append(detail::unused_options(options), report_.notices);
   }
 
   /// What is known without a mesh.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "surfmesh/delaunay/in_circle.hh"
+#include "surfmesh/metric/perpendicular.hh"
 
 namespace surfmesh {
 namespace {
@@ -24,12 +25,10 @@ struct BaseFrame {
 BaseFrame make_frame(const BaseTriangle& t, const Metric& m) {
   const Uv edge = t.b.uv - t.a.uv;
   const double length = std::sqrt(squared_length(m, edge));
-  const Uv image{m.m11 * edge.u + m.m12 * edge.v, m.m12 * edge.u + m.m22 * edge.v};
-  const double scale = 1 / (std::sqrt(determinant(m)) * length);
   BaseFrame frame;
   frame.middle = 0.5 * (t.a.uv + t.b.uv);
   frame.along = (1 / length) * edge;
-  frame.across = {-scale * image.v, scale * image.u};
+  frame.across = unit_left_of(edge, length, m);
   frame.half = 0.5 * length;
   const Uv apex = t.apex.uv - frame.middle;
   const double x = inner_product(m, frame.along, apex), y = inner_product(m, frame.across, apex);
