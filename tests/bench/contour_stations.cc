@@ -99,7 +99,7 @@ std::vector<Station> make_stations(const Model& model, const Contour& contour,
   double steps = 0;
   for (const ContourUse& use : contour.uses) {
     const PatchGrid& grid = grids[static_cast<std::size_t>(use.patch)];
-    steps = std::max(steps, steps_along(*use.curve, kSamplesInPart * contour.part_count, grid));
+    steps = std::max(steps, steps_along(*use.curve, kSamplesInPart * contour.part_count(), grid));
   }
   const int count = static_cast<int>(std::ceil(kStationsInStep * steps));
   const StationMaker maker(model, contour, fields);

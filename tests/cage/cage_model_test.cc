@@ -145,7 +145,7 @@ TEST(CageModel, EndsContoursAtCornersOfHoles) {
   for (const Contour& contour : model.contours) {
     if (contour.uses.size() != 1) continue;
     ++open;
-    EXPECT_EQ(contour.part_count, 1) << contour.name;
+    EXPECT_EQ(contour.part_count(), 1) << contour.name;
   }
   EXPECT_EQ(open, 4u);
 }
@@ -235,7 +235,7 @@ TEST(CageModel, IsOneBlockOfARegularSheet) {
   EXPECT_EQ(model.patches[0].cage_faces.size(), 15u);
   ASSERT_EQ(model.contours.size(), 4u);
   EXPECT_EQ(model.contours[0].name, "e0-1..5");
-  EXPECT_EQ(model.contours[0].part_count, 5);
+  EXPECT_EQ(model.contours[0].part_count(), 5);
   EXPECT_EQ(euler(model), 1);
 }
 
@@ -287,7 +287,7 @@ TEST(CageModel, EndsContoursWhereCreasesDo) {
   expect_valid(model);
   int sharp_edges = 0;
   for (const Contour& contour : model.contours) {
-    if (!contour.is_smooth) sharp_edges += contour.part_count;
+    if (!contour.is_smooth) sharp_edges += contour.part_count();
   }
   EXPECT_EQ(sharp_edges, 2);
 }

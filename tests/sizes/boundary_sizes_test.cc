@@ -10,6 +10,7 @@
 #include "support/waves.hh"
 #include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/geometry/curve_polyline.hh"
+#include "surfmesh/geometry/parts.hh"
 #include "surfmesh/model/join_sides.hh"
 #include "surfmesh/sizes/boundary_pieces.hh"
 #include "surfmesh/sizes/features.hh"
@@ -275,7 +276,7 @@ class LineWithBump : public SpaceCurve {
     const double height = inside > 0 && inside < 0.25 ? std::sin(4 * std::numbers::pi * inside) : 0;
     return {40 * t, 0.1 * height * height, 0};
   }
-  int part_count() const override { return 40; }
+  std::vector<double> breaks() const override { return even_breaks(40); }
 };
 
 TEST(CurvePolyline, SeesWhatIsInEachPart) {

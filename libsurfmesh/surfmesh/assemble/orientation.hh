@@ -15,7 +15,8 @@ struct PatchOrientation {
 };
 
 /// Spread the orientation of the first patch of each component to its neighbours over the contours
-/// with two uses.
+/// with two uses. If patches of the component are marked as reversed, it is turned over where most
+/// of the marks want it.
 ///
 /// Cost     O(contour uses)
 PatchOrientation orient_patches(const Model& model);

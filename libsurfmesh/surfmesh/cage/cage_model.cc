@@ -20,6 +20,8 @@
 #include "surfmesh/cage/subdivision.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/option_range.hh"
+#include "surfmesh/geometry/parts.hh"
+#include "surfmesh/model/finish_model.hh"
 
 namespace surfmesh {
 namespace {
@@ -173,7 +175,7 @@ class ModelBuilder {
   /// A contour that in the end has one use only is a true boundary, unless it is a point.
   void finish() {
     for (Contour& contour : model.contours) {
-      contour.is_degenerate = contour.start == contour.end && contour.part_count == 1;
+      contour.is_degenerate = contour.start == contour.end && contour.breaks.empty();
       if (contour.uses.size() == 1) contour.is_smooth = false;
     }
   }
@@ -221,7 +223,7 @@ class ModelBuilder {
     if (chain.size() > 1) contour.name += fmt::format("..{}", chain.back().to);
     contour.start = vertex_of_[static_cast<std::size_t>(chain.front().from)];
     contour.end = vertex_of_[static_cast<std::size_t>(chain.back().to)];
-    contour.part_count = static_cast<int>(chain.size());
+    contour.breaks = even_breaks(static_cast<int>(chain.size()));
     contour.is_smooth = scheme_ != Scheme::Bilinear && !OpenSubdiv::Sdc::Crease::IsInfinite(
                                                            level_.GetEdgeSharpness(chain[0].edge));
     model.contours.push_back(std::move(contour));
@@ -267,22 +269,6 @@ void add_groups(const Cage& cage, const std::vector<int>& stand_ins, Model& mode
     }
     model.groups.push_back(std::move(set));
   }
-}
-
-/// Greatest distance between the uses of a contour, or between one and a vertex at its ends.
-double gap_of(const Model& model, const Contour& contour) {
-  double gap = 0;
-  const int count = 4 * contour.part_count;
-  for (int i = 0; i <= count; ++i) {
-    const double t = static_cast<double>(i) / count;
-    const Vec3 wanted = t == 0   ? model.position(contour.start)
-                        : t == 1 ? model.position(contour.end)
-                                 : model.point(contour.uses[0], t);
-    for (const ContourUse& use : contour.uses) {
-      gap = std::max(gap, (model.point(use, t) - wanted).norm());
-    }
-  }
-  return gap;
 }
 
 /// Bfr 3.5.0 sees one ring of faces, too little to know Chaikin creases after a step of

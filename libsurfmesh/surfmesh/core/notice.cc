@@ -111,6 +111,12 @@ std::string_view name(NoticeKind kind) {
       return "sag_not_reached";
     case NoticeKind::BrokenPromise:
       return "broken_promise";
+    case NoticeKind::HealedShape:
+      return "healed_shape";
+    case NoticeKind::LooseFit:
+      return "loose_fit";
+    case NoticeKind::MergedContours:
+      return "merged_contours";
   }
   return "unknown";
 }

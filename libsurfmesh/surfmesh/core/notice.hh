@@ -46,9 +46,12 @@ enum class NoticeKind {
   TurnedTriangles,   ///< triangles against the normal of the surface
   SagNotReached,     ///< mesh and surface are farther apart than asked for
   BrokenPromise,     ///< the mesh is not as the model promises
+  HealedShape,       ///< a shape of a CAD file was mended
+  LooseFit,          ///< surfaces of a CAD file are farther apart than the usual tolerance
+  MergedContours,    ///< contours, or patches, below the tolerance are points, or lines
 };
 
-inline constexpr std::size_t kNoticeKinds = 32;
+inline constexpr std::size_t kNoticeKinds = 35;
 
 /// The name of a kind in reports: "ignored_input", "turned_triangles", ...
 std::string_view name(NoticeKind kind);

@@ -64,6 +64,11 @@ inline constexpr PropertyKey<HalfedgeHandle, int> corner_beyond{"surf:beyond", "
 /// which the face goes around counter-clockwise. Made on wish.
 inline constexpr PropertyKey<HalfedgeHandle, Normal> corner_normal{"surf:normal", "assemble"};
 
+/// The vertex of which a vertex of the result is a copy, where a half-edge mesh cannot have one
+/// vertex for all patches (at contours of three and more); its own number for others. Only where
+/// there are such copies. Formats of indexed vertices write the original.
+inline constexpr PropertyKey<VertexHandle, int> vertex_original{"surf:original", "assemble"};
+
 /// Names of patches and groups in .om files, a property of the mesh as a whole there.
 inline constexpr std::string_view mesh_names = "surf:names";
 

@@ -11,6 +11,7 @@
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/estimate/patch_region.hh"
 #include "surfmesh/geometry/first_form.hh"
+#include "surfmesh/geometry/parts.hh"
 #include "surfmesh/metric/size_tensor.hh"
 #include "surfmesh/metric/tensor.hh"
 #include "surfmesh/metric/triangle.hh"
@@ -142,10 +143,10 @@ class PatchIntegral {
     const Surface& surface = model_.surface(patch_);
     const Curve& curve = *model_.use(entry).curve;
     const SurfaceMetricField field(surface, space_);
-    const int count = kChordsPerPart * contour.part_count;
+    const std::vector<double> ends = divided_parts(contour.breaks, kChordsPerPart);
     Vec3 last = surface.evaluate(curve.evaluate(0), Order::Position).point;
-    for (int i = 0; i < count; ++i) {
-      const Uv from = curve.evaluate(double(i) / count), to = curve.evaluate(double(i + 1) / count);
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      const Uv from = curve.evaluate(ends[i - 1]), to = curve.evaluate(ends[i]);
       const Vec3 next = surface.evaluate(to, Order::Position).point;
       const double length = (next - last).norm();
       const double units =

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "surfmesh/geometry/parts.hh"
 #include "surfmesh/geometry/predicates.hh"
 
 namespace surfmesh {
@@ -52,11 +53,11 @@ PatchRegion::PatchRegion(const Model& model, int patch) : domain_(model.surface(
 void PatchRegion::add_loop(const Model& model, const PatchLoop& loop) {
   for (const LoopEntry& entry : loop) {
     const ContourUse& use = model.use(entry);
-    const int chords = kChordsPerPart * model.contour(entry).part_count;
-    Uv last = use.curve->evaluate(use.is_forward ? 0 : 1);
-    for (int i = 1; i <= chords; ++i) {
-      const double share = double(i) / chords;
-      const Uv next = use.curve->evaluate(use.is_forward ? share : 1 - share);
+    std::vector<double> ends = divided_parts(model.contour(entry).breaks, kChordsPerPart);
+    if (!use.is_forward) std::reverse(ends.begin(), ends.end());
+    Uv last = use.curve->evaluate(ends.front());
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      const Uv next = use.curve->evaluate(ends[i]);
       segments_.push_back({last, next});
       last = next;
     }

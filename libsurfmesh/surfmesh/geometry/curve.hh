@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "surfmesh/core/values.hh"
 #include "surfmesh/geometry/surface.hh"
@@ -53,9 +54,9 @@ class SpaceCurve {
 
   virtual Vec3 evaluate(double t) const = 0;
 
-  /// Number of equal parts of t that the curve consists of. Each may hold as much detail as another
-  /// whole curve: sample every part.
-  virtual int part_count() const { return 1; }
+  /// The t between the parts that the curve consists of, ascending and in (0,1). Each part may hold
+  /// as much detail as another whole curve: sample every part.
+  virtual std::vector<double> breaks() const { return {}; }
 };
 
 /// A curve in space given by a C++ function of t in [0,1].
@@ -92,19 +93,19 @@ class CurvePart : public Whole {
 class CurveOnSurface : public SpaceCurve {
  public:
   CurveOnSurface(std::shared_ptr<const Surface> surface, std::shared_ptr<const Curve> curve,
-                 int part_count = 1)
-      : surface_(std::move(surface)), curve_(std::move(curve)), part_count_(part_count) {}
+                 std::vector<double> breaks = {})
+      : surface_(std::move(surface)), curve_(std::move(curve)), breaks_(std::move(breaks)) {}
 
   Vec3 evaluate(double t) const override {
     return surface_->evaluate(curve_->evaluate(t), Order::Position).point;
   }
 
-  int part_count() const override { return part_count_; }
+  std::vector<double> breaks() const override { return breaks_; }
 
  private:
   std::shared_ptr<const Surface> surface_;
   std::shared_ptr<const Curve> curve_;
-  int part_count_;
+  std::vector<double> breaks_;
 };
 
 /// The parameter range in which the author wrote a curve. Messages give t in this range.

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "surfmesh/geometry/parts.hh"
+
 namespace surfmesh {
 namespace {
 
@@ -21,8 +23,8 @@ class Divider {
 
   std::vector<CurvePoint> run() {
     points_.push_back(at(0));
-    const int count = kFirstIntervals * curve_.part_count();
-    for (int i = 1; i <= count; ++i) divide(points_.back(), at(double(i) / count), 0);
+    const std::vector<double> ends = divided_parts(curve_.breaks(), kFirstIntervals);
+    for (std::size_t i = 1; i < ends.size(); ++i) divide(points_.back(), at(ends[i]), 0);
     return std::move(points_);
   }
 

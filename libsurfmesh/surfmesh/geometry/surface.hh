@@ -56,9 +56,23 @@ class Surface {
   /// the domain.
   virtual std::vector<SingularPoint> singular_points() const { return {}; }
 
-  /// Number of cells, of equal width and height in parameters. Each may hold as much detail as
-  /// another whole surface: sample every cell.
+  /// Number of cells. Each may hold as much detail as another whole surface: sample every cell.
+  /// They are of equal width and height in parameters unless from_cells() says otherwise.
   virtual CellCount cells() const { return {}; }
+
+  /// The (u,v) of a point in units of cells: from (0,0) to (cells().u, cells().v).
+  virtual Uv from_cells(Uv point) const {
+    const CellCount count = cells();
+    return domain().at(point.u / count.u, point.v / count.v);
+  }
+
+  /// A point of the domain in units of cells, the inverse of from_cells().
+  virtual Uv to_cells(Uv uv) const {
+    const Domain all = domain();
+    const CellCount count = cells();
+    return {(uv.u - all.u0) / (all.u1 - all.u0) * count.u,
+            (uv.v - all.v0) / (all.v1 - all.v0) * count.v};
+  }
 
   /// The point whose curvature counts for sizes: the given one, or one beside it if that lies in
   /// the narrow rounding of a semi-sharp crease, which elements should not follow.

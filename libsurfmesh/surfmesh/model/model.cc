@@ -61,6 +61,16 @@ Vec3 end_point(const Model& model, const ContourUse& use, bool at_end) {
   return model.point(use, at_end == use.is_forward ? 1.0 : 0.0);
 }
 
+/// How far the ends of two contours that follow each other may be apart.
+double allowed_gap(const Model& model, const Contour& a, const Contour& b) {
+  double tolerance = a.tolerance + b.tolerance;
+  for (const int vertex : {a.start, a.end}) {
+    if (vertex != b.start && vertex != b.end) continue;
+    tolerance += 2 * model.vertices[static_cast<std::size_t>(vertex)].tolerance;
+  }
+  return std::max(kLoopGap * model.diagonal, tolerance);
+}
+
 void check_loop(const Model& model, std::size_t patch_index, const PatchLoop& loop) {
   const Patch& patch = model.patches[patch_index];
   if (loop.empty()) {
@@ -71,7 +81,8 @@ void check_loop(const Model& model, std::size_t patch_index, const PatchLoop& lo
     const Vec3 end = end_point(model, use_of(model, patch_index, loop[i]), true);
     const Vec3 start = end_point(model, use_of(model, patch_index, next), false);
     const double gap = (end - start).norm();
-    if (!(gap <= kLoopGap * model.diagonal)) {
+    const double allowed = allowed_gap(model, model.contour(loop[i]), model.contour(next));
+    if (!(gap <= allowed)) {
       throw Error(
           ErrorCode::Geometry,
           fmt::format("patch {}: the loop does not close, the gap between contours {} and {} is {}",

@@ -36,10 +36,17 @@ struct Contour {
   /// True for a side that is one point in space (a pole): start and end are the same vertex.
   bool is_degenerate = false;
   bool is_smooth = true;  ///< false on true boundaries and sharp creases, where normals may jump
-  int part_count = 1;     ///< number of cage edges it runs along, in equal parts of t
+  /// The t between the parts it consists of (edges of a cage, spans of a spline), ascending and in
+  /// (0,1). Each may hold as much detail as another whole contour: sample every part.
+  std::vector<double> breaks = {};
   /// True for one that was given by name, as trims are, that loops name, or along which sizes are
   /// asked for: a line that the user wants to see in the mesh, be it smooth or not.
   bool is_named = false;
+  /// How far its curves may be from each other and from its vertices, model units. 0 is 1e-6 of the
+  /// diagonal; files of CAD programs bring tolerances of their own.
+  double tolerance = 0;
+
+  int part_count() const { return static_cast<int>(breaks.size()) + 1; }
 };
 
 /// One contour use of a loop, as indices into Model::contours and Contour::uses.
@@ -61,11 +68,16 @@ struct Patch {
   std::vector<int> cage_faces = {};
   /// Where it is given (a file, or a file and a JSON pointer), for messages; empty if in C++.
   std::string origin = {};
+  /// True if the outside of the model is where p_u × p_v does not point. Patches that are joined
+  /// are oriented alike; where these flags differ, most of them decide.
+  bool is_reversed = false;
 };
 
 /// A point where contours end.
 struct ModelVertex {
   Vec3 position = Vec3::Constant(kUnset);
+  /// How far ends of contours may be from it, model units; 0 as for Contour::tolerance.
+  double tolerance = 0;
 };
 
 /// An option by which a model, or a part of it, was made.
@@ -141,7 +153,8 @@ int find_patch(const Model& model, std::string_view name);
 std::vector<int> find_group(const Model& model, std::string_view name);
 
 /// Check that indices are valid, that the diagonal is between 1e-70 and 1e70 and no less than 1e-11
-/// of the distance from the origin, and that all loops close in space, to 1e-6 of the diagonal.
+/// of the distance from the origin, and that all loops close in space, to 1e-6 of the diagonal or
+/// the tolerances of the model, if those are greater.
 ///
 /// Throws   InvalidInput or Geometry, naming the patch and the contour
 /// Cost     O(contour uses), two surface evaluations each

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/geometry/parts.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
 
 namespace surfmesh {
@@ -71,9 +72,9 @@ SurfaceWalk::SurfaceWalk(const Model& model, std::vector<char> may_cross)
 
 void SurfaceWalk::add_use(const LoopEntry& entry, Border& border) const {
   const Curve& curve = *model_.use(entry).curve;
-  const int parts = model_.contour(entry).part_count;
-  for (int i = 0; i < parts; ++i) {
-    const double t0 = static_cast<double>(i) / parts, t1 = static_cast<double>(i + 1) / parts;
+  const std::vector<double> ends = divided_parts(model_.contour(entry).breaks, 1);
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const double t0 = ends[i - 1], t1 = ends[i];
     add_pieces(curve, {curve.evaluate(t0), curve.evaluate(t1), entry, t0, t1}, kMostHalvings,
                border);
   }

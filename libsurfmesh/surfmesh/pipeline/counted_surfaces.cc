@@ -21,6 +21,8 @@ class CountedModel::CountedSurface : public Surface {
     return surface_->singular_points();
   }
   CellCount cells() const override { return surface_->cells(); }
+  Uv from_cells(Uv point) const override { return surface_->from_cells(point); }
+  Uv to_cells(Uv uv) const override { return surface_->to_cells(uv); }
   Uv beside_roundings(Uv uv) const override { return surface_->beside_roundings(uv); }
 
  private:

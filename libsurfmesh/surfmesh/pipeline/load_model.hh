@@ -7,6 +7,7 @@
 
 #include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/core/observer.hh"
+#include "surfmesh/model/cad_input.hh"
 #include "surfmesh/model/model.hh"
 #include "surfmesh/pipeline/options.hh"
 #include "surfmesh/sizes/sizing.hh"
@@ -25,6 +26,8 @@ struct ModelInput {
 struct LoadOptions {
   CageOptions cages = {};
   std::optional<Length> joining = {};  ///< see JoinOptions; unset: that of the file
+  CadOptions cad = {};
+  CadReader read_cad = {};  ///< reads STEP, IGES and BREP files; none refuses them
 };
 
 /// Read a control cage (.obj, .off) or a model file (.json), chosen by the ending in upper or lower

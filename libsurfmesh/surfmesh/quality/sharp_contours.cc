@@ -20,7 +20,7 @@ std::vector<SharpContour> sharp_contours(const Model& model, double tolerance,
     context.throw_if_cancelled();
     const Contour& contour = model.contour(result[i].contour);
     const ContourUse& use = contour.uses.front();
-    const CurveOnSurface curve(model.patch(use).surface, use.curve, contour.part_count);
+    const CurveOnSurface curve(model.patch(use).surface, use.curve, contour.breaks);
     for (const CurvePoint& point : curve_polyline(curve, tolerance)) {
       result[i].points.push_back(point.point);
     }

@@ -194,13 +194,14 @@ SurfaceSearch::SurfaceSearch(const Model& model) : model_(model), beside_(model.
 
 void SurfaceSearch::add_samples(int patch, int count) {
   const Surface& surface = model_.surface(patch);
-  const Domain domain = surface.domain();
+  const bool is_triangle = surface.domain().shape == Domain::Shape::Triangle;
   const CellCount cells = surface.cells();
   const int columns = count * cells.u, rows = count * cells.v;
   for (int j = 0; j <= rows; ++j) {
     for (int i = 0; i <= columns; ++i) {
-      if (domain.shape == Domain::Shape::Triangle && i + j > count) continue;
-      const Uv uv = domain.at(static_cast<double>(i) / columns, static_cast<double>(j) / rows);
+      if (is_triangle && i + j > count) continue;
+      const Uv uv =
+          surface.from_cells({static_cast<double>(i) / count, static_cast<double>(j) / count});
       samples_.push_back({surface.evaluate(uv, Order::Position).point, uv, patch});
     }
   }

@@ -104,8 +104,7 @@ void BoundaryPieces::collect(int index, double tolerance) {
 void BoundaryPieces::collect(int index, const LoopEntry& entry, double tolerance) {
   const Contour& contour = model_.contour(entry);
   if (contour.is_smooth || contour.is_degenerate) return;
-  const CurveOnSurface curve(model_.patch(index).surface, model_.use(entry).curve,
-                             contour.part_count);
+  const CurveOnSurface curve(model_.patch(index).surface, model_.use(entry).curve, contour.breaks);
   const auto points = curve_polyline(curve, tolerance);
   BoundaryPiece piece;
   piece.patch = index;

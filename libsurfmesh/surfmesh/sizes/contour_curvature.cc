@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surfmesh/geometry/parts.hh"
 #include "surfmesh/sizes/curvature_length.hh"
 
 namespace surfmesh {
@@ -48,16 +49,31 @@ Bend bend_at(const SpaceCurve& curve, double t, double step) {
   return {sides > 0 ? 2 * sine / sides : 0, std::atan2(sine, a.dot(b))};
 }
 
+/// `width` is that of the part of the curve at t.
+double curvature_at(const SpaceCurve& curve, double t, double width) {
+  const double step = kStep * width;
+  const Bend bend = bend_at(curve, t, step);
+  if (bend.turn <= kSuspiciousTurn) return bend.curvature;
+  const Bend nearer = bend_at(curve, t, step / kNearer);
+  if (nearer.turn <= 0.5 * bend.turn) return nearer.curvature;
+  return std::min(bend_at(curve, t - step, step).curvature,
+                  bend_at(curve, t + step, step).curvature);
+}
+
 class Sampler {
  public:
   Sampler(const SpaceCurve& curve, const ResolvedSizing& sizing)
-      : curve_(curve), grade_(sizing.grade), length_(sizing), bounds_(sizing.bounds) {}
+      : curve_(curve),
+        breaks_(curve.breaks()),
+        grade_(sizing.grade),
+        length_(sizing),
+        bounds_(sizing.bounds) {}
 
   std::vector<PlacedSize> run() {
     CurveSample last = at(0);
-    const int count = kFirstIntervals * curve_.part_count();
-    for (int i = 1; i <= count; ++i) {
-      const CurveSample next = at(double(i) / count);
+    const std::vector<double> ends = divided_parts(breaks_, kFirstIntervals);
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      const CurveSample next = at(ends[i]);
       divide(last, next, 0);
       last = next;
     }
@@ -72,7 +88,7 @@ class Sampler {
   };
 
   CurveSample at(double t) const {
-    const double size = length_.of_curve(curve_curvature(curve_, t));
+    const double size = length_.of_curve(curvature_at(curve_, t, part_width(breaks_, t)));
     return {t, curve_.evaluate(t), bounds_.clamp(size)};
   }
 
@@ -102,6 +118,7 @@ class Sampler {
   }
 
   const SpaceCurve& curve_;
+  std::vector<double> breaks_;
   double grade_;
   CurvatureLength length_;
   const SizeBounds& bounds_;
@@ -111,13 +128,7 @@ class Sampler {
 }  // namespace
 
 double curve_curvature(const SpaceCurve& curve, double t) {
-  const double step = kStep / curve.part_count();
-  const Bend bend = bend_at(curve, t, step);
-  if (bend.turn <= kSuspiciousTurn) return bend.curvature;
-  const Bend nearer = bend_at(curve, t, step / kNearer);
-  if (nearer.turn <= 0.5 * bend.turn) return nearer.curvature;
-  return std::min(bend_at(curve, t - step, step).curvature,
-                  bend_at(curve, t + step, step).curvature);
+  return curvature_at(curve, t, part_width(curve.breaks(), t));
 }
 
 std::vector<PlacedSize> contour_curvature_sizes(const SpaceCurve& curve,

@@ -26,7 +26,7 @@ void append(std::vector<PlacedSize>& all, const std::vector<PlacedSize>& more) {
 std::vector<PlacedSize> sizes_of_contour(const Model& model, const Contour& contour,
                                          const ResolvedSizing& sizing) {
   const ContourUse& use = contour.uses.front();
-  const CurveOnSurface curve(model.patch(use).surface, use.curve, contour.part_count);
+  const CurveOnSurface curve(model.patch(use).surface, use.curve, contour.breaks);
   std::vector<PlacedSize> sizes;
   if (sizing.contour_curvature && sizing.follows_curvature()) {
     append(sizes, contour_curvature_sizes(curve, sizing));

@@ -75,7 +75,7 @@ void SizeField::add_discs() {
   discs_.resize(count(cells.u) * count(cells.v));
   for (const SingularPoint& singular : surface_.singular_points()) {
     const Disc disc = make_disc(singular);
-    const Uv at = in_cells(singular.at);
+    const Uv at = surface_.to_cells(singular.at);
     const int column = static_cast<int>(std::lround(at.u)),
               row = static_cast<int>(std::lround(at.v));
     for (int j = std::max(row - 1, 0); j <= std::min(row, cells.v - 1); ++j) {
@@ -86,17 +86,10 @@ void SizeField::add_discs() {
   }
 }
 
-/// From (u,v) to widths and heights of a cell.
-Uv SizeField::in_cells(Uv uv) const {
-  const CellCount cells = surface_.cells();
-  return {(uv.u - domain_.u0) / (domain_.u1 - domain_.u0) * cells.u,
-          (uv.v - domain_.v0) / (domain_.v1 - domain_.v0) * cells.v};
-}
-
 /// The index of the cell of a point, rows along u.
 std::size_t SizeField::cell_at(Uv uv) const {
   const CellCount cells = surface_.cells();
-  const Uv at = in_cells(uv);
+  const Uv at = surface_.to_cells(uv);
   const int column = std::clamp(static_cast<int>(at.u), 0, cells.u - 1);
   const int row = std::clamp(static_cast<int>(at.v), 0, cells.v - 1);
   return static_cast<std::size_t>(row) * static_cast<std::size_t>(cells.u) +
@@ -199,8 +192,7 @@ void SizeField::add_cells() {
   if (cells.u * cells.v == 1) return;
   for (int j = 0; j < cells.v; ++j) {
     for (int i = 0; i < cells.u; ++i) {
-      required_points_.push_back(
-          domain_.at((i + kCellShare) / cells.u, (j + kCellShare) / cells.v));
+      required_points_.push_back(surface_.from_cells({i + kCellShare, j + kCellShare}));
     }
   }
 }

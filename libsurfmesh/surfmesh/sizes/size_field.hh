@@ -92,7 +92,6 @@ class SizeField {
   void add_nearest_points(const PatchSources& sources);
   void add_cells();
   void add_discs();
-  Uv in_cells(Uv uv) const;
   std::size_t cell_at(Uv uv) const;
   Jet second_order(Uv uv) const;
   PrincipalCurvatures curvatures(Uv uv, const Jet& jet) const;

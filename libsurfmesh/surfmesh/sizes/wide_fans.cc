@@ -173,12 +173,9 @@ class FanFinder {
   }
 
   static double turn_of_cell(const Surface& surface, Uv corner, const Fan& fan) {
-    const Domain domain = surface.domain();
-    const CellCount cells = surface.cells();
-    const bool is_triangle = domain.shape == Domain::Shape::Triangle;
+    const bool is_triangle = surface.domain().shape == Domain::Shape::Triangle;
     const auto evaluate = [&](Uv share, Order order) {
-      return surface.evaluate(
-          domain.at((corner.u + share.u) / cells.u, (corner.v + share.v) / cells.v), order);
+      return surface.evaluate(surface.from_cells(corner + share), order);
     };
     const double middle = is_triangle ? 1.0 / 3 : 0.5;
     const Vec3 ray = evaluate({middle, middle}, Order::Position).point - fan.centre;

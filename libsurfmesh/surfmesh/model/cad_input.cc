@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/model/cad_input.hh"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "surfmesh/io/input_file.hh"
+
+namespace surfmesh {
+
+bool has_cad_ending(const std::filesystem::path& path) {
+  constexpr std::array<std::string_view, 5> endings = {".step", ".stp", ".iges", ".igs", ".brep"};
+  return std::find(endings.begin(), endings.end(), lower_case_ending(path)) != endings.end();
+}
+
+}  // namespace surfmesh

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "surfmesh/core/length.hh"
+#include "surfmesh/model/model.hh"
+
+namespace surfmesh {
+
+/// How a file of a CAD program becomes a model.
+struct CadOptions {
+  /// Edges of faces nearer than this become one. Unset: faces that the file does not join at all
+  /// (IGES) are sewn to 1e-5 of the diagonal. 0 is off.
+  std::optional<Length> sew = {};
+};
+
+/// Reads a STEP, IGES or BREP file.
+///
+/// The library itself has no such reader, for it needs OpenCASCADE. `surfmesh_cad` is a library
+/// that has: hand its `read_cad` to load_model.
+using CadReader = std::function<Model(const std::filesystem::path&, const CadOptions&)>;
+
+/// True for the ending of a CAD file, in upper or lower case: .step, .stp, .iges, .igs, .brep.
+bool has_cad_ending(const std::filesystem::path& path);
+
+}  // namespace surfmesh
