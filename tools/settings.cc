@@ -213,7 +213,8 @@ LoadOptions load_options(Scheme scheme, const Settings& settings) {
                     .weld = options.weld,
                     .orient = options.orient,
                     .crease_angle = options.crease_angle},
-          .joining = options.joining};
+          .joining = options.joining,
+          .cad = {.sew = options.sew}};
 }
 
 void add_scheme(CLI::App& command, Scheme& scheme) {

@@ -36,7 +36,7 @@ TEST(LoadModel, ReadsModelFiles) {
   const ModelInput input = load_model(own_model("plate.json"));
   EXPECT_EQ(input.model.patches.size(), 1u);
   EXPECT_EQ(input.sources.at.size(), 2u);
-  EXPECT_EQ(input.options.sizing.hmin.value, 0.005);
+  EXPECT_EQ(input.options.sizing.least_size().value, 0.005);
 }
 
 TEST(LoadModel, NamesAllFilesThatItReads) {

@@ -38,6 +38,14 @@ struct CageInput {
   std::string origin;  ///< JSON pointer
 };
 
+/// A STEP, IGES or BREP file that a model file names.
+struct CadFileInput {
+  std::string name;  ///< may be empty, if there is only one
+  std::filesystem::path file;
+  std::optional<Length> sew = {};  ///< 0 is off
+  std::string origin;              ///< JSON pointer
+};
+
 /// A source of sizes in all patches of the model, or in those of a group.
 struct SpaceSource {
   std::string group;   ///< a group of a cage's file, a cage, or a patch; empty for all patches
@@ -46,9 +54,10 @@ struct SpaceSource {
   std::variant<Size, FieldSource, NearSource, BoxSource> wish;
 };
 
-/// A source of sizes along a contour or side, in the patch that names it.
+/// A source of sizes along a contour or side, in the patch that names it or, if the model does, in
+/// all patches there.
 struct AlongContour {
-  int patch = -1;
+  int patch = -1;  ///< -1 for all
   std::string contour;
   LocalSize wish;
   std::string origin;  ///< JSON pointer
@@ -67,6 +76,7 @@ struct ModelFile {
   std::vector<PatchInput> patches;  ///< formula surfaces on rectangles, with their loops
   std::vector<ContourInput> contours;
   std::vector<CageInput> cages;
+  std::vector<CadFileInput> cad;
   std::vector<std::filesystem::path> tables;  ///< their files
   Sources sources;                            ///< `patch` is an index into patches
   std::vector<SpaceSource> space_sources;
