@@ -592,7 +592,7 @@ TEST(ReadModel, ReadsAPartOfNurbs) {
 }
 
 TEST(ReadModel, ReadsWeightsAndPeriods) {
-  const std::string weights = R"("weights": [[1, "sqrt(2)", 1], [1, 1, 1]])";
+  const std::string weights = R"x("weights": [[1, "sqrt(2)", 1], [1, 1, 1]])x";
   EXPECT_NE(point(read(nurbs_model(weights)), 0, {0.5, 0}).x(), 0.5);
   const std::string periodic = changed(nurbs_model(R"("periodic": [true, false])"),
                                        R"([0, 0, 1, "1+1", 2])", "[0, 1, 2, 3]");
