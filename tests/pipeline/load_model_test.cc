@@ -416,6 +416,21 @@ TEST(LoadModel, GivesSourcesOfTheModelToAllPatchesOrToThoseOfAGroup) {
   EXPECT_EQ(sources.boxes[0].patches, (std::vector<int>{0}));
 }
 
+TEST(LoadModel, MakesAGroupOfThePartsOfAPatchWithCreases) {
+  const TestFolder folder;
+  write_text(folder / "roof.json", R"({"patches": [{"name": "roof", "surface": {"nurbs": {
+      "degree": [1, 1], "knots": [[0, 0, 1, 2, 2], [0, 0, 1, 1]],
+      "points": [[[0, 0, 0], [1, 0, 1], [2, 0, 0]], [[0, 1, 0], [1, 1, 1], [2, 1, 0]]]}}}],
+      "sources": [{"group": "roof", "size": 0.2}]})");
+  const ModelInput input = load_model(folder / "roof.json");
+  ASSERT_EQ(input.model.groups.size(), 1u);
+  EXPECT_EQ(input.model.groups[0].name, "roof");
+  EXPECT_EQ(input.model.groups[0].patches, (std::vector<int>{0, 1}));
+  EXPECT_EQ(input.model.patches.at(1).name, "roof[1,0]");
+  EXPECT_EQ(input.sources.everywhere.size(), 2u);
+  EXPECT_EQ(texts_of(input.model.notices, Severity::Warning), std::vector<std::string>{});
+}
+
 TEST(LoadModel, NamesThePlaceOfAnUnknownGroup) {
   const TestFolder folder;
   write_text(folder / "a.json",
