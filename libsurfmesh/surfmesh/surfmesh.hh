@@ -17,6 +17,8 @@
 #include "surfmesh/formats/write_mesh.hh"
 #include "surfmesh/geometry/callable_surface.hh"
 #include "surfmesh/model/join_sides.hh"
+#include "surfmesh/nurbs/nurbs_curve.hh"
+#include "surfmesh/nurbs/split_at_creases.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 #include "surfmesh/pipeline/set_option.hh"

@@ -550,5 +550,134 @@ TEST(SharedModels, HaveFields) {
   EXPECT_NEAR(sources.fields[0].size({0.5, 0.5}, Vec3::Zero()), 0.0275, 1e-15);
 }
 
+/// A model of a NURBS patch over [0,2] x [0,1] with a crease at u = 1: other keys of nurbs, of the
+/// patch and of the model.
+std::string nurbs_model(const std::string& in_nurbs = "", const std::string& in_patch = "",
+                        const std::string& in_root = "") {
+  const auto after = [](const std::string& keys) { return keys.empty() ? keys : ", " + keys; };
+  return R"({"patches": [{"name": "p", "surface": {"nurbs": {"degree": [1, 1],
+             "knots": [[0, 0, 1, "1+1", 2], [0, 0, 1, 1]],
+             "points": [[[0, 0, 0], [1, 0, 1], [2, 0, 0]], [[0, 1, 0], [1, 1, 1], [2, 1, 0]]])" +
+         after(in_nurbs) + "}}" + after(in_patch) + "}]" + after(in_root) + "}";
+}
+
+/// The same with this text in place of another one.
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+/// The plane patch with the coordinates u and v.
+std::string plane_nurbs(const std::string& in_patch = "", const std::string& in_root = "") {
+  return changed(changed(nurbs_model("", in_patch, in_root), "[1, 0, 1]", "[1, 0, 0]"), "[1, 1, 1]",
+                 "[1, 1, 0]");
+}
+
+TEST(ReadModel, ReadsNurbs) {
+  const ModelFile file = read(plane_nurbs());
+  ASSERT_EQ(file.patches.size(), 1u);
+  EXPECT_EQ(file.patches[0].name, "p");
+  EXPECT_EQ(file.patches[0].surface->domain().u1, 2);
+  EXPECT_EQ(file.patches[0].surface->cells().u, 2);
+  EXPECT_EQ(point(file, 0, {0.5, 0.25}), Vec3(0.5, 0.25, 0));
+  EXPECT_TRUE(file.divided.empty());
+}
+
+TEST(ReadModel, ReadsAPartOfNurbs) {
+  const std::string domain = R"("domain": {"u": [0.5, "3/2"], "v": [0, 1]})";
+  EXPECT_EQ(read(plane_nurbs(domain)).patches[0].surface->domain().u1, 1.5);
+  EXPECT_EQ(
+      fault(plane_nurbs(R"("domain": {"u": [0, 3], "v": [0, 1]})")),
+      " /patches/0/domain: the domain in u is from 0 to 3, but the knots only reach from 0 to "
+      "2");
+}
+
+TEST(ReadModel, ReadsWeightsAndPeriods) {
+  const std::string weights = R"("weights": [[1, "sqrt(2)", 1], [1, 1, 1]])";
+  EXPECT_NE(point(read(nurbs_model(weights)), 0, {0.5, 0}).x(), 0.5);
+  const std::string periodic = changed(nurbs_model(R"("periodic": [true, false])"),
+                                       R"([0, 0, 1, "1+1", 2])", "[0, 1, 2, 3]");
+  EXPECT_EQ(read(periodic).divided.at(0).pieces.size(), 3u);
+}
+
+TEST(ReadModel, DividesNurbsAtCreases) {
+  const ModelFile file = read(nurbs_model("", R"("sources": [{"everywhere": true, "size": 1},
+                              {"at": [1.5, 0.5], "size": 2}, {"at": [1, 0.5], "size": 3}])"));
+  ASSERT_EQ(file.patches.size(), 2u);
+  EXPECT_EQ(file.patches[0].name, "p[0,0]");
+  EXPECT_EQ(file.patches[1].name, "p[1,0]");
+  EXPECT_EQ(file.patches[1].surface->domain().u0, 1);
+  EXPECT_EQ(file.divided.at(0).name, "p");
+  EXPECT_EQ(file.divided[0].pieces, (std::vector<int>{0, 1}));
+  EXPECT_EQ(file.sources.everywhere.size(), 2u);
+  ASSERT_EQ(file.sources.at.size(), 3u);
+  EXPECT_EQ(file.sources.at[0].patch, 1);
+}
+
+TEST(ReadModel, RefusesWhatIsForOnePatchWhereNurbsAreDivided) {
+  EXPECT_EQ(fault(nurbs_model("", R"("loops": [["p:v0"]])")),
+            " /patches/0/loops: a surface with creases inside cannot have loops: divide it at its "
+            "knots into 2 patches");
+  EXPECT_TRUE(fault(nurbs_model("", R"("sources": [{"along": "p:v0", "size": 1}])"))
+                  .starts_with(" /patches/0/sources/0/along: along is for one patch"));
+  EXPECT_EQ(fault(nurbs_model("", R"("sources": [{"at": [3, 0], "size": 1}])")),
+            " /patches/0/sources/0/at: this point is outside of the domain");
+}
+
+TEST(ReadModel, NamesTheEntryOfNurbsThatIsWrong) {
+  const std::string good = nurbs_model();
+  const std::string front = " /patches/0/surface/nurbs/";
+  EXPECT_EQ(fault(changed(good, "[0, 0, 1, 1]", "[0, 0, 1]")),
+            front +
+                "knots/1: 2 points of degree 1 along v need 4 knots (points + degree + 1), here "
+                "are 3");
+  EXPECT_EQ(fault(changed(good, "[0, 0, 1, 1]", "[0, 2, 1, 1]")),
+            front + "knots/1/2: a knot must not be smaller than the one before, 2");
+  EXPECT_TRUE(fault(changed(good, "[1, 1]", "[1, 1.5]")).starts_with(front + "degree/1: a degree"));
+  EXPECT_TRUE(fault(changed(good, "[1, 0, 1]", "[1, 0]")).starts_with(front + "points/0/1: "));
+  EXPECT_EQ(fault(changed(good, ", [2, 1, 0]", "")),
+            front + "points/1: this row has 2 points, the first one 3");
+  EXPECT_EQ(fault(nurbs_model(R"("weights": [[1, 1, 1], [1, 0, 1]])")),
+            front + "weights/1/1: a weight must be finite and above 0");
+  EXPECT_TRUE(fault(nurbs_model(R"("weights": [])")).starts_with(front + "weights: "));
+  EXPECT_TRUE(fault(nurbs_model(R"("weight": [])")).find("did you mean weights?") !=
+              std::string::npos);
+}
+
+TEST(ReadModel, DoesNotMixNurbsAndFormulas) {
+  EXPECT_TRUE(fault(changed(nurbs_model(), R"("surface": {)", R"("surface": {"z": "u", )"))
+                  .starts_with(" /patches/0/surface"));
+  EXPECT_TRUE(fault(model("", R"("contours": [{"name": "c", "on": [{"patch": "p", "u": "t",
+      "nurbs": {"degree": 1, "knots": [0, 0, 1, 1], "points": [[0, 0], [1, 0]]}}]}])"))
+                  .starts_with(" /contours/0/on/0"));
+}
+
+/// A contour on the patch p with this curve and these other keys.
+std::string nurbs_contour(const std::string& nurbs, const std::string& keys = "") {
+  return contour(R"("name": "c", "on": [{"patch": "p", "nurbs": {)" + nurbs + "}}]" + keys);
+}
+
+constexpr const char* kPolygon =
+    R"("degree": 1, "knots": [0, 0, 1, 4, 4], "points": [[0, 0], ["1/2", 0], [2, 1]])";
+
+TEST(ReadModel, ReadsNurbsOfContours) {
+  const ContourInput whole = read(nurbs_contour(kPolygon)).contours.at(0);
+  EXPECT_EQ(whole.range.to, 4);
+  EXPECT_EQ(whole.breaks, (std::vector<double>{0.25}));
+  EXPECT_EQ(whole.on.at(0).curve->evaluate(0.25), (Uv{0.5, 0}));
+  EXPECT_EQ(whole.on[0].curve->evaluate(1), (Uv{2, 1}));
+  const ContourInput part = read(nurbs_contour(kPolygon, R"(, "range": [0, 1])")).contours.at(0);
+  EXPECT_EQ(part.on.at(0).curve->evaluate(1), (Uv{0.5, 0}));
+  EXPECT_TRUE(part.breaks.empty());
+}
+
+TEST(ReadModel, NamesTheEntryOfNurbsOfContoursThatIsWrong) {
+  const std::string front = " /contours/0/on/0/nurbs/";
+  EXPECT_EQ(fault(nurbs_contour(std::string(kPolygon) + R"(, "weights": [1, 1])")),
+            front + "weights: there must be a weight for each of 3 points, here are 2");
+  EXPECT_TRUE(
+      fault(nurbs_contour(kPolygon, R"(, "range": [0, 5])")).starts_with(front + "knots: "));
+  EXPECT_TRUE(fault(nurbs_contour(R"("degree": 1)")).starts_with(" /contours/0/on/0/nurbs"));
+}
+
 }  // namespace
 }  // namespace surfmesh

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/model/check_breaks.hh"
@@ -14,6 +16,25 @@
 
 namespace surfmesh {
 namespace {
+
+/// Breaks nearer to an end than this t are it.
+constexpr double kBesideEnd = 1e-9;
+
+/// The t at which a side goes from one cell of its surface to the next.
+std::vector<double> cell_breaks(const SideLine& line) {
+  const CellCount cells = line.surface->cells();
+  const bool is_along_u = line.a.v == line.b.v;
+  std::vector<double> breaks;
+  for (int i = 1; i < (is_along_u ? cells.u : cells.v); ++i) {
+    const auto cell = static_cast<double>(i);
+    const Uv border = line.surface->from_cells({cell, cell});
+    const double t = is_along_u ? (border.u - line.a.u) / (line.b.u - line.a.u)
+                                : (border.v - line.a.v) / (line.b.v - line.a.v);
+    if (t > kBesideEnd && t < 1 - kBesideEnd) breaks.push_back(t);
+  }
+  std::sort(breaks.begin(), breaks.end());
+  return breaks;
+}
 
 Contour make_contour(const MatchedSides& parts, const MatchedCurve& curve) {
   Contour result;
@@ -27,6 +48,9 @@ Contour make_contour(const MatchedSides& parts, const MatchedCurve& curve) {
     result.uses.push_back({line.patch, std::make_shared<SegmentCurve>(line.a, line.b),
                            parts.side_of(matched).is_forward != matched.is_reversed,
                            matched.is_same_speed});
+    std::vector<double> breaks = cell_breaks(line);
+    const bool has_more = breaks.size() > result.breaks.size();
+    if (matched.is_same_speed && has_more) result.breaks = std::move(breaks);
   }
   return result;
 }

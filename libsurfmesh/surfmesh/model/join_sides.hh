@@ -36,6 +36,8 @@ struct ContourInput {
   std::vector<On> on = {};
   CurveRange range = {};    ///< for messages
   std::string origin = {};  ///< where it is defined (a JSON pointer), for messages; may be empty
+  /// As Contour::breaks, of the curve that defines the contour.
+  std::vector<double> breaks = {};
 };
 
 /// Sides that are meant to coincide do so up to the rounding of formulas: it is far above that, and

@@ -52,6 +52,7 @@ int NamedContours::contour_of(const ContourInput& input) {
   Contour result;
   result.name = input.name;
   result.is_named = true;
+  result.breaks = input.breaks;
   result.start = vertex_at(xyz->evaluate(0));
   result.end = vertex_at(xyz->evaluate(1));
   const Vec3 first = xyz->evaluate(0);

@@ -14,6 +14,7 @@
 #include "surfmesh/io/input_file.hh"
 #include "surfmesh/io/json_node.hh"
 #include "surfmesh/model_file/model_values.hh"
+#include "surfmesh/model_file/read_nurbs.hh"
 #include "surfmesh/model_file/read_parts.hh"
 #include "surfmesh/model_file/read_sources.hh"
 
@@ -55,24 +56,70 @@ struct FileScope {
   std::filesystem::path folder;
 };
 
-void read_patch(const JsonNode& node, const FileScope& file, ModelFile& model) {
-  const Constants& constants = file.constants;
-  node.expect_keys({"name", "surface", "domain", "sources", "loops"});
-  PatchInput patch;
-  patch.name = read_name(node.at("name"));
-  const JsonNode surface = node.at("surface");
-  const SurfaceFormulas formulas = read_formulas(surface, constants);
-  const Domain domain = read_domain(node.at("domain"), constants);
-  patch.surface = at_node(
-      surface, [&] { return std::make_shared<FormulaSurface>(formulas, domain, constants); });
+/// Where the sources of the next patch are read.
+PatchScope next_scope(const Domain& domain, const FileScope& file, const ModelFile& model) {
+  return {static_cast<int>(model.patches.size()), domain, file.constants, file.folder};
+}
+
+/// A surface that is a whole patch, with its loops and sources.
+void add_patch(const JsonNode& node, std::shared_ptr<const Surface> surface, const FileScope& file,
+               ModelFile& model) {
+  PatchInput patch{node.at("name").text(), std::move(surface), {}, node.pointer()};
   if (const auto loops = node.find("loops")) patch.loops = read_loops(*loops);
-  patch.origin = node.pointer();
   if (const auto sources = node.find("sources")) {
-    const PatchScope scope = {static_cast<int>(model.patches.size()), domain, constants,
-                              file.folder};
+    const PatchScope scope = next_scope(patch.surface->domain(), file, model);
     for (const JsonNode& source : sources->elements()) read_patch_source(source, scope, model);
   }
   model.patches.push_back(std::move(patch));
+}
+
+/// The pieces of a surface that is creased, with the sources of the whole patch.
+void add_pieces(const JsonNode& node, const std::vector<NurbsPiece>& pieces, const Domain& whole,
+                const FileScope& file, ModelFile& model) {
+  if (node.has("loops")) {
+    node.at("loops").fail(fmt::format(
+        "a surface with creases inside cannot have loops: divide it at its knots into {} patches",
+        pieces.size()));
+  }
+  DividedPatch divided{node.at("name").text(), {}};
+  std::vector<PatchScope> scopes;
+  for (const NurbsPiece& piece : pieces) {
+    scopes.push_back(next_scope(piece.surface->domain(), file, model));
+    divided.pieces.push_back(scopes.back().index);
+    model.patches.push_back({piece_name(divided.name, piece), piece.surface, {}, node.pointer()});
+  }
+  if (const auto sources = node.find("sources")) {
+    for (const JsonNode& source : sources->elements()) {
+      read_divided_source(source, scopes, whole, model);
+    }
+  }
+  model.divided.push_back(std::move(divided));
+}
+
+void read_nurbs_patch(const JsonNode& node, const FileScope& file, ModelFile& model) {
+  const JsonNode surface = node.at("surface");
+  surface.expect_keys({"nurbs"});
+  const NurbsNet net = read_nurbs_net(surface.at("nurbs"), file.constants);
+  const auto part = node.find("domain");
+  const Domain domain = part ? read_domain(*part, file.constants) : knot_domain(net);
+  const std::vector<NurbsPiece> pieces =
+      at_node(part ? *part : surface, [&] { return split_at_creases(net, domain); });
+  if (pieces.size() > 1) return add_pieces(node, pieces, domain, file, model);
+  add_patch(node, pieces.front().surface, file, model);
+}
+
+void read_patch(const JsonNode& node, const FileScope& file, ModelFile& model) {
+  node.expect_keys({"name", "surface", "domain", "sources", "loops"});
+  read_name(node.at("name"));
+  const JsonNode surface = node.at("surface");
+  if (surface.has("nurbs")) return read_nurbs_patch(node, file, model);
+  const SurfaceFormulas formulas = read_formulas(surface, file.constants);
+  const Domain domain = read_domain(node.at("domain"), file.constants);
+  add_patch(
+      node,
+      at_node(surface,
+              [&] { return std::make_shared<FormulaSurface>(formulas, domain, file.constants); }),
+      file, model);
 }
 
 /// The patches; there must be some if there are no cages.
@@ -109,6 +156,9 @@ KeyPlaces places_of_keys(const KeyPlaces& options) {
   }
   for (const char* key : {"near", "group"}) places[key] = "the sources of the model";
   for (const char* key : {"box", "ball"}) places[key] = "the inside of a source of the model";
+  for (const char* key : {"nurbs", "degree", "knots", "points", "weights", "periodic"}) {
+    places[key] = "a surface, or the curve of a contour";
+  }
   for (const char* key : {"x", "y", "z"}) places[key] = "a surface, or the xyz of a contour";
   return places;
 }

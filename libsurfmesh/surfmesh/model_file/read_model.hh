@@ -46,6 +46,12 @@ struct SpaceSource {
   std::variant<Size, FieldSource, NearSource, BoxSource> wish;
 };
 
+/// A NURBS patch of a model file that is divided at its creases.
+struct DividedPatch {
+  std::string name;
+  std::vector<int> pieces;  ///< indices of ModelFile::patches
+};
+
 /// A source of sizes along a contour or side, in the patch that names it.
 struct AlongContour {
   int patch = -1;
@@ -64,7 +70,9 @@ struct FileOption {
 
 /// The contents of a model file.
 struct ModelFile {
-  std::vector<PatchInput> patches;  ///< formula surfaces on rectangles, with their loops
+  /// Formula and NURBS surfaces on rectangles, with their loops; the pieces of divided ones.
+  std::vector<PatchInput> patches;
+  std::vector<DividedPatch> divided;
   std::vector<ContourInput> contours;
   std::vector<CageInput> cages;
   std::vector<std::filesystem::path> tables;  ///< their files
@@ -78,8 +86,9 @@ struct ModelFile {
 ///
 /// Angles are in degrees in the file and in radians in the result. Domains, constants and the
 /// points of `at` may be numbers, or expressions of the constants defined before. Options are kept
-/// as text; load_model reads them. `options` tells where they belong, for messages.
-/// Throws   Io if the file cannot be read; InvalidInput as parse_model
+/// as text; load_model reads them. A NURBS patch with creases inside becomes several patches that
+/// share them, `name[0,0]`, `name[1,0]`, ... along u, then along v. `options` tells where they
+/// belong, for messages. Throws   Io if the file cannot be read; InvalidInput as parse_model
 ModelFile read_model(const std::filesystem::path& path, const KeyPlaces& options = {});
 
 /// Read a model from JSON text. Messages begin with `name`, and paths of cages are relative to its

@@ -18,6 +18,7 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/formula/formula_curve.hh"
 #include "surfmesh/io/nearest_word.hh"
+#include "surfmesh/model_file/read_nurbs.hh"
 
 namespace surfmesh {
 namespace {
@@ -99,9 +100,21 @@ CageInput read_cage_input(const JsonNode& node, const std::filesystem::path& fol
   return cage;
 }
 
+/// A curve of knots on a patch. Where the contour has no range and no curve yet, it takes its own.
+ContourInput::On read_nurbs_on(const JsonNode& node, const std::optional<CurveRange>& range,
+                               const Constants& constants, ContourInput& contour) {
+  node.expect_keys({"patch", "nurbs"});
+  const auto curve = read_nurbs_curve(node.at("nurbs"), range, constants);
+  const bool is_first = !contour.xyz && std::none_of(contour.on.begin(), contour.on.end(),
+                                                     [](const auto& on) { return on.curve; });
+  if (is_first) contour.breaks = curve->breaks();
+  if (is_first && !range) contour.range = curve->range();
+  return {node.at("patch").text(), curve};
+}
+
 ContourInput::On read_on(const JsonNode& node, const CurveRange& range,
                          const Constants& constants) {
-  node.expect_keys({"patch", "u", "v", "where"});
+  node.expect_keys({"patch", "u", "v", "where", "nurbs"});
   ContourInput::On on{node.at("patch").text(), nullptr};
   if (!node.has("u") && !node.has("v") && !node.has("where")) return on;
   FormulaNode formula(node, {"t"}, constants);
@@ -129,13 +142,17 @@ ContourInput read_contour(const JsonNode& node, const Constants& constants) {
     node.at("name").fail("the name of a contour has no colon, which sides have");
   }
   contour.origin = node.pointer();
+  std::optional<CurveRange> given;
   if (const auto range = node.find("range")) {
     std::tie(contour.range.from, contour.range.to) = read_range(*range, constants);
+    given = contour.range;
   }
-  if (const auto xyz = node.find("xyz")) contour.xyz = read_xyz(*xyz, contour.range, constants);
+  const CurveRange of_formulas = contour.range;
+  if (const auto xyz = node.find("xyz")) contour.xyz = read_xyz(*xyz, of_formulas, constants);
   if (const auto on = node.find("on")) {
     for (const JsonNode& entry : on->elements()) {
-      contour.on.push_back(read_on(entry, contour.range, constants));
+      contour.on.push_back(entry.has("nurbs") ? read_nurbs_on(entry, given, constants, contour)
+                                              : read_on(entry, of_formulas, constants));
     }
   }
   const bool has_curve = std::any_of(contour.on.begin(), contour.on.end(),

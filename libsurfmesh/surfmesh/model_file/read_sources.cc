@@ -264,6 +264,24 @@ void read_patch_source(const JsonNode& node, const PatchScope& patch, ModelFile&
   }
 }
 
+void read_divided_source(const JsonNode& node, const std::vector<PatchScope>& pieces,
+                         const Domain& whole, ModelFile& model) {
+  for (const std::string_view key : {"along", "inside", "table"}) {
+    if (!node.has(key)) continue;
+    node.at(key).fail(fmt::format(
+        "{} is for one patch, but this one is divided at its creases: divide it at its knots into "
+        "patches of their own",
+        key));
+  }
+  const auto at = node.find("at");
+  PatchScope scope = pieces.front();
+  scope.domain = whole;
+  const Uv uv = at ? read_uv(*at, scope) : Uv();
+  for (const PatchScope& piece : pieces) {
+    if (!at || piece.domain.clamp(uv) == uv) read_patch_source(node, piece, model);
+  }
+}
+
 void read_space_source(const JsonNode& node, const Constants& constants, ModelFile& model) {
   refuse_elsewhere(node, {"at", "along", "table"}, "a patch");
   node.expect_keys({"group", "everywhere", "near", "inside", "field", "size", "angle", "radius",

@@ -15,13 +15,18 @@ namespace surfmesh {
 /// The patch that a source belongs to, and the folder that tables are relative to.
 struct PatchScope {
   int index;
-  const Domain& domain;
+  Domain domain;
   const Constants& constants;
   std::filesystem::path folder;
 };
 
 /// Read a source of a patch.
 void read_patch_source(const JsonNode& node, const PatchScope& patch, ModelFile& model);
+
+/// Read a source of a patch that is divided into pieces with these domains. It applies to all of
+/// them; a size at a point to those that have it.
+void read_divided_source(const JsonNode& node, const std::vector<PatchScope>& pieces,
+                         const Domain& whole, ModelFile& model);
 
 /// Read a source of the model: it applies to all patches, or to those of a group.
 void read_space_source(const JsonNode& node, const Constants& constants, ModelFile& model);

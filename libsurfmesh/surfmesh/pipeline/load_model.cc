@@ -472,6 +472,9 @@ ModelInput load_model_file(const std::filesystem::path& path, const LoadOptions&
     at_file(name, [&] { input.model = model_from_patches(file.patches, file.contours, join); });
     for (Notice& notice : input.model.notices) locate(name, notice);
     for (Patch& patch : input.model.patches) patch.origin = name + ": " + patch.origin;
+    for (const DividedPatch& divided : file.divided) {
+      input.model.groups.push_back({divided.name, divided.pieces});
+    }
   }
   const auto whole_cages = append_cages(file, name, given.cages, context, input);
   note_options(input.options, input.model);
