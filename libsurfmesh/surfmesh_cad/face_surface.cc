@@ -113,10 +113,10 @@ Handle(Geom_Surface) surface_of(const TopoDS_Face& face) {
 
 std::shared_ptr<const Surface> face_surface(const Handle(Geom_Surface) & surface,
                                             const Domain& domain) {
-  UnevenCells cells = cells_of(surface, domain);
   if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface)) {
-    return spline_surface(spline, domain, std::move(cells));
+    return spline_surface(spline, domain);
   }
+  UnevenCells cells = cells_of(surface, domain);
   if (const auto offset = Handle(Geom_OffsetSurface)::DownCast(surface)) {
     return offset_surface(offset, domain, std::move(cells));
   }

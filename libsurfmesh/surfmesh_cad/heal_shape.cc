@@ -6,9 +6,6 @@
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Geom2d_Curve.hxx>
-#include <Geom_Curve.hxx>
-#include <Geom_Surface.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_Shape.hxx>
 #include <ShapeUpgrade_ShapeDivideContinuity.hxx>
@@ -17,7 +14,7 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Solid.hxx>
 
-#include "surfmesh_cad/face_surface.hh"
+#include "surfmesh_cad/spline_corners.hh"
 
 namespace surfmesh {
 namespace {
@@ -33,9 +30,9 @@ void tell(CadShape& cad, std::string text) {
   append({warning(NoticeKind::HealedShape, std::move(text))}, cad.notices);
 }
 
-/// Whether no two faces of a shape are in one shell.
+/// Whether a shape has no solids, and no two faces of it are in one shell.
 bool is_unjoined(const TopoDS_Shape& shape) {
-  if (count_of(shape, TopAbs_FACE) < 2) return false;
+  if (count_of(shape, TopAbs_FACE) < 2 || count_of(shape, TopAbs_SOLID) > 0) return false;
   for (TopExp_Explorer shell(shape, TopAbs_SHELL); shell.More(); shell.Next()) {
     if (shell.Current().NbChildren() > 1) return false;
   }
@@ -68,27 +65,6 @@ TopoDS_Shape with_solids(const TopoDS_Shape& shape) {
     builder.Add(all, it.Current());
   }
   return all;
-}
-
-/// Whether a curve, or a surface, of splines has corners inside.
-template <class Geometry>
-bool has_corner(const Handle(Geometry) & geometry) {
-  return !geometry.IsNull() && geometry->Continuity() == GeomAbs_C0;
-}
-
-bool has_corner(const TopoDS_Edge& edge) {
-  Standard_Real first, last;
-  return !BRep_Tool::Degenerated(edge) && has_corner(BRep_Tool::Curve(edge, first, last));
-}
-
-bool has_corners(const TopoDS_Shape& shape) {
-  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
-    if (has_corner(BRep_Tool::Surface(TopoDS::Face(it.Current())))) return true;
-  }
-  for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next()) {
-    if (has_corner(TopoDS::Edge(it.Current()))) return true;
-  }
-  return false;
 }
 
 /// Put what an operation of OpenCASCADE has made in place of the shape.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh_cad/offset_surface.hh"
 
+#include <Eigen/Geometry>
 #include <Standard_Failure.hxx>
+#include <algorithm>
 #include <utility>
 
 #include "surfmesh_cad/file_points.hh"

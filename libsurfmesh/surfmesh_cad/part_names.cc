@@ -24,6 +24,9 @@ namespace {
 constexpr std::array<std::string_view, 8> kNoNames = {"NONE", "''",    "SOLID",    "SHELL",
                                                       "FACE", "SHEET", "COMPOUND", "ASSEMBLY"};
 
+/// OpenCASCADE's own writer calls products so, with numbers behind it.
+constexpr std::string_view kWriterName = "Open CASCADE STEP translator";
+
 /// A name without control characters and white space around it; empty if it tells nothing.
 std::string tidy(std::string name) {
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' '; };
@@ -31,6 +34,7 @@ std::string tidy(std::string name) {
   const std::size_t begin = name.find_first_not_of(' ');
   if (begin == std::string::npos) return {};
   name = name.substr(begin, name.find_last_not_of(' ') - begin + 1);
+  if (name.starts_with(kWriterName)) return {};
   return std::find(kNoNames.begin(), kNoNames.end(), name) == kNoNames.end() ? name : "";
 }
 

@@ -3,6 +3,8 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <numbers>
 
+#include <TopoDS_Shape.hxx>
+
 #include "cad/own_shapes.hh"
 #include "cad/shape_parts.hh"
 

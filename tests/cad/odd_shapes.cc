@@ -7,6 +7,8 @@
 #include <TopoDS_Shell.hxx>
 #include <gp_Pln.hxx>
 
+#include <TopoDS_Shape.hxx>
+
 #include "cad/own_shapes.hh"
 #include "cad/shape_parts.hh"
 

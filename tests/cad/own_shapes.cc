@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cad/own_shapes.hh"
 
+#include <BRepBndLib.hxx>
 #include <BRepGProp.hxx>
 #include <BRepTools.hxx>
+#include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
@@ -21,6 +23,7 @@
 #include <stdexcept>
 
 #include "cad/shape_parts.hh"
+#include "surfmesh_cad/cad_shape.hh"
 #include "surfmesh_cad/quiet_messages.hh"
 
 namespace surfmesh::testing {
@@ -119,10 +122,19 @@ void write_assembly(const std::filesystem::path& path) {
   writer.Write(path.c_str());
 }
 
-double volume_of(const TopoDS_Shape& shape) {
+ShapeFacts facts_of(const OwnShape& own) {
+  const TopoDS_Shape shape = own.make();
+  ShapeFacts facts;
   GProp_GProps properties;
   BRepGProp::VolumeProperties(shape, properties);
-  return properties.Mass();
+  facts.volume = properties.Mass();
+  Bnd_Box box;
+  BRepBndLib::AddOptimal(shape, box, false, false);
+  double x0, y0, z0, x1, y1, z1;
+  box.Get(x0, y0, z0, x1, y1, z1);
+  facts.box = {Eigen::Vector3d(x0, y0, z0), Eigen::Vector3d(x1, y1, z1)};
+  facts.faces = count_of(shape, TopAbs_FACE);
+  return facts;
 }
 
 }  // namespace surfmesh::testing

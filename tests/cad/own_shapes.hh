@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <TopoDS_Shape.hxx>
+#include <Eigen/Geometry>
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
+
+/// Only named here: a file cannot include OpenMesh after OpenCASCADE, whose macro Handle gets in
+/// the way.
+class TopoDS_Shape;
 
 namespace surfmesh::testing {
 
@@ -37,8 +41,14 @@ void write_cad(const TopoDS_Shape& shape, const std::filesystem::path& path,
 /// An assembly as STEP: two red bolts and a blue plate, whose top is a face called "top" in green.
 void write_assembly(const std::filesystem::path& path);
 
-/// The volume by OpenCASCADE.
-double volume_of(const TopoDS_Shape& shape);
+/// What OpenCASCADE measures of a shape.
+struct ShapeFacts {
+  double volume = 0;
+  Eigen::AlignedBox3d box;
+  int faces = 0;
+};
+
+ShapeFacts facts_of(const OwnShape& shape);
 
 /// Shapes by how they are made.
 void add_simple_shapes(std::vector<OwnShape>& shapes);

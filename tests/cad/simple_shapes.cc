@@ -8,6 +8,8 @@
 #include <BRepPrimAPI_MakeWedge.hxx>
 #include <numbers>
 
+#include <TopoDS_Shape.hxx>
+
 #include "cad/own_shapes.hh"
 #include "cad/shape_parts.hh"
 

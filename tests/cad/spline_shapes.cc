@@ -21,6 +21,8 @@
 #include <gp_GTrsf.hxx>
 #include <numbers>
 
+#include <TopoDS_Shape.hxx>
+
 #include "cad/own_shapes.hh"
 #include "cad/shape_parts.hh"
 
@@ -70,7 +72,7 @@ Handle(Geom_BSplineSurface) hilly_surface() {
   constexpr int kPoints = 6;
   TColgp_Array2OfPnt points(1, kPoints, 1, kPoints);
   for (int i = 1; i <= kPoints; ++i) {
-    for (int j = 1; j <= kPoints; ++j) points(i, j) = gp_Pnt(i, j, std::sin(i) * std::cos(j));
+    for (int j = 1; j <= kPoints; ++j) points(i, j) = gp_Pnt(i, j, 0.4 * std::sin(i) * std::cos(j));
   }
   return GeomAPI_PointsToBSplineSurface(points).Surface();
 }

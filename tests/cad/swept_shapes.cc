@@ -14,6 +14,8 @@
 #include <gp_Pln.hxx>
 #include <numbers>
 
+#include <TopoDS_Shape.hxx>
+
 #include "cad/own_shapes.hh"
 #include "cad/shape_parts.hh"
 
