@@ -7,7 +7,6 @@
 #include <TCollection_HAsciiString.hxx>
 #include <Transfer_Binder.hxx>
 #include <Transfer_TransientProcess.hxx>
-#include <XSControl_TransferReader.hxx>
 
 namespace surfmesh {
 namespace {
@@ -22,9 +21,8 @@ std::string label_of(const Handle(Interface_InterfaceModel) & model,
 
 Notices failed_entities(const XSControl_WorkSession& session) {
   Notices notices;
-  const Handle(XSControl_TransferReader) reader = session.TransferReader();
-  if (reader.IsNull() || reader->TransientProcess().IsNull()) return notices;
-  const auto& results = *reader->TransientProcess();
+  if (session.MapReader().IsNull()) return notices;
+  const auto& results = *session.MapReader();
   for (Standard_Integer i = 1; i <= results.NbMapped(); ++i) {
     const Handle(Transfer_Binder) binder = results.MapItem(i);
     if (binder.IsNull() || binder->Check()->NbFails() == 0) continue;

@@ -86,22 +86,20 @@ class Assembly {
     }
     const std::string own = colour_of(label);
     const std::string outer = colour.empty() ? own : colour;
-    if (!XCAFDoc_ShapeTool::IsAssembly(part)) return add_leaf(label, part, here, outer);
+    if (!XCAFDoc_ShapeTool::IsAssembly(part)) return add_leaf(part, here, outer);
     TDF_LabelSequence components;
     XCAFDoc_ShapeTool::GetComponents(part, components);
     const std::string around = outer.empty() ? colour_of(part) : outer;
     for (const TDF_Label& component : components) walk(component, here, around);
   }
 
-  void add_leaf(const TDF_Label& label, const TDF_Label& part, const TopLoc_Location& location,
-                const std::string& colour) {
+  void add_leaf(const TDF_Label& part, const TopLoc_Location& location, const std::string& colour) {
     const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(part).Moved(location);
     BRep_Builder().Add(all_, shape);
     FaceFacts facts;
     facts.part = static_cast<int>(cad_.parts.size());
     facts.colour = colour.empty() ? colour_of(part) : colour;
-    const std::string name = name_of(part);
-    cad_.parts.push_back(name.empty() ? name_of(label) : name);
+    cad_.parts.push_back(name_of(part));
     for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
       if (!cad_.facts.IsBound(face.Current())) cad_.facts.Bind(face.Current(), facts);
     }

@@ -84,8 +84,8 @@ void add_cut_shapes(std::vector<OwnShape>& shapes) {
        {"slotted_shaft", ".step", slotted_shaft},
        {"hollow_box", ".step", [] { return without(box(4, 4, 4), moved(box(2, 2, 2), 1, 1, 1)); }},
        {"hollow_sphere", ".step", [] { return without(sphere(5), sphere(3)); }},
-       {"glued", ".brep", glued},
-       {"glued_around_edge", ".brep", glued_around_edge},
+       {"glued", ".brep", glued, ShapeKind::Glued},
+       {"glued_around_edge", ".brep", glued_around_edge, ShapeKind::Glued},
        {"touching", ".step", [] {
           return together({box(1, 1, 1), moved(box(1, 1, 1), 1, 0, 0)});
         }}});

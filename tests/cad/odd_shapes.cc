@@ -63,13 +63,13 @@ void add_odd_shapes(std::vector<OwnShape>& shapes) {
   constexpr double kTiny = 1e-3, kLarge = 1e6;
   shapes.insert(
       shapes.end(),
-      {{"open_sheet", ".step", open_sheet, false},
-       {"trimmed_face", ".step", trimmed_face, false},
+      {{"open_sheet", ".step", open_sheet, ShapeKind::Sheet},
+       {"trimmed_face", ".step", trimmed_face, ShapeKind::Sheet},
        {"mirrored", ".brep", mirrored},
        {"placed_twice", ".brep", placed_twice},
        {"tiny", ".step", [] { return scaled(fused(box(1, 1, 1), cylinder(0.5, 2)), kTiny); }},
        {"large", ".step", [] { return scaled(fused(box(1, 1, 1), cylinder(0.5, 2)), kLarge); }},
-       {"inches", ".step", [] { return box(25.4, 25.4, 25.4); }, true, "INCH"},
+       {"inches", ".step", [] { return box(25.4, 25.4, 25.4); }, ShapeKind::Solid, "INCH"},
        {"loose_box", ".iges", [] { return box(3, 4, 5); }},
        {"loose_cylinder", ".iges", [] { return cylinder(3, 4); }},
        {"loose_hole", ".igs",

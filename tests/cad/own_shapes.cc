@@ -122,12 +122,19 @@ void write_assembly(const std::filesystem::path& path) {
   writer.Write(path.c_str());
 }
 
+void write_wires(const std::filesystem::path& path) { write_cad(circle(2, 0), path); }
+
+void write_empty(const std::filesystem::path& path) { write_cad(together({}), path); }
+
 ShapeFacts facts_of(const OwnShape& own) {
   const TopoDS_Shape shape = own.make();
   ShapeFacts facts;
-  GProp_GProps properties;
-  BRepGProp::VolumeProperties(shape, properties);
-  facts.volume = properties.Mass();
+  constexpr double kPrecision = 1e-6;
+  GProp_GProps volume, area;
+  BRepGProp::VolumeProperties(shape, volume, kPrecision);
+  BRepGProp::SurfaceProperties(shape, area, kPrecision);
+  facts.volume = volume.Mass();
+  facts.area = area.Mass();
   Bnd_Box box;
   BRepBndLib::AddOptimal(shape, box, false, false);
   double x0, y0, z0, x1, y1, z1;

@@ -14,12 +14,16 @@ class TopoDS_Shape;
 
 namespace surfmesh::testing {
 
+/// What a mesh of a shape is like: closed; open, as a sheet is; or with edges at which three faces
+/// and more meet.
+enum class ShapeKind { Solid, Sheet, Glued };
+
 /// A shape made with OpenCASCADE, and the format it is written in.
 struct OwnShape {
   std::string name;
   std::string ending;  ///< ".step", ".iges" or ".brep"
   std::function<TopoDS_Shape()> make;
-  bool is_closed = true;    ///< the mesh has no open edges
+  ShapeKind kind = ShapeKind::Solid;
   std::string unit = "MM";  ///< in which a STEP file has its lengths; they are read in mm
 };
 
@@ -41,9 +45,14 @@ void write_cad(const TopoDS_Shape& shape, const std::filesystem::path& path,
 /// An assembly as STEP: two red bolts and a blue plate, whose top is a face called "top" in green.
 void write_assembly(const std::filesystem::path& path);
 
+/// Files without faces: of a wire, and of nothing.
+void write_wires(const std::filesystem::path& path);
+void write_empty(const std::filesystem::path& path);
+
 /// What OpenCASCADE measures of a shape.
 struct ShapeFacts {
   double volume = 0;
+  double area = 0;
   Eigen::AlignedBox3d box;
   int faces = 0;
 };
