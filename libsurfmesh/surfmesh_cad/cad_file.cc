@@ -14,6 +14,7 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/io/input_file.hh"
 #include "surfmesh_cad/brep_text.hh"
+#include "surfmesh_cad/step_text.hh"
 
 namespace surfmesh {
 namespace {
@@ -131,6 +132,7 @@ CadFormat check_cad_file(const std::filesystem::path& path) {
     fail("its ending is none of .step, .stp, .iges, .igs and .brep");
   }
   check_step(ends);
+  check_step_text(read_file(path));
   return CadFormat::Step;
 }
 

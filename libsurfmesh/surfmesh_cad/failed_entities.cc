@@ -2,11 +2,16 @@
 #include "surfmesh_cad/failed_entities.hh"
 
 #include <fmt/format.h>
+
+#include <string_view>
+
 #include <Interface_Check.hxx>
+#include <Interface_CheckIterator.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <Transfer_Binder.hxx>
 #include <Transfer_TransientProcess.hxx>
+#include "surfmesh/core/error.hh"
 
 namespace surfmesh {
 namespace {
@@ -15,6 +20,13 @@ std::string label_of(const Handle(Interface_InterfaceModel) & model,
                      const Handle(Standard_Transient) & entity) {
   const Handle(TCollection_HAsciiString) label = model->StringLabel(entity);
   return fmt::format("{} {}", label.IsNull() ? "?" : label->ToCString(), model->TypeName(entity));
+}
+
+/// Entities that shapes are made of, by the names of OpenCASCADE's classes for them.
+bool is_of_shape(const Handle(Standard_Transient) & entity) {
+  const std::string_view type = entity->DynamicType()->Name();
+  return type.starts_with("StepGeom_") || type.starts_with("StepShape_") ||
+         type.starts_with("StepRepr_") || type.starts_with("StepBasic_");
 }
 
 }  // namespace
@@ -32,6 +44,22 @@ Notices failed_entities(const XSControl_WorkSession& session) {
     append({notice}, notices);
   }
   return notices;
+}
+
+bool check_entities(XSControl_WorkSession& session) {
+  bool is_sound = true;
+  Interface_CheckIterator list = session.ModelCheckList();
+  for (list.Start(); list.More(); list.Next()) {
+    if (list.Value()->NbFails() == 0) continue;
+    is_sound = false;
+    const Standard_Integer number = list.Number();
+    if (number <= 0 || number > session.Model()->NbEntities()) continue;
+    const Handle(Standard_Transient) entity = session.Model()->Value(number);
+    if (!is_of_shape(entity)) continue;
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("{}: {}", label_of(session.Model(), entity), list.Value()->CFail(1)));
+  }
+  return is_sound;
 }
 
 }  // namespace surfmesh

@@ -11,4 +11,11 @@ namespace surfmesh {
 /// Notices of the kind IgnoredInput, shortfalls.
 Notices failed_entities(const XSControl_WorkSession& session);
 
+/// Check that the entities of a file that was read are what they have to be: OpenCASCADE does not
+/// when it makes shapes of them, and falls over what is missing.
+///
+/// Returns  whether all are; false if only such are not that say how a shape is shown
+/// Throws   InvalidInput for a shape, naming the entity
+bool check_entities(XSControl_WorkSession& session);
+
 }  // namespace surfmesh

@@ -42,12 +42,15 @@ class ReaderOption {
   throw Error(ErrorCode::InvalidInput, "OpenCASCADE cannot read it: it is damaged");
 }
 
-/// Read a file of entities into a document, and take shape, names and colours from it.
 template <class Reader>
-CadShape read_document(Reader& reader, XSControl_Reader& entities,
-                       const std::filesystem::path& path) {
+void read_entities(Reader& reader, const std::filesystem::path& path) {
   const IFSelect_ReturnStatus status = reader.ReadFile(path.c_str());
   if (status != IFSelect_RetDone) fail_status(status);
+}
+
+/// Make shapes of the entities that were read, and take names and colours along.
+template <class Reader>
+CadShape read_document(Reader& reader, XSControl_Reader& entities) {
   Handle(TDocStd_Document) document = new TDocStd_Document("XmlXCAF");
   if (!reader.Transfer(document)) {
     throw Error(ErrorCode::InvalidInput, "it has no shapes that OpenCASCADE can make");
@@ -59,14 +62,16 @@ CadShape read_document(Reader& reader, XSControl_Reader& entities,
 
 CadShape read_step(const std::filesystem::path& path) {
   STEPCAFControl_Reader reader;
-  const ReaderOption with_names("read.stepcaf.subshapes.name", 1);
   reader.SetNameMode(true);
   reader.SetColorMode(true);
   reader.SetLayerMode(false);
   reader.SetPropsMode(false);
   reader.SetGDTMode(false);
   reader.SetMatMode(false);
-  return read_document(reader, reader.ChangeReader(), path);
+  read_entities(reader, path);
+  if (!check_entities(*reader.ChangeReader().WS())) reader.SetColorMode(false);
+  const ReaderOption with_names("read.stepcaf.subshapes.name", 1);
+  return read_document(reader, reader.ChangeReader());
 }
 
 CadShape read_iges(const std::filesystem::path& path) {
@@ -74,7 +79,8 @@ CadShape read_iges(const std::filesystem::path& path) {
   reader.SetNameMode(true);
   reader.SetColorMode(true);
   reader.SetLayerMode(false);
-  return read_document(reader, reader, path);
+  read_entities(reader, path);
+  return read_document(reader, reader);
 }
 
 CadShape read_brep(const std::filesystem::path& path) {

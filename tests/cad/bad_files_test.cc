@@ -82,8 +82,18 @@ TEST_F(BadCadFiles, MayLackTheirMiddle) {
   for (std::size_t part = 5; part < 35; part += 3) {
     const std::string broken =
         text.substr(0, text.size() * part / 40) + "\nENDSEC;\nEND-ISO-10303-21;\n";
-    // What is left of it may be read: whatever comes, it is no crash.
-    error_of_text("broken.step", broken);
+    expect_names(error_of_text("broken.step", broken), "broken.step", "which is not in it");
+  }
+}
+
+/// Entities refer to others of any kind: whatever comes of it, it is no crash.
+TEST_F(BadCadFiles, MayReferToTheWrongEntities) {
+  const std::string text = text_of("box");
+  for (std::size_t at = text.find("(#"); at < text.size(); at = text.find('#', at + 1)) {
+    const bool is_defined = text.find('=', at) < text.find_first_of(",)", at);
+    if (is_defined) continue;
+    const std::size_t end = text.find_first_of(",)", at);
+    error_of_text("broken.step", text.substr(0, at) + "#20" + text.substr(end));
   }
 }
 
