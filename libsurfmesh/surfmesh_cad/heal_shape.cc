@@ -9,7 +9,9 @@
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_Shape.hxx>
 #include <ShapeUpgrade_ShapeDivideContinuity.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Solid.hxx>
@@ -80,6 +82,23 @@ std::string counts_of(const TopoDS_Shape& shape) {
 }
 
 }  // namespace
+
+void drop_empty_faces(CadShape& cad) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(cad.shape, TopAbs_FACE, faces);
+  const Handle(ShapeBuild_ReShape) changes = new ShapeBuild_ReShape;
+  bool has_changes = false;
+  TopLoc_Location ignored;
+  for (Standard_Integer f = 1; f <= faces.Extent(); ++f) {
+    if (!BRep_Tool::Surface(TopoDS::Face(faces(f)), ignored).IsNull()) continue;
+    changes->Remove(faces(f));
+    has_changes = true;
+    Notice notice = shortfall(NoticeKind::IgnoredInput, "the face is left out: it has no surface");
+    locate(fmt::format("face {} of {}", f, faces.Extent()), notice);
+    append({notice}, cad.notices);
+  }
+  if (has_changes) replace(cad, changes->Apply(cad.shape), changes);
+}
 
 void sew_faces(CadShape& cad, const CadOptions& options) {
   const double tolerance = sewing_tolerance(cad, options);

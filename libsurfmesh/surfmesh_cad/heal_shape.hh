@@ -6,6 +6,10 @@
 
 namespace surfmesh {
 
+/// Take out faces without a surface, over which OpenCASCADE's own healing would fall. Tells it as
+/// ignored input.
+void drop_empty_faces(CadShape& cad);
+
 /// Sew faces that the file does not join: always with a tolerance given, else if no two faces of
 /// the shape are in one shell. Shells that are closed then become solids.
 void sew_faces(CadShape& cad, const CadOptions& options);
@@ -21,6 +25,6 @@ void merge_small_edges(CadShape& cad);
 /// Returns  whether anything is different
 bool mend_faces(CadShape& cad);
 
-/// All of these tell what they did as notices of the kind HealedShape, and keep the facts of faces.
+/// The others tell what they did as notices of the kind HealedShape, and keep the facts of faces.
 
 }  // namespace surfmesh

@@ -37,10 +37,9 @@ BuiltModel best_model(CadShape& cad) {
 }
 
 Model model_of(CadShape cad, const CadOptions& options) {
-  if (count_of(cad.shape, TopAbs_FACE) == 0) {
-    throw Error(ErrorCode::InvalidInput, count_of(cad.shape, TopAbs_EDGE) > 0
-                                             ? "it has curves, but no faces"
-                                             : "it has no faces");
+  drop_empty_faces(cad);
+  if (cad.shape.IsNull() || count_of(cad.shape, TopAbs_FACE) == 0) {
+    throw Error(ErrorCode::InvalidInput, "it has no faces with a surface");
   }
   sew_faces(cad, options);
   merge_small_edges(cad);

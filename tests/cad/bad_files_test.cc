@@ -120,7 +120,7 @@ TEST_F(BadCadFiles, MayHaveAFaceWithoutSurface) {
   const Model model = read_cad(folder_ / "part.brep");
   EXPECT_EQ(model.patches.size(), 5u);
   ASSERT_FALSE(model.notices.empty());
-  expect_names(model.notices.back().text, "part.brep: face1", "no surface");
+  expect_names(model.notices.back().text, "part.brep: face 1 of 6", "no surface");
   EXPECT_EQ(model.notices.back().severity, Severity::Shortfall);
 }
 

@@ -10,8 +10,9 @@
 #include "surfmesh/core/notice.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/validate.hh"
+#include "surfmesh/geometry/parts.hh"
+#include "surfmesh/model/finish_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
-#include "surfmesh/quality/mesh_extent.hh"
 #include "surfmesh_cad/read_cad.hh"
 
 namespace surfmesh::testing {
@@ -33,15 +34,26 @@ inline double corner_distance(const Model& model, const PolyMesh& mesh) {
   return distance;
 }
 
+/// The greatest distance of the curves of a contour, at more points than gap_of looks at.
+inline double fine_gap(const Model& model, const Contour& contour) {
+  constexpr int kIntervals = 64;
+  double gap = gap_of(model, contour);
+  for (const ContourUse& use : contour.uses) {
+    if (!use.is_same_speed) continue;
+    for (const double t : divided_parts(contour.breaks, kIntervals)) {
+      gap = std::max(gap, (model.point(use, t) - model.point(contour.uses.front(), t)).norm());
+    }
+  }
+  return gap;
+}
+
 /// What corners may be off by: the gaps of the file, but for those below 1e-9 of the diagonal.
 inline double allowed_distance(const Model& model) {
   constexpr double kLeast = 1e-9;
-  // Gaps below this are left to the library: they count as none.
-  constexpr double kNoGap = 1e-7;
+  constexpr double kSlack = 1.1;
   double gap = 0;
-  for (const Contour& contour : model.contours) gap = std::max(gap, contour.tolerance);
-  for (const ModelVertex& vertex : model.vertices) gap = std::max(gap, vertex.tolerance);
-  return std::max(gap > 0 ? kNoGap * model.diagonal : 0, std::max(kLeast * model.diagonal, gap));
+  for (const Contour& contour : model.contours) gap = std::max(gap, fine_gap(model, contour));
+  return std::max(kLeast * model.diagonal, kSlack * gap);
 }
 
 inline bool has(const Notices& notices, NoticeKind kind) {
