@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "cad.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/formula/formula.hh"
 #include "surfmesh/pipeline/set_option.hh"
@@ -214,7 +215,8 @@ LoadOptions load_options(Scheme scheme, const Settings& settings) {
                     .orient = options.orient,
                     .crease_angle = options.crease_angle},
           .joining = options.joining,
-          .cad = {.sew = options.sew}};
+          .cad = {.sew = options.sew},
+          .read_cad = cad_reader()};
 }
 
 void add_scheme(CLI::App& command, Scheme& scheme) {

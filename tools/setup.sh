@@ -3,6 +3,8 @@
 # --readers adds other programs that read meshes, by which tests judge the files that are written:
 # half a minute and 450 MB. Those tests are skipped without them, so it is no error if they cannot
 # be installed.
+# --cad adds OpenCASCADE, by which surfmesh reads STEP, IGES and BREP files: 40 MB to load, 250 MB
+# installed. Both may be given.
 set -euo pipefail
 
 required=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libosd-dev nlohmann-json3-dev
@@ -12,14 +14,17 @@ required=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libosd-dev nlohman
 optional=(ccache python3-numpy)
 readers=()
 
-case "$#:${1-}" in
-  0:) ;;
-  1:--readers) readers=(python3-meshio python3-vtk9 gmsh admesh) ;;
-  *)
-    echo "usage: $0 [--readers]" >&2
-    exit 2
-    ;;
-esac
+for argument in "$@"; do
+  case "$argument" in
+    --readers) readers=(python3-meshio python3-vtk9 gmsh admesh) ;;
+    # The second only because CMake files of the first name what is in it.
+    --cad) required+=(libocct-data-exchange-dev libocct-modeling-algorithms-dev) ;;
+    *)
+      echo "usage: $0 [--readers] [--cad]" >&2
+      exit 2
+      ;;
+  esac
+done
 
 is_installed() {
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]

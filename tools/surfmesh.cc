@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "cad.hh"
 #include "check_command.hh"
 #include "control_command.hh"
 #include "convert_command.hh"
@@ -46,10 +47,18 @@ constexpr const char* kFooter =
     "  reached, or check found a fault; 130, 143 stopped by a signal\n"
     "surfmesh COMMAND --help lists the options of a command with their defaults.\n";
 
+/// The version, and in a second line that of what reads CAD files, if something does.
+std::string version_text() {
+  std::string text = "surfmesh " SURFMESH_VERSION;
+  const std::string cad = surfmesh::cad_library();
+  if (!cad.empty()) text.append("\n").append(cad);
+  return text;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Mesh multi-patch parametric surfaces with elements that follow a metric.",
                "surfmesh");
-  app.set_version_flag("--version", "surfmesh " SURFMESH_VERSION);
+  app.set_version_flag("--version", version_text());
   app.footer(kFooter);
   app.require_subcommand(1);
   surfmesh::MeshCommand mesh;

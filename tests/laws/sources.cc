@@ -121,6 +121,10 @@ std::vector<SourceFile> library_sources() {
   return sources_in(kProject / "libsurfmesh" / "surfmesh", {""});
 }
 
+std::vector<SourceFile> library_sources_with_cad() {
+  return sources_in(kProject / "libsurfmesh", {"surfmesh", "surfmesh_cad"});
+}
+
 std::vector<SourceFile> project_sources() {
   return sources_in(kProject, {"libsurfmesh", "tests", "tools"});
 }

@@ -219,7 +219,7 @@ TEST_F(MeshProgram, TellsNamesThatAFileChanges) {
 
 TEST_F(MeshProgram, TellsItsVersion) {
   EXPECT_EQ(run("--version"), 0);
-  EXPECT_EQ(out_, "surfmesh " SURFMESH_VERSION "\n");
+  EXPECT_TRUE(out_.starts_with("surfmesh " SURFMESH_VERSION "\n")) << out_;
 }
 
 TEST_F(MeshProgram, MeshesACage) {

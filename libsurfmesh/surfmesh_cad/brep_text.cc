@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh_cad/brep_text.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <string>
+
+#include "surfmesh/core/error.hh"
+
+namespace surfmesh {
+namespace {
+
+constexpr std::string_view kSpace = " \t\r\n";
+
+/// The first line that tells the format, and the sections that shapes refer to.
+constexpr std::string_view kHeader = "CASCADE Topology V";
+constexpr std::array<std::string_view, 7> kSections = {
+    "Locations", "Curve2ds",      "Curves", "Polygon3D", "PolygonOnTriangulations",
+    "Surfaces",  "Triangulations"};
+enum Section { Locations, Curve2ds, Curves, Polygons, PolygonsOnTriangulations, Surfaces, Meshes };
+
+[[noreturn]] void fail(const std::string& reason) { throw Error(ErrorCode::InvalidInput, reason); }
+
+/// Reads the section of shapes word by word. Their numbers run down: the first has the greatest.
+class ShapeWords {
+ public:
+  explicit ShapeWords(std::string_view text)
+      : version_(version_of(text)), text_(text), shapes_(count_after("TShapes", &position_)) {
+    for (std::size_t s = 0; s < kSections.size(); ++s) counts_[s] = count_after(kSections[s]);
+  }
+
+  void check() {
+    for (number_ = shapes_; number_ > 0; --number_) check_shape();
+    number_ = -1;
+    check_reference(word());
+  }
+
+ private:
+  static int version_of(std::string_view text) {
+    const std::size_t at = text.find(kHeader);
+    if (at == std::string_view::npos || at + kHeader.size() >= text.size()) {
+      fail("this is no BREP file as text: it has no line CASCADE Topology V1, V2 or V3");
+    }
+    return text[at + kHeader.size()] - '0';
+  }
+
+  /// The number behind the name of a section, and where the text goes on.
+  int count_after(std::string_view name, std::size_t* end = nullptr) const {
+    const std::string start = fmt::format("\n{} ", name);
+    const std::size_t at = text_.find(start);
+    if (at == std::string_view::npos) fail(fmt::format("the BREP file has no section {}", name));
+    int count = -1;
+    const char* last = text_.data() + text_.size();
+    const auto [stop, error] = std::from_chars(text_.data() + at + start.size(), last, count);
+    if (error != std::errc() || count < 0) fail(fmt::format("the number of {} is none", name));
+    if (end != nullptr) *end = static_cast<std::size_t>(stop - text_.data());
+    return count;
+  }
+
+  [[noreturn]] void fail_here(const std::string& reason) const {
+    fail(number_ < 0 ? reason : fmt::format("shape {} of the BREP file: {}", number_, reason));
+  }
+
+  std::string_view word() {
+    const std::size_t begin = text_.find_first_not_of(kSpace, position_);
+    if (begin == std::string_view::npos) fail("the BREP file is cut off");
+    position_ = std::min(text_.find_first_of(kSpace, begin), text_.size());
+    return text_.substr(begin, position_ - begin);
+  }
+
+  void skip(int words) {
+    for (int i = 0; i < words; ++i) word();
+  }
+
+  int integer(std::string_view text) const {
+    int value = 0;
+    if (text.starts_with('+')) text.remove_prefix(1);
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || stop != text.data() + text.size()) {
+      fail_here(fmt::format("{} is no whole number", text));
+    }
+    return value;
+  }
+
+  int integer() { return integer(word()); }
+
+  /// An index of a section. 0 stands for none where that is possible.
+  void index(Section section, int least = 1) {
+    const int value = integer();
+    const int count = counts_[section];
+    if (value >= least && value <= count) return;
+    fail_here(fmt::format("it refers to number {} of {} {}", value, count, kSections[section]));
+  }
+
+  void location() { index(Locations, 0); }
+
+  /// "+13 0": the shape 13, at the location 0. Shapes are made of those before them.
+  void check_reference(std::string_view first) {
+    if (first.empty() || std::string_view("+-ie").find(first.front()) == std::string_view::npos) {
+      fail_here(fmt::format("{} is no reference to a shape", first));
+    }
+    const int number = integer(first.substr(1));
+    if (number < 1 || number > shapes_ || number <= number_) {
+      fail_here(fmt::format("it refers to shape {} of {}", number, shapes_));
+    }
+    location();
+  }
+
+  void check_shape() {
+    const std::string_view kind = word();
+    if (kind == "Ve") {
+      check_vertex();
+    } else if (kind == "Ed") {
+      check_edge();
+    } else if (kind == "Fa") {
+      check_face();
+    } else if (kind != "Wi" && kind != "Sh" && kind != "So" && kind != "CS" && kind != "Co") {
+      fail_here(fmt::format("{} is no kind of shape", kind));
+    }
+    if (kind != "Fa") word();  // the flags
+    for (std::string_view next = word(); next != "*"; next = word()) check_reference(next);
+  }
+
+  void check_vertex() {
+    skip(4);
+    for (;;) {
+      skip(1);
+      switch (integer()) {
+        case 0:
+          return;
+        case 1:
+          index(Curves);
+          break;
+        case 2:
+          index(Curve2ds);
+          index(Surfaces);
+          break;
+        case 3:
+          skip(1);
+          index(Surfaces);
+          break;
+        default:
+          fail_here("a point is given on something unknown");
+      }
+      location();
+    }
+  }
+
+  void check_edge() {
+    skip(4);
+    for (int kind = integer(); kind != 0; kind = integer()) check_curve(kind);
+  }
+
+  void check_curve(int kind) {
+    switch (kind) {
+      case 1:
+        index(Curves, 0);
+        location();
+        return skip(2);
+      case 2:
+      case 3:
+        return check_curve_on_surface(kind == 3);
+      case 4:
+        skip(1);
+        index(Surfaces);
+        location();
+        index(Surfaces);
+        return location();
+      case 5:
+        index(Polygons);
+        return location();
+      case 6:
+      case 7:
+        index(PolygonsOnTriangulations);
+        if (kind == 7) index(PolygonsOnTriangulations);
+        index(Meshes);
+        return location();
+      default:
+        fail_here(fmt::format("{} is no kind of curve", kind));
+    }
+  }
+
+  void check_curve_on_surface(bool is_seam) {
+    index(Curve2ds);
+    // The number and the continuity may stand together: "4CN".
+    if (is_seam) check_second_curve();
+    index(Surfaces);
+    location();
+    skip(2);
+    if (version_ == 2) skip(is_seam ? 8 : 4);
+  }
+
+  void check_second_curve() {
+    const std::string_view both = word();
+    const std::size_t digits = std::min(both.find_first_not_of("0123456789"), both.size());
+    const int value = integer(both.substr(0, digits));
+    if (value < 1 || value > counts_[Curve2ds]) {
+      fail_here(fmt::format("it refers to curve {} of {}", value, counts_[Curve2ds]));
+    }
+    if (digits == both.size()) skip(1);
+  }
+
+  /// A face may have a triangulation: "2" and its index, before the flags of seven digits.
+  void check_face() {
+    skip(2);
+    index(Surfaces, 0);
+    location();
+    constexpr std::size_t kFlags = 7;
+    if (word().size() == kFlags) return;
+    index(Meshes);
+    skip(1);
+  }
+
+  int version_;
+  std::string_view text_;
+  std::size_t position_ = 0;
+  int shapes_;
+  int number_ = -1;
+  std::array<int, kSections.size()> counts_ = {};
+};
+
+}  // namespace
+
+void check_brep_text(std::string_view text) { ShapeWords(text).check(); }
+
+}  // namespace surfmesh

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh_cad/failed_entities.hh"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include <Interface_Check.hxx>
+#include <Interface_CheckIterator.hxx>
+#include <Interface_InterfaceModel.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <Transfer_Binder.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include "surfmesh/core/error.hh"
+
+namespace surfmesh {
+namespace {
+
+std::string label_of(const Handle(Interface_InterfaceModel) & model,
+                     const Handle(Standard_Transient) & entity) {
+  const Handle(TCollection_HAsciiString) label = model->StringLabel(entity);
+  return fmt::format("{} {}", label.IsNull() ? "?" : label->ToCString(), model->TypeName(entity));
+}
+
+/// Entities that shapes are made of, by the names of OpenCASCADE's classes for them.
+bool is_of_shape(const Handle(Standard_Transient) & entity) {
+  const std::string_view type = entity->DynamicType()->Name();
+  return type.starts_with("StepGeom_") || type.starts_with("StepShape_") ||
+         type.starts_with("StepRepr_") || type.starts_with("StepBasic_");
+}
+
+}  // namespace
+
+Notices failed_entities(const XSControl_WorkSession& session) {
+  Notices notices;
+  if (session.MapReader().IsNull()) return notices;
+  const auto& results = *session.MapReader();
+  for (Standard_Integer i = 1; i <= results.NbMapped(); ++i) {
+    const Handle(Transfer_Binder) binder = results.MapItem(i);
+    if (binder.IsNull() || binder->Check()->NbFails() == 0) continue;
+    Notice notice = shortfall(NoticeKind::IgnoredInput,
+                              fmt::format("it could not be read: {}", binder->Check()->CFail(1)));
+    locate(label_of(session.Model(), results.Mapped(i)), notice);
+    append({notice}, notices);
+  }
+  return notices;
+}
+
+bool check_entities(XSControl_WorkSession& session) {
+  bool is_sound = true;
+  Interface_CheckIterator list = session.ModelCheckList();
+  for (list.Start(); list.More(); list.Next()) {
+    if (list.Value()->NbFails() == 0) continue;
+    is_sound = false;
+    const Standard_Integer number = list.Number();
+    if (number <= 0 || number > session.Model()->NbEntities()) continue;
+    const Handle(Standard_Transient) entity = session.Model()->Value(number);
+    if (!is_of_shape(entity)) continue;
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("{}: {}", label_of(session.Model(), entity), list.Value()->CFail(1)));
+  }
+  return is_sound;
+}
+
+}  // namespace surfmesh

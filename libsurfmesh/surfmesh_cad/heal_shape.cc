@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh_cad/heal_shape.hh"
+
+#include <fmt/format.h>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepLib.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <ShapeBuild_ReShape.hxx>
+#include <ShapeFix_Shape.hxx>
+#include <ShapeUpgrade_ShapeDivideContinuity.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Solid.hxx>
+
+#include "surfmesh_cad/spline_corners.hh"
+
+namespace surfmesh {
+namespace {
+
+/// Faces that nothing joins are sewn to this share of the diagonal.
+constexpr double kUsualSewing = 1e-5;
+
+/// Corners of splines are looked for, and cut out, to this distance in model units, as
+/// OpenCASCADE's own tolerance of points is.
+constexpr double kCornerTolerance = 1e-7;
+
+void tell(CadShape& cad, std::string text) {
+  append({warning(NoticeKind::HealedShape, std::move(text))}, cad.notices);
+}
+
+/// Whether a shape has no solids, and no two faces of it are in one shell.
+bool is_unjoined(const TopoDS_Shape& shape) {
+  if (count_of(shape, TopAbs_FACE) < 2 || count_of(shape, TopAbs_SOLID) > 0) return false;
+  for (TopExp_Explorer shell(shape, TopAbs_SHELL); shell.More(); shell.Next()) {
+    if (shell.Current().NbChildren() > 1) return false;
+  }
+  return true;
+}
+
+double sewing_tolerance(const CadShape& cad, const CadOptions& options) {
+  if (!options.sew && !is_unjoined(cad.shape)) return 0;
+  const double diagonal = rough_diagonal(cad.shape);
+  return options.sew ? options.sew->in_units(diagonal) : kUsualSewing * diagonal;
+}
+
+/// The shape with solids in place of its closed shells, their outside being outside.
+TopoDS_Shape with_solids(const TopoDS_Shape& shape) {
+  TopoDS_Compound all;
+  BRep_Builder builder;
+  builder.MakeCompound(all);
+  for (TopExp_Explorer it(shape, TopAbs_SHELL); it.More(); it.Next()) {
+    if (!BRep_Tool::IsClosed(it.Current())) {
+      builder.Add(all, it.Current());
+      continue;
+    }
+    TopoDS_Solid solid;
+    builder.MakeSolid(solid);
+    builder.Add(solid, it.Current());
+    BRepLib::OrientClosedSolid(solid);
+    builder.Add(all, solid);
+  }
+  for (TopExp_Explorer it(shape, TopAbs_FACE, TopAbs_SHELL); it.More(); it.Next()) {
+    builder.Add(all, it.Current());
+  }
+  return all;
+}
+
+/// Put what an operation of OpenCASCADE has made in place of the shape.
+void replace(CadShape& cad, const TopoDS_Shape& shape, const Handle(ShapeBuild_ReShape) & changes) {
+  carry_facts(cad, [&changes](const TopoDS_Shape& face) { return changes->Apply(face); });
+  cad.shape = shape;
+}
+
+/// Faces and edges, for what is told.
+std::string counts_of(const TopoDS_Shape& shape) {
+  return fmt::format("{} faces and {} edges", count_of(shape, TopAbs_FACE),
+                     count_of(shape, TopAbs_EDGE));
+}
+
+}  // namespace
+
+void drop_empty_faces(CadShape& cad) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(cad.shape, TopAbs_FACE, faces);
+  const Handle(ShapeBuild_ReShape) changes = new ShapeBuild_ReShape;
+  bool has_changes = false;
+  TopLoc_Location ignored;
+  for (Standard_Integer f = 1; f <= faces.Extent(); ++f) {
+    if (!BRep_Tool::Surface(TopoDS::Face(faces(f)), ignored).IsNull()) continue;
+    changes->Remove(faces(f));
+    has_changes = true;
+    Notice notice = shortfall(NoticeKind::IgnoredInput, "the face is left out: it has no surface");
+    locate(fmt::format("face {} of {}", f, faces.Extent()), notice);
+    append({notice}, cad.notices);
+  }
+  if (has_changes) replace(cad, changes->Apply(cad.shape), changes);
+}
+
+void sew_faces(CadShape& cad, const CadOptions& options) {
+  const double tolerance = sewing_tolerance(cad, options);
+  if (!(tolerance > 0)) return;
+  const int faces = count_of(cad.shape, TopAbs_FACE);
+  const int edges = count_of(cad.shape, TopAbs_EDGE);
+  BRepBuilderAPI_Sewing sewing(tolerance);
+  for (TopExp_Explorer it(cad.shape, TopAbs_FACE); it.More(); it.Next()) sewing.Add(it.Current());
+  sewing.Perform();
+  if (sewing.SewedShape().IsNull()) return;
+  carry_facts(cad, [&sewing](const TopoDS_Shape& face) {
+    return sewing.IsModified(face) ? sewing.Modified(face) : face;
+  });
+  cad.shape = with_solids(sewing.SewedShape());
+  tell(cad, fmt::format("its {} faces are sewn where they are nearer than {:.3g}: of {} edges {} "
+                        "are left, {} of them with one face",
+                        faces, tolerance, edges, count_of(cad.shape, TopAbs_EDGE),
+                        sewing.NbFreeEdges()));
+}
+
+void divide_at_corners(CadShape& cad) {
+  if (!has_corners(cad.shape)) return;
+  ShapeUpgrade_ShapeDivideContinuity tool(cad.shape);
+  tool.SetBoundaryCriterion(GeomAbs_C1);
+  tool.SetPCurveCriterion(GeomAbs_C1);
+  tool.SetSurfaceCriterion(GeomAbs_C1);
+  tool.SetTolerance(kCornerTolerance);
+  if (!tool.Perform() || tool.Result().IsNull()) return;
+  const std::string before = counts_of(cad.shape);
+  replace(cad, tool.Result(), tool.GetContext());
+  const std::string after = counts_of(cad.shape);
+  if (after == before) return;
+  tell(cad,
+       fmt::format("splines are divided where they have corners: {} become {}", before, after));
+}
+
+bool mend_faces(CadShape& cad) {
+  ShapeFix_Shape fix(cad.shape);
+  const bool is_changed = fix.Perform();
+  if (!is_changed || fix.Shape().IsNull()) return false;
+  const std::string before = counts_of(cad.shape);
+  replace(cad, fix.Shape(), fix.Context());
+  tell(cad, fmt::format("faces that could not be used as they are were mended: {} become {}",
+                        before, counts_of(cad.shape)));
+  return true;
+}
+
+}  // namespace surfmesh

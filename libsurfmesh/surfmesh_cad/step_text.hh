@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string_view>
+
+#include "surfmesh/core/language_standard.hh"
+
+namespace surfmesh {
+
+/// Check that all entities that those of a STEP file refer to are in it, and that none leads back
+/// to itself.
+///
+/// OpenCASCADE goes on with what is there. It falls over what is not, and follows circles without
+/// end.
+///
+/// Cost     O(n log n) for n references
+/// Throws   InvalidInput, naming an entity and what it lacks
+void check_step_text(std::string_view text);
+
+}  // namespace surfmesh

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <random>
+#include <string>
+
+#include "cad/own_shapes.hh"
+#include "support/errors.hh"
+#include "support/folders.hh"
+#include "surfmesh_cad/read_cad.hh"
+
+namespace surfmesh {
+namespace {
+
+class BadCadFiles : public ::testing::Test {
+ protected:
+  /// The error of a file of some text.
+  std::string error_of_text(const std::string& name, const std::string& text) const {
+    write_text(folder_ / name, text);
+    return error_of([&] { read_cad(folder_ / name); });
+  }
+
+  std::string text_of(const std::string& shape) const {
+    return read_text(write_shape(testing::own_shape(shape), folder_.path()));
+  }
+
+  TestFolder folder_;
+};
+
+void expect_names(const std::string& error, const std::string& name, const std::string& reason) {
+  EXPECT_NE(error.find(name), std::string::npos) << error;
+  EXPECT_NE(error.find(reason), std::string::npos) << error;
+}
+
+TEST_F(BadCadFiles, AreNamedWhereTheyAreMissing) {
+  expect_names(error_of([] { read_cad("nowhere.step"); }), "nowhere.step", "does not exist");
+}
+
+TEST_F(BadCadFiles, MayBeFolders) {
+  std::filesystem::create_directory(folder_ / "part.step");
+  expect_names(error_of([&] { read_cad(folder_ / "part.step"); }), "part.step", "a folder");
+}
+
+TEST_F(BadCadFiles, MayBeEmpty) {
+  for (const char* name : {"a.step", "a.stp", "a.iges", "a.igs", "a.brep"}) {
+    expect_names(error_of_text(name, ""), name, "empty");
+  }
+}
+
+TEST_F(BadCadFiles, MayBeOfAnotherKind) {
+  expect_names(error_of_text("a.step", "v 0 0 0\n"), "a.step", "no STEP file");
+  expect_names(error_of_text("a.igs", "v 0 0 0\n"), "a.igs", "no IGES file");
+  expect_names(error_of_text("a.brep", "v 0 0 0\n"), "a.brep", "no BREP file");
+  expect_names(error_of_text("a.obj", "v 0 0 0\n"), "a.obj", "ending");
+}
+
+TEST_F(BadCadFiles, MayBeRandomBytes) {
+  std::mt19937 random;
+  std::string bytes;
+  for (int i = 0; i < 100000; ++i) bytes += static_cast<char>(random());
+  for (const char* name : {"a.step", "a.iges", "a.brep"}) {
+    expect_names(error_of_text(name, bytes), name, "invalid input");
+  }
+}
+
+TEST_F(BadCadFiles, MayBeCutOffAnywhere) {
+  for (const char* shape : {"hole", "box_brep", "loose_hole"}) {
+    const std::string ending = testing::own_shape(shape).ending;
+    const std::string text = text_of(shape);
+    for (std::size_t part = 1; part < 40; ++part) {
+      const std::string error =
+          error_of_text("cut" + ending, text.substr(0, text.size() * part / 40));
+      expect_names(error, "cut" + ending, "invalid input");
+    }
+  }
+}
+
+/// Its end is there, but what is before it is not.
+TEST_F(BadCadFiles, MayLackTheirMiddle) {
+  const std::string text = text_of("hole");
+  for (std::size_t part = 5; part < 35; part += 3) {
+    const std::string broken =
+        text.substr(0, text.size() * part / 40) + "\nENDSEC;\nEND-ISO-10303-21;\n";
+    expect_names(error_of_text("broken.step", broken), "broken.step", "which is not in it");
+  }
+}
+
+/// Entities refer to others of any kind: whatever comes of it, it is no crash.
+TEST_F(BadCadFiles, MayReferToTheWrongEntities) {
+  const std::string text = text_of("box");
+  for (std::size_t at = text.find("(#"); at < text.size(); at = text.find('#', at + 1)) {
+    const bool is_defined = text.find('=', at) < text.find_first_of(",)", at);
+    if (is_defined) continue;
+    const std::size_t end = text.find_first_of(",)", at);
+    error_of_text("broken.step", text.substr(0, at) + "#20" + text.substr(end));
+  }
+}
+
+/// Every number of a BREP file that refers to something is changed.
+TEST_F(BadCadFiles, MayReferToNothing) {
+  const std::string text = text_of("box_brep");
+  const std::size_t shapes = text.find("TShapes");
+  for (std::size_t i = shapes; i < text.size(); ++i) {
+    if (text[i] < '1' || text[i] > '9') continue;
+    std::string broken = text;
+    broken[i] = static_cast<char>(text[i] == '9' ? '1' : text[i] + 1);
+    error_of_text("broken.brep", broken);
+    error_of_text("broken.brep", text.substr(0, i) + "99" + text.substr(i));
+  }
+}
+
+TEST_F(BadCadFiles, MayHaveAFaceWithoutSurface) {
+  std::string text = text_of("box_brep");
+  const std::string face = "Fa\n0  1e-07 ";
+  const std::size_t at = text.find(face);
+  ASSERT_NE(at, std::string::npos);
+  text[at + face.size()] = '0';
+  write_text(folder_ / "part.brep", text);
+  const Model model = read_cad(folder_ / "part.brep");
+  EXPECT_EQ(model.patches.size(), 5u);
+  ASSERT_FALSE(model.notices.empty());
+  expect_names(model.notices.back().text, "part.brep: face 1 of 6", "no surface");
+  EXPECT_EQ(model.notices.back().severity, Severity::Shortfall);
+}
+
+TEST_F(BadCadFiles, MayHaveNoFaces) {
+  for (const char* ending : {".brep", ".step"}) {
+    const auto path = folder_ / (std::string("wires") + ending);
+    testing::write_wires(path);
+    expect_names(error_of([&] { read_cad(path); }), "wires", "no faces");
+  }
+  testing::write_empty(folder_ / "empty.brep");
+  expect_names(error_of([&] { read_cad(folder_ / "empty.brep"); }), "empty.brep", "no faces");
+}
+
+TEST_F(BadCadFiles, MayBeTooLarge) {
+  write_text(folder_ / "large.step", "ISO-10303-21;");
+  std::filesystem::resize_file(folder_ / "large.step", 1ull << 30);
+  expect_names(error_of([&] { read_cad(folder_ / "large.step"); }), "limit", "1024 MB");
+}
+
+}  // namespace
+}  // namespace surfmesh
