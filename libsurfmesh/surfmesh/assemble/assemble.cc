@@ -6,7 +6,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <map>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "surfmesh/assemble/orientation.hh"
@@ -16,6 +18,7 @@
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/topology.hh"
 #include "surfmesh/metric/tensor.hh"
+#include "surfmesh/model/joined_uses.hh"
 
 namespace surfmesh {
 namespace {
@@ -164,18 +167,28 @@ class PatchFaces {
   std::vector<int> vertices_;  ///< result vertex of each vertex of the patch's mesh
 };
 
+/// A side of a face on a contour where more than two patches meet.
+struct SharedSide {
+  int contour = -1;
+  int patch = -1;
+  std::array<int, 2> vertices = {-1, -1};  ///< ascending
+  int side = -1;                           ///< of the soup
+};
+
 /// All faces of the result before they are linked.
 struct FaceSoup {
+  const Model& model;
   FaceList faces;
   /// Of each side the one it is glued to within its patch, -1 for none: see build_faces.
-  std::vector<int> twins;
+  std::vector<int> twins = {};
+  std::vector<SharedSide> shared = {};
 
   void reserve(std::size_t face_count, std::size_t corner_count) {
     faces.reserve(face_count, corner_count);
     twins.reserve(corner_count);
   }
 
-  void add(const PatchFaces& patch) {
+  void add(const PatchFaces& patch, int number) {
     const std::size_t first = faces.corner_count();
     std::vector<int> side_of(patch.halfedge_count(), -1);
     std::vector<HalfedgeHandle> halfedges;
@@ -187,6 +200,11 @@ struct FaceSoup {
         vertices[k] = face.corners[k].vertex;
         halfedges.push_back(side);
         if (side.is_valid()) side_of[index(side)] = static_cast<int>(faces.corner_count() + k);
+        const int contour = face.corners[k].contour;
+        if (contour < 0 || model.contour(contour).uses.size() < 3) continue;
+        const auto [a, b] = std::minmax(face.corners[k].vertex,
+                                        face.corners[k + 1 == face.count ? 0 : k + 1].vertex);
+        shared.push_back({contour, number, {a, b}, static_cast<int>(faces.corner_count() + k)});
       }
       faces.add(std::span(vertices).first(face.count));
     });
@@ -197,6 +215,26 @@ struct FaceSoup {
     }
   }
 };
+
+/// Glue sides on contours where more than two patches meet, as joined_uses has their patches.
+void join_shared_sides(const Model& model, FaceSoup& soup) {
+  if (soup.shared.empty()) return;
+  const auto joined = joined_uses(model);
+  std::map<std::tuple<int, int, std::array<int, 2>>, int> side_of;
+  for (const SharedSide& shared : soup.shared) {
+    side_of[{shared.contour, shared.patch, shared.vertices}] = shared.side;
+  }
+  for (const SharedSide& shared : soup.shared) {
+    const Contour& contour = model.contour(shared.contour);
+    for (const UsePair& pair : joined[static_cast<std::size_t>(shared.contour)]) {
+      const int a = contour.uses[static_cast<std::size_t>(pair[0])].patch;
+      const int b = contour.uses[static_cast<std::size_t>(pair[1])].patch;
+      if (shared.patch != a && shared.patch != b) continue;
+      const auto other = side_of.find({shared.contour, shared.patch == a ? b : a, shared.vertices});
+      if (other != side_of.end()) soup.twins[static_cast<std::size_t>(shared.side)] = other->second;
+    }
+  }
+}
 
 std::vector<Vec3> contour_points(const Model& model, const std::vector<ContourNodes>& nodes,
                                  const NodeNumbers& numbers) {
@@ -338,7 +376,7 @@ AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<Co
     corner_count += patch.mesh->n_halfedges();
   }
   points.reserve(points.size() + corner_count / 6);  // about as many as a closed mesh has
-  FaceSoup soup;
+  FaceSoup soup{model, {}};
   soup.reserve(face_count, corner_count);
   std::vector<PatchFaces> faces;
   faces.reserve(patches.size());
@@ -347,8 +385,9 @@ AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<Co
     context.throw_if_cancelled();
     faces.emplace_back(patches[p], orientation.is_turned[p] != 0, points);
     first_faces.push_back(soup.faces.size());
-    soup.add(faces.back());
+    soup.add(faces.back(), static_cast<int>(p));
   }
+  join_shared_sides(model, soup);
   drop_unused(points, soup.faces);
   context.throw_if_cancelled();
 

@@ -15,8 +15,8 @@ struct PatchOrientation {
 };
 
 /// Spread the orientation of the first patch of each component to its neighbours over the contours
-/// with two uses. If patches of the component are marked as reversed, it is turned over where most
-/// of the marks want it.
+/// along which they are joined (joined_uses). If patches of the component are marked as reversed,
+/// it is turned over where most of the marks want it.
 ///
 /// Cost     O(contour uses)
 PatchOrientation orient_patches(const Model& model);

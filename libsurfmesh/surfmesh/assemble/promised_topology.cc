@@ -13,6 +13,7 @@
 #include "surfmesh/core/disjoint_sets.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/validate.hh"
+#include "surfmesh/model/joined_uses.hh"
 #include "surfmesh/model/touching_loops.hh"
 
 namespace surfmesh {
@@ -45,6 +46,7 @@ class Gluing {
   Gluing(const Model& model, const PromisedTopology& promise)
       : model_(model),
         promise_(promise),
+        joined_(joined_uses(model)),
         ends_(model),
         fans_(ends_.count()),
         sheets_(model.patches.size()) {
@@ -98,15 +100,16 @@ class Gluing {
     }
     for (std::size_t c = 0; c < model_.contours.size(); ++c) {
       const Contour& contour = model_.contours[c];
-      if (!contour.is_degenerate) sum -= is_glued(c) ? 1 : std::ssize(contour.uses);
+      if (!contour.is_degenerate) {
+        sum -= is_glued(c) ? std::ssize(joined_[c]) : std::ssize(contour.uses);
+      }
     }
     return sum;
   }
 
  private:
   bool is_glued(std::size_t contour) const {
-    return promise_.is_open[contour] == 0 && !model_.contours[contour].is_degenerate &&
-           !model_.contours[contour].uses.empty();
+    return promise_.is_open[contour] == 0 && !joined_[contour].empty();
   }
 
   /// The end of a use at which a loop enters it (or leaves it).
@@ -129,14 +132,19 @@ class Gluing {
 
   void join_uses(int contour) {
     const std::vector<ContourUse>& uses = model_.contour(contour).uses;
-    for (const bool is_at_end : {false, true}) {
-      fans_.unite(ends_(contour, 0, is_at_end), ends_(contour, 1, is_at_end));
+    for (const UsePair& pair : joined_[static_cast<std::size_t>(contour)]) {
+      const auto a = static_cast<std::size_t>(pair[0]), b = static_cast<std::size_t>(pair[1]);
+      for (const bool is_at_end : {false, true}) {
+        fans_.unite(ends_(contour, a, is_at_end), ends_(contour, b, is_at_end));
+      }
+      sheets_.unite(static_cast<std::size_t>(uses[a].patch),
+                    static_cast<std::size_t>(uses[b].patch));
     }
-    sheets_.unite(static_cast<std::size_t>(uses[0].patch), static_cast<std::size_t>(uses[1].patch));
   }
 
   const Model& model_;
   const PromisedTopology& promise_;
+  std::vector<std::vector<UsePair>> joined_;  ///< by contour
   UseEnds ends_;
   DisjointSets fans_, sheets_;
 };
@@ -192,8 +200,14 @@ class Comparison {
         patch_of_(require(mesh, keys::face_patch)),
         contour_of_(find(mesh, keys::edge_contour)),
         is_at_opening_(mesh.n_vertices(), 0),
-        is_patch_open_(model.patches.size(), 0) {
+        is_patch_open_(model.patches.size(), 0),
+        is_patch_touched_(model.patches.size(), 0) {
     for (std::size_t c = 0; c < model.contours.size(); ++c) {
+      const bool is_shared = model.contours[c].uses.size() > 2;
+      has_touched_ |= is_shared;
+      for (const ContourUse& use : model.contours[c].uses) {
+        if (is_shared) is_patch_touched_[static_cast<std::size_t>(use.patch)] = 1;
+      }
       if (promise_.is_open[c] == 0) continue;
       for (const ContourUse& use : model.contours[c].uses) {
         is_patch_open_[static_cast<std::size_t>(use.patch)] = 1;
@@ -238,16 +252,33 @@ class Comparison {
 
   void look_at(EdgeHandle eh) {
     const bool is_open = mesh_.is_boundary(eh), may_be = may_be_open(eh);
+    if (is_touched(eh)) mark_ends(eh);
     if (is_open && may_be) {
-      const HalfedgeHandle heh = inner_halfedge(eh);
-      for (const VertexHandle vh : {mesh_.from_vertex_handle(heh), mesh_.to_vertex_handle(heh)}) {
-        is_at_opening_[index(vh)] = 1;
-      }
+      mark_ends(eh);
     } else if (is_open) {
       open_.add([&] { return location_of(eh); });
     } else if (may_be && contour_of_.is_valid()) {
       closed_.add([&] { return location_of(eh); });
     }
+  }
+
+  /// Note that the vertices of an edge may have others in the same places.
+  void mark_ends(EdgeHandle eh) {
+    const HalfedgeHandle heh = inner_halfedge(eh);
+    for (const VertexHandle vh : {mesh_.from_vertex_handle(heh), mesh_.to_vertex_handle(heh)}) {
+      is_at_opening_[index(vh)] = 1;
+    }
+  }
+
+  /// True on a contour along which a solid touches itself, or on a patch there if contours are not
+  /// known.
+  bool is_touched(EdgeHandle eh) const {
+    if (!has_touched_) return false;
+    if (!contour_of_.is_valid()) {
+      return is_patch_touched_[static_cast<std::size_t>(patch_at(inner_halfedge(eh)))] != 0;
+    }
+    const int contour = mesh_.property(contour_of_, eh);
+    return contour >= 0 && model_.contour(contour).uses.size() > 2;
   }
 
   std::string location_of(EdgeHandle eh) const {
@@ -305,6 +336,8 @@ class Comparison {
   decltype(keys::edge_contour)::Handle contour_of_;
   std::vector<char> is_at_opening_;  ///< by vertex: 1 at an open edge that the model promises
   std::vector<char> is_patch_open_;
+  std::vector<char> is_patch_touched_;  ///< 1 at a contour of three and more uses
+  bool has_touched_ = false;
   MeshFault open_{"open_edge", 0, {}};
   MeshFault closed_{"closed_edge", 0, {}};
   MeshFault duplicate_{"duplicate_vertex", 0, {}};
@@ -317,9 +350,9 @@ class Comparison {
 PromisedTopology promised_topology(const Model& model) {
   PromisedTopology promise;
   promise.is_open.assign(model.contours.size(), 0);
+  const auto joined = joined_uses(model);
   for (std::size_t c = 0; c < model.contours.size(); ++c) {
-    const Contour& contour = model.contours[c];
-    if (!contour.is_degenerate && contour.uses.size() != 2) promise.is_open[c] = 1;
+    if (!model.contours[c].is_degenerate && joined[c].empty()) promise.is_open[c] = 1;
   }
   for (const int c : orient_patches(model).cut_contours) {
     promise.is_open[static_cast<std::size_t>(c)] = 1;

@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/assemble/vertex_copies.hh"
 
-#include <algorithm>
 #include <array>
 #include <map>
 #include <vector>
 
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/model/joined_uses.hh"
 
 namespace surfmesh {
 
 void mark_copies(PolyMesh& mesh, const Model& model) {
-  const auto is_shared = [](const Contour& contour) { return contour.uses.size() > 2; };
-  if (std::none_of(model.contours.begin(), model.contours.end(), is_shared)) return;
+  const auto joined = joined_uses(model);
+  const auto is_shared = [&](std::size_t contour) {
+    return joined[contour].empty() && model.contours[contour].uses.size() > 2;
+  };
+  bool has_shared = false;
+  for (std::size_t c = 0; c < model.contours.size(); ++c) has_shared |= is_shared(c);
+  if (!has_shared) return;
   const auto contour_of = require(mesh, keys::edge_contour);
   std::vector<char> is_on_shared(mesh.n_vertices(), 0);
   for (const EdgeHandle eh : mesh.edges()) {
     const int contour = mesh.property(contour_of, eh);
-    if (contour < 0 || !is_shared(model.contour(contour))) continue;
+    if (contour < 0 || !is_shared(static_cast<std::size_t>(contour))) continue;
     const HalfedgeHandle heh = mesh.halfedge_handle(eh, 0);
     is_on_shared[index(mesh.from_vertex_handle(heh))] = 1;
     is_on_shared[index(mesh.to_vertex_handle(heh))] = 1;

@@ -7,7 +7,8 @@
 namespace surfmesh {
 
 /// Note which vertices of a result are copies of others: those of equal positions on contours of
-/// three and more patches, where a half-edge mesh cannot have one vertex for all.
+/// three and more patches that are not joined in pairs, where a half-edge mesh cannot have one
+/// vertex for all.
 ///
 /// Reads    surf:contour (edge)
 /// Writes   surf:original (vertex), only if there are such contours

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -20,6 +21,9 @@ namespace {
 
 /// Share of the diagonal below which a length is none: a tenth of the gaps that loops may have.
 constexpr double kLeastLength = 1e-7;
+
+/// Share of the width of a domain below which a side is a point in (u,v).
+constexpr double kLeastShare = 1e-6;
 
 /// Intervals of each part of a contour.
 constexpr int kPartIntervals = 8;
@@ -40,6 +44,17 @@ bool is_short(const Model& model, const Contour& contour, double most) {
     last = next;
   }
   return true;
+}
+
+/// False for poles, which have a length in (u,v).
+bool is_point_in_parameters(const Model& model, const Contour& contour) {
+  return std::all_of(contour.uses.begin(), contour.uses.end(), [&](const ContourUse& use) {
+    const Domain domain = model.surface(use).domain();
+    const Uv step = use.curve->evaluate(1) - use.curve->evaluate(0);
+    const Uv half = use.curve->evaluate(0.5) - use.curve->evaluate(0);
+    return std::max(std::abs(step.u), std::abs(half.u)) <= kLeastShare * (domain.u1 - domain.u0) &&
+           std::max(std::abs(step.v), std::abs(half.v)) <= kLeastShare * (domain.v1 - domain.v0);
+  });
 }
 
 /// Give the notices of parts that have moved their new numbers; -1 for parts that are left out.
@@ -80,7 +95,8 @@ class ContourMerger {
 
   bool is_mergeable(int c) {
     const Contour& contour = model_.contour(c);
-    if (contour.is_degenerate || contour.start == contour.end || contour.uses.empty()) return false;
+    if (contour.uses.empty()) return false;
+    if (contour.is_degenerate && !is_point_in_parameters(model_, contour)) return false;
     if (!is_short(model_, contour, least_length(model_, contour))) return false;
     // Something is to be left of each loop.
     for (const ContourUse& use : contour.uses) {

@@ -71,6 +71,9 @@ struct Patch {
   /// True if the outside of the model is where p_u × p_v does not point. Patches that are joined
   /// are oriented alike; where these flags differ, most of them decide.
   bool is_reversed = false;
+  /// The number of the solid whose boundary it is a part of, with is_reversed as that has it; -1
+  /// for none. Decides which patches are joined where more than two meet, see joined_uses.
+  int solid = -1;
 };
 
 /// A point where contours end.
