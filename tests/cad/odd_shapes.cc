@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 #include <gp_Pln.hxx>
 
 #include <TopoDS_Shape.hxx>
@@ -57,6 +61,48 @@ TopoDS_Shape placed_twice() {
   return together({part, part.Moved(translation(10, 0, 0))});
 }
 
+/// A block with an edge of a millionth, far below what counts, as careless sketches leave.
+TopoDS_Shape micro_edge() {
+  constexpr double kMicro = 1e-6;
+  const auto outline =
+      polygon({{0, 0, 0}, {5, 0, 0}, {5 + kMicro, 0, 0}, {20, 0, 0}, {20, 9, 0}, {0, 9, 0}});
+  return drawn(face_in(outline), 0, 0, 3);
+}
+
+/// A sphere whose wire lacks the sides at the poles.
+TopoDS_Shape sphere_without_poles() {
+  const TopoDS_Shape sphere = BRepPrimAPI_MakeSphere(3).Shape();
+  const TopoDS_Face face = TopoDS::Face(TopExp_Explorer(sphere, TopAbs_FACE).Current());
+  TopoDS_Wire wire;
+  TopoDS_Face bare;
+  TopoDS_Shell shell;
+  TopoDS_Solid solid;
+  BRep_Builder builder;
+  builder.MakeWire(wire);
+  for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next()) {
+    if (!BRep_Tool::Degenerated(TopoDS::Edge(it.Current()))) builder.Add(wire, it.Current());
+  }
+  constexpr double kTolerance = 1e-7;
+  builder.MakeFace(bare, BRep_Tool::Surface(face), kTolerance);
+  builder.Add(bare, wire);
+  builder.MakeShell(shell);
+  builder.Add(shell, bare);
+  shell.Closed(true);
+  builder.MakeSolid(solid);
+  builder.Add(solid, shell);
+  return solid;
+}
+
+/// A box with an edge on a face that bounds nothing.
+TopoDS_Shape inner_edge() {
+  const TopoDS_Shape shape = box(4, 4, 4);
+  TopoDS_Face top = face_towards(shape, {0, 0, 1});
+  const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(gp_Pnt(1, 1, 4), gp_Pnt(3, 2, 4)).Edge();
+  top.Free(true);
+  BRep_Builder().Add(top, wire_of(edge).Oriented(TopAbs_INTERNAL));
+  return shape;
+}
+
 }  // namespace
 
 void add_odd_shapes(std::vector<OwnShape>& shapes) {
@@ -70,6 +116,9 @@ void add_odd_shapes(std::vector<OwnShape>& shapes) {
        {"tiny", ".step", [] { return scaled(fused(box(1, 1, 1), cylinder(0.5, 2)), kTiny); }},
        {"large", ".step", [] { return scaled(fused(box(1, 1, 1), cylinder(0.5, 2)), kLarge); }},
        {"inches", ".step", [] { return box(25.4, 25.4, 25.4); }, ShapeKind::Solid, "INCH"},
+       {"micro_edge", ".brep", micro_edge},
+       {"sphere_without_poles", ".brep", sphere_without_poles},
+       {"inner_edge", ".brep", inner_edge},
        {"loose_box", ".iges", [] { return box(3, 4, 5); }},
        {"loose_cylinder", ".iges", [] { return cylinder(3, 4); }},
        {"loose_hole", ".igs",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -118,6 +120,27 @@ TEST_F(CadParts, AreLeftAsTheyAreWhereSplinesHaveNone) {
   const Model model = read("nurbs_sphere");
   EXPECT_EQ(model.patches.size(), 1u);
   EXPECT_TRUE(model.notices.empty());
+}
+
+TEST_F(CadParts, LoseTheirTinyEdges) {
+  const Model model = read("micro_edge");
+  EXPECT_EQ(model.patches.size(), 7u);
+  for (const Contour& contour : model.contours) EXPECT_NE(contour.start, contour.end);
+  EXPECT_TRUE(testing::has(model.notices, NoticeKind::HealedShape));
+}
+
+TEST_F(CadParts, GetThePolesThatTheFileLeavesOut) {
+  const Model model = read("sphere_without_poles");
+  EXPECT_EQ(std::count_if(model.contours.begin(), model.contours.end(),
+                          [](const Contour& contour) { return contour.is_degenerate; }),
+            2);
+}
+
+TEST_F(CadParts, LoseEdgesThatBoundNothing) {
+  const Model model = read("inner_edge");
+  EXPECT_EQ(model.contours.size(), 12u);
+  ASSERT_TRUE(testing::has(model.notices, NoticeKind::HealedShape));
+  EXPECT_NE(model.notices.front().text.find("1 edges that bound no face"), std::string::npos);
 }
 
 TEST_F(CadParts, AreNotToldOfWhereNothingIsMended) {
