@@ -70,7 +70,7 @@ int ControlCommand::write_control_meshes(Progress& progress) const {
   with_threads(input.options.threads, [&] {
     at_input(input_, [&] {
       control = make_control_spaces(input.model, input.sources,
-                                    resolve(input.options.sizing, input.model.diagonal),
+                                    resolve(input.options.sizing, input.model),
                                     input.options.control, RunContext(&progress));
     });
   });

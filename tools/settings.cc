@@ -215,6 +215,7 @@ LoadOptions load_options(Scheme scheme, const Settings& settings) {
                     .orient = options.orient,
                     .crease_angle = options.crease_angle},
           .joining = options.joining,
+          .cad = {.sew = options.sew},
           .read_cad = cad_reader()};
 }
 

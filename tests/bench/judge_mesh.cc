@@ -113,7 +113,7 @@ class Judge {
       : mesh_(mesh),
         model_(input.model),
         options_(options),
-        sizing_(resolve(input.options.sizing, input.model.diagonal)),
+        sizing_(resolve(input.options.sizing, input.model)),
         fields_(exact_fields(input, sizing_)),
         triangles_(triangles_by_patch(mesh, input.model.patches.size())) {}
 

@@ -480,8 +480,9 @@ TEST(ReadModelFaults, OfSourcesAtTheWrongLevel) {
     return fault(model("", "\"sources\": [{" + keys + ", \"size\": 1}]"));
   };
   EXPECT_EQ(of_model(R"("at": [0, 0])"), " /sources/0/at: at belongs in the sources of a patch");
-  EXPECT_EQ(of_model(R"("along": "p:v0")"),
-            " /sources/0/along: along belongs in the sources of a patch");
+  EXPECT_EQ(of_model(R"("along": [[0, 0], [1, 1]], "size": 1)"),
+            " /sources/0/along/0: must be the name of a contour; points in (u,v) belong in the "
+            "sources of a patch");
   EXPECT_EQ(of_model(R"("table": "t.csv")"),
             " /sources/0/table: table belongs in the sources of a patch");
   EXPECT_EQ(
@@ -592,7 +593,7 @@ TEST(ReadModel, ReadsAPartOfNurbs) {
 }
 
 TEST(ReadModel, ReadsWeightsAndPeriods) {
-  const std::string weights = R"("weights": [[1, "sqrt(2)", 1], [1, 1, 1]])";
+  const std::string weights = R"x("weights": [[1, "sqrt(2)", 1], [1, 1, 1]])x";
   EXPECT_NE(point(read(nurbs_model(weights)), 0, {0.5, 0}).x(), 0.5);
   const std::string periodic = changed(nurbs_model(R"("periodic": [true, false])"),
                                        R"([0, 0, 1, "1+1", 2])", "[0, 1, 2, 3]");

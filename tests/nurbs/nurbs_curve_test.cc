@@ -45,8 +45,7 @@ TEST(NurbsCurve, AgreesWithDeBoor) {
   for (const double t : {0.0, 0.01, 0.3, 0.5, 0.77, 1.0}) {
     long double u = 0, v = 0, w = 0;
     for (std::size_t i = 0; i < polygon.points.size(); ++i) {
-      const long double factor =
-          polygon.weights[i] * testing::basis(polygon.knots, static_cast<int>(i), 3, t, 0);
+      const long double factor = polygon.weights[i] * testing::basis(polygon.knots, i, 3, t, 0);
       u += factor * polygon.points[i].u, v += factor * polygon.points[i].v, w += factor;
     }
     EXPECT_NEAR(curve.evaluate(t).u, static_cast<double>(u / w), 1e-14);

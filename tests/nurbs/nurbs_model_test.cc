@@ -4,6 +4,8 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "support/expect_valid.hh"
 #include "support/notices.hh"
@@ -38,7 +40,7 @@ MeshResult mesh_of(const Model& model) {
 Model model_of_pieces(const NurbsNet& net) {
   std::vector<PatchInput> patches;
   for (const NurbsPiece& piece : split_at_creases(net, knot_domain(net))) {
-    patches.push_back({"p" + std::to_string(patches.size()), piece.surface});
+    patches.push_back({std::string("p").append(std::to_string(patches.size())), piece.surface});
   }
   return model_from_patches(patches);
 }
@@ -124,27 +126,47 @@ NurbsNet ring() {
 TEST(NurbsModel, ClosesWhereItIsPeriodic) {
   const MeshResult mesh = mesh_of(model_of_pieces(ring()));
   EXPECT_EQ(mesh.report.mesh.euler, 0);
-  EXPECT_EQ(mesh.report.mesh.boundary_edges, 0u);
+  EXPECT_TRUE(mesh.report.mesh.is_closed);
+}
+
+/// The square from (0,0) to (6,6) with a hole; the polygon runs counter-clockwise.
+Model plate_with_hole(const NurbsPolygon& polygon) {
+  NurbsNet net = testing::strip_net(1, {0, 0, 6, 6}, {{0, 0, 0}, {6, 0, 0}});
+  net.knots[1] = {0, 0, 6, 6};
+  for (Vec3& point : net.points[1]) point.y() = 6;
+  const auto curve = std::make_shared<NurbsCurve>(polygon);
+  const PatchInput plate{"plate",
+                         std::make_shared<NurbsSurface>(net),
+                         {{"plate:v0", "plate:u1", "-plate:v1", "-plate:u0"}, {"-hole"}}};
+  return model_from_patches({plate},
+                            {{"hole", nullptr, {{"plate", curve}}, {}, {}, curve->breaks()}});
 }
 
 TEST(NurbsModel, IsTrimmedByCurvesOfKnots) {
   const double h = std::numbers::sqrt2 / 2;
-  const NurbsPolygon circle{
-      2,
-      {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4},
-      {{4, 3}, {4, 4}, {3, 4}, {2, 4}, {2, 3}, {2, 2}, {3, 2}, {4, 2}, {4, 3}},
-      {1, h, 1, h, 1, h, 1, h, 1}};
-  const auto curve = std::make_shared<NurbsCurve>(circle);
-  NurbsNet net = testing::strip_net(1, {0, 0, 6, 6}, {{0, 0, 0}, {6, 0, 0}});
-  net.knots[1] = {0, 0, 6, 6};
-  for (Vec3& point : net.points[1]) point.y() = 6;
   const Model model =
-      model_from_patches({{"plate",
-                           std::make_shared<NurbsSurface>(net),
-                           {{"plate:v0", "plate:u1", "-plate:v1", "-plate:u0"}, {"-hole"}}}},
-                         {{"hole", nullptr, {{"plate", curve}}, {}, {}, curve->breaks()}});
+      plate_with_hole({2,
+                       {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4},
+                       {{4, 3}, {4, 4}, {3, 4}, {2, 4}, {2, 3}, {2, 2}, {3, 2}, {4, 2}, {4, 3}},
+                       {1, h, 1, h, 1, h, 1, h, 1}});
   EXPECT_EQ(model.contour(find_contour(model, "hole")).breaks.size(), 3u);
   EXPECT_EQ(mesh_of(model).report.mesh.euler, 0);
+}
+
+TEST(NurbsModel, HasCornersWhereATrimHasKinks) {
+  const int corners = 60;
+  NurbsPolygon star{1, {0}, {}};
+  for (int i = 0; i <= corners; ++i) {
+    const double angle = 2 * std::numbers::pi * (i % corners) / corners;
+    const double radius = i % 2 == 0 ? 2 : 2.3;
+    star.points.push_back({3 + radius * std::cos(angle), 3 + radius * std::sin(angle)});
+    star.knots.push_back(i);
+  }
+  star.knots.push_back(corners);
+  const Model model = plate_with_hole(star);
+  int parts = 0;
+  for (const Contour& contour : model.contours) parts += contour.name.starts_with("hole#") ? 1 : 0;
+  EXPECT_EQ(parts, corners);
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST(NurbsPolygon, HasTheSameRules) {
   EXPECT_EQ(find_fault(bad).value().path, "weights/1");
   bad = good;
   bad.knots[4] = 0.5;
-  EXPECT_EQ(find_fault(bad).value().path, "knots/5");
+  EXPECT_EQ(find_fault(bad).value().path, "knots/4");
   bad = good;
   bad.points[2].v = kUnset;
   EXPECT_EQ(find_fault(bad).value().path, "points/2");

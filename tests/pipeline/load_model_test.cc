@@ -36,7 +36,7 @@ TEST(LoadModel, ReadsModelFiles) {
   const ModelInput input = load_model(own_model("plate.json"));
   EXPECT_EQ(input.model.patches.size(), 1u);
   EXPECT_EQ(input.sources.at.size(), 2u);
-  EXPECT_EQ(input.options.sizing.hmin.value, 0.005);
+  EXPECT_EQ(input.options.sizing.least_size().value, 0.005);
 }
 
 TEST(LoadModel, NamesAllFilesThatItReads) {
@@ -414,6 +414,21 @@ TEST(LoadModel, GivesSourcesOfTheModelToAllPatchesOrToThoseOfAGroup) {
   EXPECT_EQ(sources.near[1].patches, (std::vector<int>{1}));
   ASSERT_EQ(sources.boxes.size(), 1u);
   EXPECT_EQ(sources.boxes[0].patches, (std::vector<int>{0}));
+}
+
+TEST(LoadModel, MakesAGroupOfThePartsOfAPatchWithCreases) {
+  const TestFolder folder;
+  write_text(folder / "roof.json", R"({"patches": [{"name": "roof", "surface": {"nurbs": {
+      "degree": [1, 1], "knots": [[0, 0, 1, 2, 2], [0, 0, 1, 1]],
+      "points": [[[0, 0, 0], [1, 0, 1], [2, 0, 0]], [[0, 1, 0], [1, 1, 1], [2, 1, 0]]]}}}],
+      "sources": [{"group": "roof", "size": 0.2}]})");
+  const ModelInput input = load_model(folder / "roof.json");
+  ASSERT_EQ(input.model.groups.size(), 1u);
+  EXPECT_EQ(input.model.groups[0].name, "roof");
+  EXPECT_EQ(input.model.groups[0].patches, (std::vector<int>{0, 1}));
+  EXPECT_EQ(input.model.patches.at(1).name, "roof[1,0]");
+  EXPECT_EQ(input.sources.everywhere.size(), 2u);
+  EXPECT_EQ(texts_of(input.model.notices, Severity::Warning), std::vector<std::string>{});
 }
 
 TEST(LoadModel, NamesThePlaceOfAnUnknownGroup) {

@@ -484,7 +484,7 @@ TEST_P(Extraordinary, HasAsManyTrianglesAtAnyLevelOfApproximation) {
 TEST_P(Extraordinary, HasAsManyTrianglesWithHalfOfTheLeastSize) {
   PipelineOptions options;
   const auto before = static_cast<double>(mesh_model(model(8), {}, options).mesh.n_faces());
-  options.sizing.hmin.value *= 0.5;
+  options.sizing.hmin = Length::share(0.5 * options.sizing.least_size().value);
   const auto after = static_cast<double>(mesh_model(model(8), {}, options).mesh.n_faces());
   EXPECT_NEAR(after, before, 0.1 * before);
 }

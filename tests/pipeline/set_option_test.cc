@@ -63,8 +63,8 @@ TEST(SetOption, ReachesTheStages) {
   set_option(options, "placement", "circumcentre");
   set_option(options, "kernel", "swap");
   set_option(options, "smoothing", "5");
-  EXPECT_EQ(options.sizing.hmin.value, 0.001);
-  EXPECT_TRUE(options.sizing.hmin.is_relative);
+  EXPECT_EQ(options.sizing.least_size().value, 0.001);
+  EXPECT_TRUE(options.sizing.least_size().is_relative);
   EXPECT_EQ(options.control.regular_nodes, 100);
   EXPECT_EQ(options.refine.placement, Placement::Circumcentre);
   EXPECT_EQ(options.refine.kernel, Kernel::Swap);

@@ -56,7 +56,7 @@ class SharedCage : public ::testing::TestWithParam<CageCase> {
   MeshResult mesh(int level, double hmin_factor) const {
     PipelineOptions options;
     options.sizing.curvature = GetParam().curvature;
-    options.sizing.hmin.value *= hmin_factor;
+    options.sizing.hmin = Length::share(options.sizing.least_size().value * hmin_factor);
     return mesh_model(model_from_cage(cage_, {.approximation_level = level}), {}, options);
   }
 

@@ -188,8 +188,7 @@ TEST(SizeField, RefusesSizesThatAreNoLengths) {
 
 TEST(SizeField, TakesSharesOfTheDiagonal) {
   const auto surface = plane();
-  const SizeField field(surface, resolve({0, Length::share(0.001), Length::share(0.2), 2, 0}, 50),
-                        {});
+  const SizeField field(surface, resolve({.curvature = 0, .stretch = 2, .grade = 0}, 50), {});
   EXPECT_DOUBLE_EQ(field.bounds().hmin, 0.05);
   EXPECT_DOUBLE_EQ(field.bounds().hmax, 10);
   expect_near(field.bounds().tensor({Length::share(0.1), Length::units(0.5), 0}), {5, 0, 0.5},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -78,24 +79,36 @@ inline NurbsNet strip_net(int degree, std::vector<double> knots, const std::vect
   return net;
 }
 
-/// The k-th derivative of basis function i of degree p, by the definition.
-inline long double basis(const std::vector<double>& knots, int i, int p, long double x, int k) {
+/// A place in the span of x; for the end of the inner knots that is the last span before it.
+inline long double place_in_span(const std::vector<double>& knots, int degree, double x) {
+  const double end = knots[knots.size() - 1 - static_cast<std::size_t>(degree)];
+  if (x < end) return x;
+  return (*(std::lower_bound(knots.begin(), knots.end(), end) - 1) + end) / 2;
+}
+
+/// The k-th derivative of basis function i of degree p, by the definition. `place` is in the span.
+inline long double basis(const std::vector<double>& knots, int i, int p, long double x, int k,
+                         long double place) {
   const auto knot = [&](int at) -> long double { return knots[static_cast<std::size_t>(at)]; };
-  if (p == 0) {
-    // At the last knot, the span before it.
-    const bool is_last = x == knots.back() && knot(i + 1) == x && knot(i) < x;
-    return k == 0 && ((knot(i) <= x && x < knot(i + 1)) || is_last) ? 1 : 0;
-  }
+  if (p == 0) return k == 0 && knot(i) <= place && place < knot(i + 1) ? 1 : 0;
   const long double left = knot(i + p) - knot(i), right = knot(i + p + 1) - knot(i + 1);
+  const auto lower = [&](int j, int derivative) {
+    return basis(knots, j, p - 1, x, derivative, place);
+  };
   long double sum = 0;
   if (k > 0) {
-    if (left > 0) sum += p * basis(knots, i, p - 1, x, k - 1) / left;
-    if (right > 0) sum -= p * basis(knots, i + 1, p - 1, x, k - 1) / right;
+    if (left > 0) sum += p * lower(i, k - 1) / left;
+    if (right > 0) sum -= p * lower(i + 1, k - 1) / right;
     return sum;
   }
-  if (left > 0) sum += (x - knot(i)) / left * basis(knots, i, p - 1, x, 0);
-  if (right > 0) sum += (knot(i + p + 1) - x) / right * basis(knots, i + 1, p - 1, x, 0);
+  if (left > 0) sum += (x - knot(i)) / left * lower(i, 0);
+  if (right > 0) sum += (knot(i + p + 1) - x) / right * lower(i + 1, 0);
   return sum;
+}
+
+/// The same at a parameter of a curve or of one direction.
+inline long double basis(const std::vector<double>& knots, std::size_t i, int p, double x, int k) {
+  return basis(knots, static_cast<int>(i), p, x, k, place_in_span(knots, p, x));
 }
 
 /// The derivative of order (a, b) of (wx, wy, wz, w).
@@ -103,10 +116,10 @@ inline std::array<long double, 4> slow_homogeneous(const NurbsNet& net, Uv uv, i
   std::array<long double, 4> sum = {};
   std::vector<long double> along;
   for (std::size_t i = 0; i < net.points[0].size(); ++i) {
-    along.push_back(basis(net.knots[0], static_cast<int>(i), net.degree[0], uv.u, a));
+    along.push_back(basis(net.knots[0], i, net.degree[0], uv.u, a));
   }
   for (std::size_t j = 0; j < net.points.size(); ++j) {
-    const long double across = basis(net.knots[1], static_cast<int>(j), net.degree[1], uv.v, b);
+    const long double across = basis(net.knots[1], j, net.degree[1], uv.v, b);
     for (std::size_t i = 0; i < net.points[j].size(); ++i) {
       const long double weight = net.weights.empty() ? 1 : net.weights[j][i];
       for (int c = 0; c < 4; ++c) {

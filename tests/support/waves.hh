@@ -21,7 +21,11 @@ inline Size size_of(double length) { return size_of(length, length); }
 
 /// Sizing in model units without gradation.
 inline Sizing sizing_of(double curvature, double hmin, double hmax, double stretch) {
-  return {curvature, units(hmin), units(hmax), stretch, 0};
+  return {.curvature = curvature,
+          .hmin = units(hmin),
+          .hmax = units(hmax),
+          .stretch = stretch,
+          .grade = 0};
 }
 
 /// The surface of eq. (7) with its parameters multiplied by the scales: the same in space.

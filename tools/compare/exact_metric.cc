@@ -15,7 +15,7 @@ ExactMetric::ExactMetric(const std::filesystem::path& model) : input_(load_model
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("{} has {} patches, not 1", model.string(), loaded.patches.size()));
   }
-  const ResolvedSizing sizing = resolve(input_.options.sizing, loaded.diagonal);
+  const ResolvedSizing sizing = resolve(input_.options.sizing, loaded);
   const auto sources = model_sources(loaded, input_.sources, sizing);
   field_ = std::make_unique<SizeField>(*loaded.patches[0].surface, sizing, sources[0],
                                        input_.options.control.precision);

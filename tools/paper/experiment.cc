@@ -98,7 +98,7 @@ const ControlSpace& Experiment::control(const Variant& variant) {
   own.is_reusing = false;
   const std::string key = fmt::format("{} {}", label(own), own.nodes);
   if (!controls_.contains(key)) {
-    const ResolvedSizing sizing = resolve(input_.options.sizing, input_.model.diagonal);
+    const ResolvedSizing sizing = resolve(input_.options.sizing, input_.model);
     controls_.emplace(key, make_control_spaces(input_.model, input_.sources, sizing,
                                                options(own, Way::Paper, false).control));
   }

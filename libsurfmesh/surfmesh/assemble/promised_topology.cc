@@ -13,6 +13,7 @@
 #include "surfmesh/core/disjoint_sets.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/validate.hh"
+#include "surfmesh/model/touching_loops.hh"
 
 namespace surfmesh {
 namespace {
@@ -64,6 +65,13 @@ class Gluing {
     return count;
   }
 
+  /// By patch, one number for all that hang together.
+  std::vector<std::size_t> components() {
+    std::vector<std::size_t> components;
+    for (std::size_t p = 0; p < model_.patches.size(); ++p) components.push_back(sheets_.find(p));
+    return components;
+  }
+
   /// How many fans of corners each vertex of the model has.
   std::vector<int> fans_of_vertices() {
     std::vector<int> counts(model_.vertices.size(), 0);
@@ -81,12 +89,12 @@ class Gluing {
     return counts;
   }
 
-  /// Of what lies between the vertices: the inside of a patch of n loops has 2 − n, that of a
-  /// contour −1.
+  /// Of what lies between the vertices: the insides of patches, and those of contours, which have
+  /// −1.
   long euler_without_vertices() const {
     long sum = 0;
     for (const Patch& patch : model_.patches) {
-      if (!patch.loops.empty()) sum += 2 - static_cast<long>(patch.loops.size());
+      sum += outer_less_inner_loops(model_, patch);
     }
     for (std::size_t c = 0; c < model_.contours.size(); ++c) {
       const Contour& contour = model_.contours[c];
@@ -137,18 +145,19 @@ class Gluing {
 class PositionTable {
  public:
   explicit PositionTable(const PolyMesh& mesh)
-      : mesh_(mesh), slots_(std::bit_ceil(2 * mesh.n_vertices() + 1), -1) {}
+      : mesh_(mesh), slots_(std::bit_ceil(2 * mesh.n_vertices() + 1)) {}
 
-  /// An earlier vertex in the same place; invalid if there is none.
-  VertexHandle add(VertexHandle vh) {
+  /// An earlier vertex in the same place and component; invalid if there is none.
+  VertexHandle add(VertexHandle vh, std::size_t component) {
     const PolyMesh::Point& point = mesh_.point(vh);
     for (std::size_t slot = hash(point);; ++slot) {
-      int& vertex = slots_[slot & (slots_.size() - 1)];
-      if (vertex < 0) {
-        vertex = vh.idx();
+      Slot& there = slots_[slot & (slots_.size() - 1)];
+      if (there.vertex < 0) {
+        there = {vh.idx(), component};
         return VertexHandle();
       }
-      if (mesh_.point(VertexHandle(vertex)) == point) return VertexHandle(vertex);
+      const VertexHandle other(there.vertex);
+      if (there.component == component && mesh_.point(other) == point) return other;
     }
   }
 
@@ -164,8 +173,13 @@ class PositionTable {
     return mixed;
   }
 
+  struct Slot {
+    int vertex = -1;
+    std::size_t component = 0;
+  };
+
   const PolyMesh& mesh_;
-  std::vector<int> slots_;
+  std::vector<Slot> slots_;
 };
 
 /// Compares a mesh with the promise of its model.
@@ -246,10 +260,18 @@ class Comparison {
   void look_at_vertices() {
     PositionTable table(mesh_);
     for (const VertexHandle vh : mesh_.vertices()) {
-      const VertexHandle earlier = table.add(vh);
+      const VertexHandle earlier = table.add(vh, component_of(vh));
       if (!earlier.is_valid() || (is_at_opening(vh) && is_at_opening(earlier))) continue;
       if (!is_split(to_eigen(mesh_.point(vh)))) duplicate_.add([&] { return location_of(vh); });
     }
+  }
+
+  /// Solids that touch have vertices in the same places.
+  std::size_t component_of(VertexHandle vh) const {
+    const HalfedgeHandle heh = mesh_.halfedge_handle(vh);
+    if (!heh.is_valid()) return 0;
+    const EdgeHandle eh = mesh_.edge_handle(heh);
+    return promise_.component_of[static_cast<std::size_t>(patch_at(inner_halfedge(eh)))];
   }
 
   bool is_at_opening(VertexHandle vh) const { return is_at_opening_[index(vh)] != 0; }
@@ -304,6 +326,7 @@ PromisedTopology promised_topology(const Model& model) {
   }
   Gluing gluing(model, promise);
   promise.components = gluing.component_count();
+  promise.component_of = gluing.components();
   promise.euler = gluing.euler_without_vertices();
   for (const int fans : gluing.fans_of_vertices()) {
     promise.is_split.push_back(fans > 1);

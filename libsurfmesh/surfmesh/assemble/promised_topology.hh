@@ -18,6 +18,7 @@ struct PromisedTopology {
   std::vector<char> is_open;
   /// By vertex of the model: 1 where it becomes several vertices, of patches that are not glued.
   std::vector<char> is_split;
+  std::vector<std::size_t> component_of;  ///< by patch, one number for all that are glued
   std::size_t components = 0;
   long euler = 0;
 
@@ -35,8 +36,8 @@ PromisedTopology promised_topology(const Model& model);
 ///
 /// Kinds of faults: open_edge (a side without a neighbour where the model has one), closed_edge (a
 /// side with a neighbour where the model ends), duplicate_vertex (the same coordinates as another
-/// vertex, unless both lie where the mesh may be open, or the model's vertex is split), components
-/// and euler (one entry, which gives both numbers). Locations name the patch.
+/// vertex of what hangs together, unless both lie where the mesh may be open, or the model's vertex
+/// is split), components and euler (one entry, which gives both numbers). Locations name the patch.
 ///
 /// Reads    surf:patch (face), surf:contour (edge; optional: without it open edges pass on every
 ///          patch that is open anywhere, and closed_edge is not found)

@@ -67,7 +67,19 @@ bool do_boxes_meet(const Segment& p, const Segment& q) {
          std::max(q.a.v, q.b.v) >= std::min(p.a.v, p.b.v);
 }
 
+/// True if the segments have an end in common, and nothing else.
+bool do_touch_in_ends(const Segment& p, const Segment& q) {
+  const bool is_from_a = p.a == q.a || p.a == q.b, is_from_b = p.b == q.a || p.b == q.b;
+  if (is_from_a == is_from_b) return false;
+  const Uv common = is_from_a ? p.a : p.b, end_p = is_from_a ? p.b : p.a;
+  const Uv end_q = q.a == common ? q.b : q.a;
+  if (orient2d(common, end_p, end_q) != 0) return true;
+  const Uv to_p = end_p - common, to_q = end_q - common;
+  return to_p.u * to_q.u + to_p.v * to_q.v < 0;
+}
+
 bool is_crossing(const Segment& p, const Segment& q) {
+  if (do_touch_in_ends(p, q)) return false;
   return do_boxes_meet(p, q) && orient2d(p.a, p.b, q.a) * orient2d(p.a, p.b, q.b) <= 0 &&
          orient2d(q.a, q.b, p.a) * orient2d(q.a, q.b, p.b) <= 0;
 }

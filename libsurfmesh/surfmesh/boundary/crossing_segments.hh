@@ -19,7 +19,8 @@ struct LoopSegment {
   friend bool operator==(const LoopSegment&, const LoopSegment&) = default;
 };
 
-/// Pairs of segments that have a point in common and are not next to each other in a loop.
+/// Pairs of segments that have a point in common and are not next to each other in a loop. A common
+/// end alone, where loops touch in a node, does not count.
 ///
 /// Exact. Coordinates must be finite.
 /// Cost     O(n log n) for segments that are short against the loops

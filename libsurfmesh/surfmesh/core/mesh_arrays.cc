@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/core/shared_vertices.hh"
 
 namespace surfmesh {
 namespace {
@@ -47,13 +48,16 @@ void add_corners(const PolyMesh& mesh, MeshArrays& arrays) {
 MeshArrays mesh_arrays(const PolyMesh& mesh, MeshNames names, ArrayParts parts) {
   MeshArrays arrays;
   arrays.names = std::move(names);
-  arrays.points.reserve(mesh.n_vertices());
-  for (const VertexHandle vh : mesh.vertices()) arrays.points.push_back(to_eigen(mesh.point(vh)));
+  const SharedVertices vertices(mesh);
+  arrays.points.reserve(vertices.count());
+  for (const VertexHandle vh : mesh.vertices()) {
+    if (vertices.is_first(vh)) arrays.points.push_back(to_eigen(mesh.point(vh)));
+  }
   arrays.faces.reserve(mesh.n_faces(), mesh.n_halfedges());
   std::vector<int> face;
   for (const FaceHandle fh : mesh.faces()) {
     face.clear();
-    for_each_vertex_of(mesh, fh, [&face](int vertex) { face.push_back(vertex); });
+    for_each_vertex_of(mesh, fh, [&](int vertex) { face.push_back(vertices.number(vertex)); });
     arrays.faces.add(face);
   }
   const auto patch_of = find(mesh, keys::face_patch);

@@ -85,7 +85,10 @@ enum class ArrayParts { Faces, FacesAndCorners };
 
 /// Make arrays of a mesh.
 ///
-/// Reads    surf:patch (face), surf:contour (edge), surf:uv, surf:metric, surf:beyond,
+/// Copies of vertices at contours of three and more patches are one point.
+///
+/// Reads    surf:original (vertex), surf:patch (face), surf:contour (edge), surf:uv, surf:metric,
+/// surf:beyond,
 ///          surf:normal (halfedge), all optional
 /// Cost     O(corners), about 20 ns a triangle, 50 ns with those of the corners
 MeshArrays mesh_arrays(const PolyMesh& mesh, MeshNames names = {},

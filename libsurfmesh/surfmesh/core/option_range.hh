@@ -83,6 +83,7 @@ inline constexpr std::array kSwitch = {OptionWord{"on", 1}, OptionWord{"off", 0}
                                        OptionWord{"true", 1, WordUse::Alias},
                                        OptionWord{"false", 0, WordUse::Alias}};
 inline constexpr std::array kCurvatureFrom = {OptionWord{"exact", 0}, OptionWord{"differences", 1}};
+inline constexpr std::array kSharesOf = {OptionWord{"model", 0}, OptionWord{"part", 1}};
 inline constexpr std::array kControl = {OptionWord{"mesh", 0}, OptionWord{"grid", 1},
                                         OptionWord{"cells", 2}, OptionWord{"auto", 3}};
 inline constexpr std::array kInterpolation = {OptionWord{"s", 0}, OptionWord{"t", 1},
@@ -105,6 +106,8 @@ namespace ranges {
 
 /// No factor or ratio makes sense anywhere near it.
 inline constexpr double kMostFactor = 1e6;
+/// Segments of a circle: far more than any mesh needs.
+inline constexpr double kMostSegments = 1e5;
 /// Sweeps and passes: far more than any mesh needs.
 inline constexpr double kMostPasses = 1000;
 /// Regular control nodes: far more than sizes that elements can follow ever need in one patch.
@@ -113,6 +116,9 @@ inline constexpr double kMostNodes = 4e6;
 inline constexpr double kMostElements = 2147483647;
 
 inline constexpr OptionRange kCurvature = {"curvature", words::kOff, 0, kMostFactor, true};
+inline constexpr OptionRange kSegmentsPerCircle = {"segments_per_circle", words::kOff, 3,
+                                                   kMostSegments};
+inline constexpr OptionRange kSharesOf = {"shares_of", words::kSharesOf};
 inline constexpr OptionRange kStretch = {"stretch", {}, 1, kMostFactor};
 inline constexpr OptionRange kIsotropic = {"isotropic", words::kSwitch};
 inline constexpr OptionRange kGrade = {"grade", words::kOff, 1, kMostFactor};

@@ -10,6 +10,7 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/core/shared_vertices.hh"
 #include "surfmesh/formats/cage_text.hh"
 #include "surfmesh/formats/obj_corners.hh"
 #include "surfmesh/formats/obj_labels.hh"
@@ -279,6 +280,7 @@ void write_obj(const PolyMesh& mesh, const MeshNames& names, const OutputOptions
                OutputFile& file) {
   FileWriter writer(file);
   writer.text("# surfmesh");
+  const SharedVertices vertices(mesh);
   write_points(mesh, "v", writer);
   CornerWriter uvs(mesh, keys::corner_uv, options.uv);
   CornerWriter normals(mesh, keys::corner_normal, options.normals);
@@ -289,7 +291,7 @@ void write_obj(const PolyMesh& mesh, const MeshNames& names, const OutputOptions
     groups.begin_face(fh);
     writer.text("\nf");
     for_each_corner(mesh, fh, [&](HalfedgeHandle heh) {
-      writer.number(' ', mesh.to_vertex_handle(heh).idx() + 1);
+      writer.number(' ', vertices.number(mesh.to_vertex_handle(heh).idx()) + 1);
       if (uvs.has_values()) writer.number('/', uvs.number(heh));
       if (!normals.has_values()) return;
       if (!uvs.has_values()) writer.text("/");

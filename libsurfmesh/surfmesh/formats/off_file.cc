@@ -8,6 +8,7 @@
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/mesh_arrays.hh"
+#include "surfmesh/core/shared_vertices.hh"
 #include "surfmesh/formats/cage_text.hh"
 #include "surfmesh/formats/read_cage.hh"
 #include "surfmesh/io/file_writer.hh"
@@ -206,13 +207,14 @@ MeshArraysFile parse_off_mesh(std::string text, const std::string& name) {
 void write_off(const PolyMesh& mesh, const MeshNames&, const OutputOptions&, OutputFile& file) {
   FileWriter writer(file);
   writer.text("OFF");
-  writer.number('\n', mesh.n_vertices());
+  const SharedVertices vertices(mesh);
+  writer.number('\n', vertices.count());
   writer.number(' ', mesh.n_faces());
   writer.text(" 0");
   write_points(mesh, "", writer);
   for (const FaceHandle fh : mesh.faces()) {
     writer.number('\n', mesh.valence(fh));
-    for_each_vertex_of(mesh, fh, [&writer](int vertex) { writer.number(' ', vertex); });
+    for_each_vertex_of(mesh, fh, [&](int vertex) { writer.number(' ', vertices.number(vertex)); });
   }
   writer.text("\n");
   writer.flush();

@@ -12,6 +12,7 @@
 
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/core/shared_vertices.hh"
 #include "surfmesh/formats/cage_text.hh"
 #include "surfmesh/formats/ply_header.hh"
 #include "surfmesh/io/byte_scanner.hh"
@@ -402,7 +403,8 @@ void write_ply(const PolyMesh& mesh, const MeshNames& names, const OutputOptions
     write_runs(mesh.property(patch_of).data_vector(), writer);
   }
   writer.text("\nelement vertex");
-  writer.number(' ', mesh.n_vertices());
+  const SharedVertices vertices(mesh);
+  writer.number(' ', vertices.count());
   writer.text("\nproperty double x\nproperty double y\nproperty double z\nelement face");
   writer.number(' ', mesh.n_faces());
   const bool is_small = sizes.most <= std::numeric_limits<std::uint8_t>::max();
@@ -412,7 +414,7 @@ void write_ply(const PolyMesh& mesh, const MeshNames& names, const OutputOptions
   write_points(mesh, "", writer);
   for (const FaceHandle fh : mesh.faces()) {
     writer.number('\n', mesh.valence(fh));
-    for_each_vertex_of(mesh, fh, [&writer](int vertex) { writer.number(' ', vertex); });
+    for_each_vertex_of(mesh, fh, [&](int vertex) { writer.number(' ', vertices.number(vertex)); });
     if (are_patches_values) writer.number(' ', mesh.property(patch_of, fh));
   }
   writer.text("\n");

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/shared_vertices.hh"
 
 namespace surfmesh {
 
@@ -16,7 +17,9 @@ void check_finite(const OpenMesh::Vec3d& point, VertexHandle vh) {
 }
 
 void write_points(const PolyMesh& mesh, std::string_view first_word, FileWriter& writer) {
+  const SharedVertices vertices(mesh);
   for (const VertexHandle vh : mesh.vertices()) {
+    if (!vertices.is_first(vh)) continue;
     const OpenMesh::Vec3d& point = mesh.point(vh);
     check_finite(point, vh);
     if (first_word.empty()) {

@@ -12,10 +12,16 @@ namespace surfmesh {
 
 /// How a file of a CAD program becomes a model.
 struct CadOptions {
-  /// Edges of faces nearer than this become one. Unset: faces that the file does not join at all
-  /// (IGES) are sewn to 1e-5 of the diagonal. 0 is off.
+  /// Edges of single faces nearer than this become one, so that faces that the file does not join
+  /// (IGES) get common edges. Unset: 1e-5 of the diagonal; 0 is off.
   std::optional<Length> sew = {};
 };
+
+namespace ranges {
+
+inline constexpr LengthRange kSew = {"sew", true, 1e-5};
+
+}  // namespace ranges
 
 /// Reads a STEP, IGES or BREP file.
 ///

@@ -177,11 +177,13 @@ void LoopCloser::warn_of_near_parts(int index, const PatchInput& patch,
   for (const NearParts& near : gaps) {
     if (!regions.is_in_material(lerp(near.at_a, near.at_b, 0.5))) continue;
     const Vec3 at = point_at(near.at_a);
+    const double gap = (at - point_at(near.at_b)).norm();
+    if (gap <= reach_) continue;  // they touch
     Notice notice = warning_at(
         label(patch), NoticeKind::NarrowGap,
         fmt::format("contours {} and {} nearly meet at (u,v) = ({:.6g}, {:.6g}): the gap between "
                     "them is {:.3g}",
-                    near.a, near.b, near.at_a.u, near.at_a.v, (at - point_at(near.at_b)).norm()));
+                    near.a, near.b, near.at_a.u, near.at_a.v, gap));
     notice.patch = index;
     notice.point = at;
     model_.notices.push_back(std::move(notice));

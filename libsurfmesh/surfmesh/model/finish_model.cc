@@ -9,6 +9,9 @@
 #include "surfmesh/geometry/parts.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
 #include "surfmesh/model/contour_smoothness.hh"
+#include "surfmesh/model/merge_small.hh"
+#include "surfmesh/model/pin_ends.hh"
+#include "surfmesh/model/touching_loops.hh"
 
 namespace surfmesh {
 namespace {
@@ -28,24 +31,9 @@ constexpr double kShareOfTolerance = 0.1;
 /// Contours without extent are smaller than this share of the diagonal.
 constexpr double kPointExtent = 1e-9;
 
-void extend_by_surface(const Surface& surface, Eigen::AlignedBox3d& box) {
-  const CellCount cells = surface.cells();
-  const int columns = std::min(kCellIntervals * cells.u, kMostIntervals);
-  const int rows = std::min(kCellIntervals * cells.v, kMostIntervals);
-  const bool is_triangle = surface.domain().shape == Domain::Shape::Triangle;
-  for (int j = 0; j <= rows; ++j) {
-    for (int i = 0; i <= columns; ++i) {
-      const double s = static_cast<double>(i) / columns, t = static_cast<double>(j) / rows;
-      if (is_triangle && s + t > 1) continue;
-      const Uv uv = surface.from_cells({s * cells.u, t * cells.v});
-      box.extend(surface.evaluate(uv, Order::Position).point);
-    }
-  }
-}
-
 void set_box(Model& model) {
   if (model.box.isEmpty()) {
-    for (const Patch& patch : model.patches) extend_by_surface(*patch.surface, model.box);
+    for (const Patch& patch : model.patches) model.box.extend(sampled_box(*patch.surface));
   }
   model.diagonal = model.box.diagonal().norm();
 }
@@ -95,6 +83,23 @@ void compare_uses(Model& model, Contour& contour) {
 
 }  // namespace
 
+Eigen::AlignedBox3d sampled_box(const Surface& surface) {
+  const CellCount cells = surface.cells();
+  const int columns = std::min(kCellIntervals * cells.u, kMostIntervals);
+  const int rows = std::min(kCellIntervals * cells.v, kMostIntervals);
+  const bool is_triangle = surface.domain().shape == Domain::Shape::Triangle;
+  Eigen::AlignedBox3d box;
+  for (int j = 0; j <= rows; ++j) {
+    for (int i = 0; i <= columns; ++i) {
+      const double s = static_cast<double>(i) / columns, t = static_cast<double>(j) / rows;
+      if (is_triangle && s + t > 1) continue;
+      const Uv uv = surface.from_cells({s * cells.u, t * cells.v});
+      box.extend(surface.evaluate(uv, Order::Position).point);
+    }
+  }
+  return box;
+}
+
 double gap_of(const Model& model, const Contour& contour) {
   const ContourUse& first = contour.uses.front();
   const std::vector<double> parameters = divided_parts(contour.breaks, kPartIntervals);
@@ -119,6 +124,9 @@ void finish(Model& model) {
   }
   set_box(model);
   set_positions(model);
+  merge_small_parts(model);
+  pin_ends(model);
+  separate_touching_loops(model);
   for (Contour& contour : model.contours) compare_uses(model, contour);
   set_smoothness(model);
 }

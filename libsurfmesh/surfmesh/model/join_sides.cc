@@ -11,7 +11,10 @@
 #include "surfmesh/model/check_breaks.hh"
 #include "surfmesh/model/contour_smoothness.hh"
 #include "surfmesh/model/matched_sides.hh"
+#include "surfmesh/model/merge_small.hh"
 #include "surfmesh/model/near_miss_notices.hh"
+#include "surfmesh/model/pin_ends.hh"
+#include "surfmesh/model/touching_loops.hh"
 #include "surfmesh/model/trim_patches.hh"
 
 namespace surfmesh {
@@ -169,6 +172,9 @@ Model model_from_patches(const std::vector<PatchInput>& patches,
     if (patch.loops.empty()) result.loops.push_back(whole_loop(patch.name, chains));
   }
   trim_patches(model, {patches, contours, chains, lengths.join});
+  merge_small_parts(model);
+  pin_ends(model);
+  separate_touching_loops(model);
   check_breaks(patches, model);
   set_smoothness(model);
   return model;

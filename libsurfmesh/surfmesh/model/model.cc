@@ -61,16 +61,6 @@ Vec3 end_point(const Model& model, const ContourUse& use, bool at_end) {
   return model.point(use, at_end == use.is_forward ? 1.0 : 0.0);
 }
 
-/// How far the ends of two contours that follow each other may be apart.
-double allowed_gap(const Model& model, const Contour& a, const Contour& b) {
-  double tolerance = a.tolerance + b.tolerance;
-  for (const int vertex : {a.start, a.end}) {
-    if (vertex != b.start && vertex != b.end) continue;
-    tolerance += 2 * model.vertices[static_cast<std::size_t>(vertex)].tolerance;
-  }
-  return std::max(kLoopGap * model.diagonal, tolerance);
-}
-
 void check_loop(const Model& model, std::size_t patch_index, const PatchLoop& loop) {
   const Patch& patch = model.patches[patch_index];
   if (loop.empty()) {
@@ -166,6 +156,15 @@ MeshNames mesh_names(const Model& model) {
   }
   put_in_order(names.groups);
   return names;
+}
+
+double allowed_gap(const Model& model, const Contour& before, const Contour& after) {
+  double tolerance = before.tolerance + after.tolerance;
+  for (const int vertex : {before.start, before.end}) {
+    if (vertex != after.start && vertex != after.end) continue;
+    tolerance += 2 * model.vertices[static_cast<std::size_t>(vertex)].tolerance;
+  }
+  return std::max(kLoopGap * model.diagonal, tolerance);
 }
 
 void check(const Model& model) {

@@ -152,6 +152,10 @@ int find_patch(const Model& model, std::string_view name);
 /// Throws   InvalidInput if there is none, with the name that was probably meant
 std::vector<int> find_group(const Model& model, std::string_view name);
 
+/// How far the ends of two contours that follow each other in a loop may be apart in space: 1e-6 of
+/// the diagonal, or the tolerances of both and of the vertex between them.
+double allowed_gap(const Model& model, const Contour& before, const Contour& after);
+
 /// Check that indices are valid, that the diagonal is between 1e-70 and 1e70 and no less than 1e-11
 /// of the distance from the origin, and that all loops close in space, to 1e-6 of the diagonal or
 /// the tolerances of the model, if those are greater.

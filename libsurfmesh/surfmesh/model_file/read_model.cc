@@ -124,11 +124,12 @@ void read_patch(const JsonNode& node, const FileScope& file, ModelFile& model) {
 
 /// The patches; there must be some if there are no cages.
 void read_patches(const JsonNode& root, const FileScope& file, ModelFile& model) {
-  if (!model.cages.empty() && !root.has("patches")) return;
-  if (!root.has("patches")) root.fail("a model needs patches or cages");
+  const bool has_files = !model.cages.empty() || !model.cad.empty();
+  if (has_files && !root.has("patches")) return;
+  if (!root.has("patches")) root.fail("a model needs patches, cages or cad");
   const JsonNode patches = root.at("patches");
   for (const JsonNode& patch : patches.elements()) read_patch(patch, file, model);
-  if (model.patches.empty() && model.cages.empty()) patches.fail("the model has no patches");
+  if (model.patches.empty() && !has_files) patches.fail("the model has no patches");
 }
 
 void read_options(const JsonNode& root, const char* key, ModelFile& model) {
@@ -143,7 +144,8 @@ void read_options(const JsonNode& root, const char* key, ModelFile& model) {
 /// Where the keys of model files belong; those that are known at a place are never looked up.
 KeyPlaces places_of_keys(const KeyPlaces& options) {
   KeyPlaces places = options;
-  for (const char* key : {"patches", "cages", "contours", "constants", "sizing", "options"}) {
+  for (const char* key :
+       {"patches", "cages", "cad", "contours", "constants", "sizing", "options"}) {
     places[key] = "the model itself";
   }
   for (const char* key : {"surface", "domain", "loops"}) places[key] = "a patch";
@@ -169,12 +171,13 @@ ModelFile parse_model(std::string_view text, const std::string& name, const KeyP
   const Json json = parse_json(text, name);
   const KeyPlaces places = places_of_keys(options);
   const JsonNode root(json, name, "", &places);
-  root.expect_keys(
-      {"$schema", "constants", "patches", "cages", "contours", "sources", "sizing", "options"});
+  root.expect_keys({"$schema", "constants", "patches", "cages", "cad", "contours", "sources",
+                    "sizing", "options"});
   ModelFile model;
   FileScope file{{}, std::filesystem::path(name).parent_path()};
   if (const auto node = root.find("constants")) file.constants = read_constants(*node);
   if (const auto node = root.find("cages")) model.cages = read_cages(*node, file.folder);
+  if (const auto node = root.find("cad")) model.cad = read_cad_files(*node, file.folder);
   read_patches(root, file, model);
   if (const auto node = root.find("contours")) {
     model.contours = read_contours(*node, file.constants);

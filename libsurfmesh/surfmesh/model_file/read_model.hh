@@ -38,6 +38,14 @@ struct CageInput {
   std::string origin;  ///< JSON pointer
 };
 
+/// A STEP, IGES or BREP file that a model file names.
+struct CadFileInput {
+  std::string name;  ///< may be empty, if there is only one
+  std::filesystem::path file;
+  std::optional<Length> sew = {};  ///< 0 is off
+  std::string origin;              ///< JSON pointer
+};
+
 /// A source of sizes in all patches of the model, or in those of a group.
 struct SpaceSource {
   std::string group;   ///< a group of a cage's file, a cage, or a patch; empty for all patches
@@ -52,9 +60,10 @@ struct DividedPatch {
   std::vector<int> pieces;  ///< indices of ModelFile::patches
 };
 
-/// A source of sizes along a contour or side, in the patch that names it.
+/// A source of sizes along a contour or side, in the patch that names it or, if the model does, in
+/// all patches there.
 struct AlongContour {
-  int patch = -1;
+  int patch = -1;  ///< -1 for all
   std::string contour;
   LocalSize wish;
   std::string origin;  ///< JSON pointer
@@ -75,6 +84,7 @@ struct ModelFile {
   std::vector<DividedPatch> divided;
   std::vector<ContourInput> contours;
   std::vector<CageInput> cages;
+  std::vector<CadFileInput> cad;
   std::vector<std::filesystem::path> tables;  ///< their files
   Sources sources;                            ///< `patch` is an index into patches
   std::vector<SpaceSource> space_sources;

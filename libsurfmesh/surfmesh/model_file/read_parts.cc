@@ -18,6 +18,7 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/formula/formula_curve.hh"
 #include "surfmesh/io/nearest_word.hh"
+#include "surfmesh/model/cad_input.hh"
 #include "surfmesh/model_file/read_nurbs.hh"
 
 namespace surfmesh {
@@ -41,9 +42,9 @@ PatchKind read_patch_kind(const JsonNode& node) {
 }
 
 /// A length above 0, true for the usual one, or false.
-Length read_weld(const JsonNode& node) {
+Length read_on_or_length(const JsonNode& node, const LengthRange& range) {
   if (!node.json().is_boolean()) return read_length(node);
-  return node.boolean() ? Length::share(ranges::kWeld.on) : Length();
+  return node.boolean() ? Length::share(range.on) : Length();
 }
 
 /// An angle of creases in degrees, 0 or false for none.
@@ -90,7 +91,7 @@ CageInput read_cage_input(const JsonNode& node, const std::filesystem::path& fol
   cage.file = folder / file;
   if (const auto scheme = node.find("scheme")) cage.scheme = read_scheme(*scheme);
   if (const auto patches = node.find("patches")) cage.patches = read_patch_kind(*patches);
-  if (const auto weld = node.find("weld")) cage.weld = read_weld(*weld);
+  if (const auto weld = node.find("weld")) cage.weld = read_on_or_length(*weld, ranges::kWeld);
   if (const auto orient = node.find("orient")) cage.orient = orient->boolean();
   if (const auto angle = node.find("crease_angle")) cage.crease_angle = read_angle(*angle);
   if (const auto creases = node.find("creases")) {
@@ -98,6 +99,20 @@ CageInput read_cage_input(const JsonNode& node, const std::filesystem::path& fol
   }
   cage.origin = node.pointer();
   return cage;
+}
+
+CadFileInput read_cad_file(const JsonNode& node, const std::filesystem::path& folder) {
+  node.expect_keys({"name", "file", "sew"});
+  CadFileInput cad;
+  if (const auto name = node.find("name")) cad.name = read_name(*name);
+  const std::string file = node.at("file").text();
+  if (file.empty()) node.at("file").fail("must not be empty");
+  cad.file = folder / file;
+  if (!has_cad_ending(cad.file))
+    node.at("file").fail("must end in .step, .stp, .iges, .igs or .brep");
+  if (const auto sew = node.find("sew")) cad.sew = read_on_or_length(*sew, ranges::kSew);
+  cad.origin = node.pointer();
+  return cad;
 }
 
 /// A curve of knots on a patch. Where the contour has no range and no curve yet, it takes its own.
@@ -191,6 +206,7 @@ void add_names(const JsonNode& root, const char* key, const char* what,
   const auto list = root.find(key);
   if (!list) return;
   for (const JsonNode& node : list->elements()) {
+    if (!node.has("name")) continue;  // a single CAD file
     const JsonNode name = node.at("name");
     if (names.insert(name.text()).second) continue;
     name.fail(fmt::format("there are two {} with the name {}", what, name.text()));
@@ -234,6 +250,17 @@ std::vector<CageInput> read_cages(const JsonNode& node, const std::filesystem::p
   return cages;
 }
 
+std::vector<CadFileInput> read_cad_files(const JsonNode& node,
+                                         const std::filesystem::path& folder) {
+  std::vector<CadFileInput> files;
+  for (const JsonNode& file : node.elements()) files.push_back(read_cad_file(file, folder));
+  if (files.size() < 2) return files;
+  for (const JsonNode& file : node.elements()) {
+    if (!file.has("name")) file.fail("several CAD files need names");
+  }
+  return files;
+}
+
 std::vector<ContourInput> read_contours(const JsonNode& node, const Constants& constants) {
   std::vector<ContourInput> contours;
   for (const JsonNode& contour : node.elements()) {
@@ -256,6 +283,7 @@ void check_names(const JsonNode& root, const ModelFile& model) {
   std::set<std::string> patches, contours;
   add_names(root, "patches", "patches", patches);
   add_names(root, "cages", "patches or cages", patches);
+  add_names(root, "cad", "patches, cages or CAD files", patches);
   add_names(root, "contours", "contours", contours);
   Names formula_patches, names;
   for (const std::string& contour : contours) names.add(contour);

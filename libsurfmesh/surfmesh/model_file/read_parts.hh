@@ -16,6 +16,9 @@ namespace surfmesh {
 /// Read `cages`; their files are relative to `folder`.
 std::vector<CageInput> read_cages(const JsonNode& node, const std::filesystem::path& folder);
 
+/// Read `cad`; the files are relative to `folder`.
+std::vector<CadFileInput> read_cad_files(const JsonNode& node, const std::filesystem::path& folder);
+
 /// Read `contours`.
 std::vector<ContourInput> read_contours(const JsonNode& node, const Constants& constants);
 

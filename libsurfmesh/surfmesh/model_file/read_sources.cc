@@ -24,8 +24,8 @@ constexpr std::array<std::string_view, 6> kPatchSources = {"everywhere", "at",  
                                                            "inside",     "field", "table"};
 
 /// Those of a model. A group alone has its size everywhere.
-constexpr std::array<std::string_view, 5> kSpaceSources = {"near", "inside", "field", "everywhere",
-                                                           "group"};
+constexpr std::array<std::string_view, 6> kSpaceSources = {"near",  "along",      "inside",
+                                                           "field", "everywhere", "group"};
 
 /// The kind of a source of a model; a group comes beside another kind, or alone.
 std::string kind_in_space(const JsonNode& node) {
@@ -223,6 +223,22 @@ FieldSource read_space_field(const JsonNode& node, const Constants& constants) {
   return source;
 }
 
+/// A size along contours of the model, by name.
+void read_along_contours(const JsonNode& node, ModelFile& model) {
+  refuse(node, "a size along contours", {"group"});
+  const JsonNode along = node.at("along");
+  const LocalSize wish = read_wish(node);
+  const auto add = [&](const JsonNode& contour) {
+    if (!contour.json().is_string()) {
+      contour.fail(
+          "must be the name of a contour; points in (u,v) belong in the sources of a patch");
+    }
+    model.along_contours.push_back({-1, contour.text(), wish, contour.pointer()});
+  };
+  if (!along.json().is_array()) return add(along);
+  for (const JsonNode& contour : along.elements()) add(contour);
+}
+
 /// Tell where a source belongs that stands at the wrong level.
 void refuse_elsewhere(const JsonNode& node, std::initializer_list<std::string_view> keys,
                       std::string_view where) {
@@ -283,9 +299,9 @@ void read_divided_source(const JsonNode& node, const std::vector<PatchScope>& pi
 }
 
 void read_space_source(const JsonNode& node, const Constants& constants, ModelFile& model) {
-  refuse_elsewhere(node, {"at", "along", "table"}, "a patch");
-  node.expect_keys({"group", "everywhere", "near", "inside", "field", "size", "angle", "radius",
-                    "outer", "precision"});
+  refuse_elsewhere(node, {"at", "table"}, "a patch");
+  node.expect_keys({"group", "everywhere", "near", "along", "inside", "field", "size", "angle",
+                    "radius", "outer", "precision"});
   SpaceSource source;
   source.origin = node.pointer();
   if (const auto group = node.find("group")) {
@@ -297,6 +313,7 @@ void read_space_source(const JsonNode& node, const Constants& constants, ModelFi
     source.wish = read_space_field(node, constants);
   } else {
     refuse(node, "a size that is not of a field", {"precision"});
+    if (kind == "along") return read_along_contours(node, model);
     read_space_size(node, kind, constants, source);
   }
   model.space_sources.push_back(std::move(source));

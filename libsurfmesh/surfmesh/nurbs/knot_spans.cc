@@ -8,13 +8,12 @@
 namespace surfmesh {
 
 KnotSpans::KnotSpans(const FullKnots& knots, double from, double to)
-    : lines_{from}, period_(knots.period), middle_((from + to) / 2) {
+    : lines_{from, to}, period_(knots.period), middle_((from + to) / 2) {
   if (period_ == 0) {
-    lines_.push_back(to);
     add_spans(knots, 0);
   } else {
-    lines_.push_back(to);
     reach_ = period_ / 2 + knots.rounding();
+    // One period lies in two of the base, or touches three by rounding.
     const double first = std::floor((from - knots.from()) / period_) - 1;
     for (int turn = 0; turn < 4; ++turn) add_spans(knots, (first + turn) * period_);
   }

@@ -18,8 +18,8 @@ namespace surfmesh {
 /// point along a side (a pole), the derivatives along that are exactly 0: what remains of them by
 /// rounding, below 1e-12 of the greatest one of the surface, is dropped.
 ///
-/// Error    points to 1e-15 of the size of the net for degrees up to 7, to about 1e-13 at 13;
-///          second derivatives to 1e-9 of their greatest (NurbsSurface.AgreesWithDeBoor)
+/// Error    for degrees up to 13: points to 1e-13 of the size of the net, second derivatives to
+///          1e-9 of their greatest (NurbsSurfaces.AgreeWithDeBoor)
 /// Cost     an evaluation is O(product of the degrees); memory is 32 bytes times the product of the
 ///          orders (degree + 1) for each span
 class NurbsSurface : public Surface {

@@ -111,7 +111,7 @@ SurfaceDistance distance_of(const PolyMesh& mesh, const Model& model, const Surf
 
 std::vector<std::unique_ptr<SizeField>> size_fields(const ModelInput& input) {
   std::vector<std::unique_ptr<SizeField>> fields;
-  const ResolvedSizing sizing = resolve(input.options.sizing, input.model.diagonal);
+  const ResolvedSizing sizing = resolve(input.options.sizing, input.model);
   const auto sources = model_sources(input.model, input.sources, sizing);
   for (std::size_t p = 0; p < input.model.patches.size(); ++p) {
     fields.push_back(std::make_unique<SizeField>(*input.model.patches[p].surface, sizing,
@@ -165,7 +165,7 @@ void attach_exact_metric(PolyMesh& mesh, const ModelInput& input, const SurfaceS
 void attach_metric_of_run(PolyMesh& mesh, const ModelInput& input, const SurfaceSearch& search,
                           Observer* observer) {
   const RunContext context(observer, input.options.max_elements);
-  const ResolvedSizing sizing = resolve(input.options.sizing, input.model.diagonal);
+  const ResolvedSizing sizing = resolve(input.options.sizing, input.model);
   const ControlSpaces control =
       make_control_spaces(input.model, input.sources, sizing, input.options.control, context);
   std::vector<QueryHint> hints(control.spaces.size());

@@ -31,6 +31,7 @@
 #include "surfmesh/model/divide_contours.hh"
 #include "surfmesh/model/join_sides.hh"
 #include "surfmesh/model_file/read_model.hh"
+#include "surfmesh/pipeline/load_cad.hh"
 #include "surfmesh/pipeline/option_table.hh"
 #include "surfmesh/pipeline/set_option.hh"
 
@@ -68,6 +69,7 @@ void set_given(const LoadOptions& given, PipelineOptions& options) {
   if (cages.orient) options.orient = cages.orient;
   if (cages.crease_angle) options.crease_angle = cages.crease_angle;
   if (given.joining) options.joining = given.joining;
+  if (given.cad.sew) options.sew = given.cad.sew;
 }
 
 /// The model of a cage that a file holds.
@@ -87,9 +89,15 @@ Model model_of(const Cage& cage, const std::filesystem::path& path, const CageOp
                           name, ranges::kWeld.name));
 }
 
+[[noreturn]] void fail_sew(const std::string& name) {
+  throw Error(ErrorCode::InvalidInput,
+              fmt::format("{}: only CAD files have edges to {}", name, ranges::kSew.name));
+}
+
 ModelInput load_cage(const std::filesystem::path& path, const LoadOptions& options,
                      const RunContext& context) {
   if (options.joining) fail_joining(path.string());
+  if (options.cad.sew) fail_sew(path.string());
   const CageOptions& cages = options.cages;
   const Cage cage = read_cage(path);
   context.throw_if_cancelled();
@@ -130,10 +138,11 @@ void set_file_option(PipelineOptions& options, const FileOption& entry) {
 /// Where both bounds are of one kind, a file that gives both is told of its fault before the model
 /// is there. A bound that it leaves out may still come from the command line.
 void check_bounds(const Sizing& sizing) {
-  if (sizing.hmin.is_relative != sizing.hmax.is_relative) return;
-  if (sizing.hmin.value <= sizing.hmax.value) return;
+  const Length hmin = sizing.least_size();
+  if (hmin.is_relative != sizing.hmax.is_relative) return;
+  if (hmin.value <= sizing.hmax.value) return;
   throw Error(ErrorCode::InvalidOption, fmt::format("hmin = {} must not be above hmax = {}",
-                                                    to_text(sizing.hmin), to_text(sizing.hmax)));
+                                                    to_text(hmin), to_text(sizing.hmax)));
 }
 
 /// Where the options belong in a file.
@@ -206,6 +215,18 @@ void check_without_cages(const ModelFile& file, const std::string& name, const C
   }
 }
 
+ModelInput load_cad(const std::filesystem::path& path, const LoadOptions& options,
+                    const RunContext& context) {
+  if (options.joining) fail_joining(path.string());
+  check_without_cages({}, path.string(), options.cages);
+  ModelInput input;
+  input.model = detail::read_cad_file(path, options, options.cad);
+  context.throw_if_cancelled();
+  set_given(options, input.options);
+  note_options(input.options, input.model);
+  return input;
+}
+
 /// The cage with its vertices welded, which keep their numbers.
 Cage welded(const Cage& cage, const std::optional<Length>& tolerance) {
   Cage result = cage;
@@ -276,6 +297,27 @@ std::set<std::size_t> append_cages(const ModelFile& file, const std::string& nam
     whole_cages.insert(model.groups.size() - 1);
   }
   return whole_cages;
+}
+
+/// Add the models of the CAD files of a model file.
+/// Returns  the groups that are whole files
+std::set<std::size_t> append_cad_files(const ModelFile& file, const std::string& name,
+                                       const LoadOptions& given, const RunContext& context,
+                                       ModelInput& result) {
+  std::set<std::size_t> whole_files;
+  for (const CadFileInput& input : file.cad) {
+    CadOptions options = given.cad;
+    if (!options.sew) options.sew = input.sew;
+    if (!options.sew) options.sew = result.options.sew;
+    Model part;
+    at_file(fmt::format("{}: {}/file", name, input.origin),
+            [&] { part = detail::read_cad_file(input.file, given, options); });
+    context.throw_if_cancelled();
+    detail::add_whole_group(input.name, part);
+    append(result.model, std::move(part), input.name.empty() ? "" : input.name + ":");
+    if (!input.name.empty()) whole_files.insert(result.model.groups.size() - 1);
+  }
+  return whole_files;
 }
 
 /// What a name may mean: the patches of groups of cages' files, of a cage, and the patch.
@@ -409,6 +451,11 @@ void add_space_sources(const ModelFile& file, const std::string& name,
   }
 }
 
+/// True for a name like "wing:u0". Contours of a named file have a colon, too.
+bool is_side(const Model& model, const std::string& name) {
+  return name.find(':') != std::string::npos && find_contour(model, name) < 0;
+}
+
 /// The uses of a side or a contour and its parts, by name, on one patch.
 std::vector<std::shared_ptr<const Curve>> curves_on(const Model& model, const std::string& name,
                                                     int patch) {
@@ -418,10 +465,8 @@ std::vector<std::shared_ptr<const Curve>> curves_on(const Model& model, const st
       if (use.patch == patch) curves.push_back(use.curve);
     }
   };
-  if (name.find(':') != std::string::npos) {
-    for (const LoopEntry& entry : side_uses(model, name)) {
-      add(model.contour(entry));
-    }
+  if (is_side(model, name)) {
+    for (const LoopEntry& entry : side_uses(model, name)) add(model.contour(entry));
     return curves;
   }
   for (const Contour& contour : model.contours) {
@@ -432,7 +477,7 @@ std::vector<std::shared_ptr<const Curve>> curves_on(const Model& model, const st
 
 /// The contours along which sizes are asked for stay in the mesh.
 void name_contours(Model& model, const std::string& name) {
-  if (name.find(':') != std::string::npos) {
+  if (is_side(model, name)) {
     for (const LoopEntry& entry : side_uses(model, name)) {
       model.contour(entry.contour).is_named = true;
     }
@@ -443,17 +488,37 @@ void name_contours(Model& model, const std::string& name) {
   }
 }
 
+/// The patches in which a size along a contour may hold.
+std::vector<int> patches_along(const AlongContour& along, const Model& model) {
+  if (along.patch >= 0) return {along.patch};
+  std::vector<int> all(model.patches.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+[[noreturn]] void fail_along(const AlongContour& along, const Model& model) {
+  std::vector<std::string_view> names;
+  for (const Contour& contour : model.contours) names.push_back(contour.name);
+  const auto meant = nearest_word(along.contour, names);
+  throw Error(ErrorCode::InvalidInput,
+              fmt::format("{} is no contour or side of {}{}", along.contour,
+                          along.patch >= 0 ? "this patch" : "the model",
+                          meant ? fmt::format(", did you mean {}?", *meant) : ""));
+}
+
 void add_along_sources(const ModelFile& file, const std::string& name, ModelInput& input) {
   for (const AlongContour& along : file.along_contours) {
     at_file(fmt::format("{}: {}", name, along.origin), [&] {
-      AlongSource source{along.patch, curves_on(input.model, along.contour, along.patch),
-                         along.wish, fmt::format("{}: {}", name, along.origin)};
-      if (source.curves.empty()) {
-        throw Error(ErrorCode::InvalidInput,
-                    fmt::format("{} is no contour or side of this patch", along.contour));
+      bool is_found = false;
+      for (const int patch : patches_along(along, input.model)) {
+        AlongSource source{patch, curves_on(input.model, along.contour, patch), along.wish,
+                           fmt::format("{}: {}", name, along.origin)};
+        if (source.curves.empty()) continue;
+        is_found = true;
+        input.sources.along.push_back(std::move(source));
       }
+      if (!is_found) fail_along(along, input.model);
       name_contours(input.model, along.contour);
-      input.sources.along.push_back(std::move(source));
     });
   }
 }
@@ -467,6 +532,7 @@ ModelInput load_model_file(const std::filesystem::path& path, const LoadOptions&
   if (file.cages.empty()) check_without_cages(file, name, given.cages);
   set_given(given, input.options);
   if (file.patches.empty() && input.options.joining) fail_joining(name);
+  if (file.cad.empty() && input.options.sew) fail_sew(name);
   if (!file.patches.empty()) {
     const JoinOptions join{input.options.joining.value_or(JoinOptions().joining)};
     at_file(name, [&] { input.model = model_from_patches(file.patches, file.contours, join); });
@@ -476,12 +542,14 @@ ModelInput load_model_file(const std::filesystem::path& path, const LoadOptions&
       input.model.groups.push_back({divided.name, divided.pieces});
     }
   }
-  const auto whole_cages = append_cages(file, name, given.cages, context, input);
+  auto whole_files = append_cages(file, name, given.cages, context, input);
+  whole_files.merge(append_cad_files(file, name, given, context, input));
   note_options(input.options, input.model);
   input.sources = file.sources;
   for (const CageInput& cage : file.cages) input.files.push_back(cage.file);
+  for (const CadFileInput& cad : file.cad) input.files.push_back(cad.file);
   input.files.insert(input.files.end(), file.tables.begin(), file.tables.end());
-  add_space_sources(file, name, whole_cages, input);
+  add_space_sources(file, name, whole_files, input);
   add_along_sources(file, name, input);
   return input;
 }
@@ -490,9 +558,11 @@ ModelInput load_model_file(const std::filesystem::path& path, const LoadOptions&
 ModelInput load(const std::filesystem::path& path, const LoadOptions& options,
                 const RunContext& context) {
   if (has_cage_ending(path)) return load_cage(path, options, context);
+  if (has_cad_ending(path)) return load_cad(path, options, context);
   if (lower_case_ending(path) != ".json") {
     throw Error(ErrorCode::InvalidInput,
-                fmt::format("{}: the ending of a cage is {}, that of a model file .json",
+                fmt::format("{}: the ending of a cage is {}, that of a CAD file .step, .stp, "
+                            ".iges, .igs or .brep, that of a model file .json",
                             path.string(), cage_endings()));
   }
   return load_model_file(path, options, context);

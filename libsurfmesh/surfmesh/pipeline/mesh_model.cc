@@ -17,6 +17,7 @@
 #include "surfmesh/assemble/assemble.hh"
 #include "surfmesh/assemble/corner_normals.hh"
 #include "surfmesh/assemble/promised_topology.hh"
+#include "surfmesh/assemble/vertex_copies.hh"
 #include "surfmesh/boundary/patch_boundary.hh"
 #include "surfmesh/control/surface_metric_field.hh"
 #include "surfmesh/core/error.hh"
@@ -104,6 +105,7 @@ class Run {
     mesh_patches();
     assemble_patches(result.mesh);
     improve_smooth_parts(result.mesh);
+    mark_copies(result.mesh, model_);
     compare(result.mesh);
     measure(result.mesh);
     result.report = std::move(report_);
@@ -422,7 +424,7 @@ void work_with_control(const Model& model, const Sources& sources, const Resolve
 /// Mesh the model once or until the sag is reached.
 void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOptions& options,
                    const RunContext& context, MeshResult& result) {
-  const ResolvedSizing sizing = resolve(options.sizing, model.diagonal);
+  const ResolvedSizing sizing = resolve(options.sizing, model);
   if (sizing.sag == 0) {
     work_with_control(model, sources, sizing, options, context, result.report,
                       [&](ControlSpaces control) {
@@ -521,9 +523,8 @@ MeshResult mesh_model(const Model& model, const Sources& sources, const Pipeline
   result.names = mesh_names(model);
   result.report.patches = measure_patches(result.mesh, result.names);
   add_qualities(result.report);
-  append(
-      detail::unused_sources(result.mesh, model, sources, resolve(options.sizing, model.diagonal)),
-      result.report.notices);
+  append(detail::unused_sources(result.mesh, model, sources, resolve(options.sizing, model)),
+         result.report.notices);
   return result;
 }
 
@@ -532,7 +533,7 @@ Report estimate_mesh(const Model& model, const Sources& sources, const PipelineO
   check(options);
   check(model);
   const RunContext context(observer, options.max_elements, element_kind(options));
-  const ResolvedSizing sizing = resolve(options.sizing, model.diagonal);
+  const ResolvedSizing sizing = resolve(options.sizing, model);
   Report report;
   const auto estimate = [&](ControlSpaces control) {
     report = Run(model, sizing, options, context).estimate_only(std::move(control));

@@ -11,6 +11,7 @@
 #include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/io/nearest_word.hh"
+#include "surfmesh/model/cad_input.hh"
 #include "surfmesh/model/join_sides.hh"
 #include "surfmesh/pipeline/set_option.hh"
 
@@ -47,6 +48,12 @@ constexpr NumberAccess kCurvature = {
     &ranges::kCurvature, [](const Options& options) { return options.sizing.curvature_factor(); },
     [](Options& options, double value) { options.sizing.curvature = value; }};
 
+/// Its default depends on the segments of a circle.
+constexpr LengthAccess kHmin = {
+    &ranges::kHmin,
+    [](const Options& options) -> std::optional<Length> { return options.sizing.least_size(); },
+    [](Options& options, const std::optional<Length>& value) { options.sizing.hmin = value; }};
+
 /// A cage in a model file may have its own, which off from the command line beats, unset does not.
 constexpr LengthAccess kWeld = {&ranges::kWeld,
                                 [](const Options& options) -> std::optional<Length> {
@@ -63,6 +70,16 @@ constexpr LengthAccess kJoining = {
       return options.joining.value_or(JoinOptions().joining);
     },
     [](Options& options, const std::optional<Length>& value) { options.joining = value; }};
+
+constexpr LengthAccess kSew = {&ranges::kSew,
+                               [](const Options& options) -> std::optional<Length> {
+                                 const Length sew =
+                                     options.sew.value_or(Length::share(ranges::kSew.on));
+                                 return sew.value != 0 ? std::optional(sew) : std::nullopt;
+                               },
+                               [](Options& options, const std::optional<Length>& value) {
+                                 options.sew = value.value_or(Length());
+                               }};
 
 constexpr NumberAccess kOrient = {
     &ranges::kOrient,
@@ -82,18 +99,25 @@ constexpr OptionGroup kCages = OptionGroup::Cages;
 constexpr auto kTable = std::to_array<Option>({
     {kSizes, true, "", "share of the radius of curvature; off with size, by default with sag",
      kCurvature},
+    {kSizes, true, "segments",
+     "segments of a full circle, in place of curvature; small holes included",
+     number(
+         ranges::kSegmentsPerCircle,
+         [](auto& o) -> auto& { return o.sizing.segments_per_circle; })},
     {kSizes, true, kLengthUnit, "one length everywhere, whatever the other sizes are; 0 is off",
      length(
          ranges::kSize, [](auto& o) -> auto& { return o.sizing.size; })},
     {kSizes, true, kLengthUnit, "greatest distance between mesh and surface; 0 is off",
      length(
          ranges::kSag, [](auto& o) -> auto& { return o.sizing.sag; })},
-    {kSizes, true, kLengthUnit, "lower bound of all sizes",
-     length(
-         ranges::kHmin, [](auto& o) -> auto& { return o.sizing.hmin; })},
+    {kSizes, true, kLengthUnit, "lower bound of all sizes", kHmin},
     {kSizes, true, kLengthUnit, "upper bound of all sizes",
      length(
          ranges::kHmax, [](auto& o) -> auto& { return o.sizing.hmax; })},
+    {kSizes, false, "",
+     "what hmin and hmax in % refer to: the diagonal of the model, or of each part of it",
+     number(
+         ranges::kSharesOf, [](auto& o) -> auto& { return o.sizing.shares_of; })},
     {kSizes, true, "", "greatest ratio of the two sizes from curvature",
      number(
          ranges::kStretch, [](auto& o) -> auto& { return o.sizing.stretch; })},
@@ -182,6 +206,8 @@ constexpr auto kTable = std::to_array<Option>({
      kWeld},
     {kCages, false, kLengthUnit, "distance within which sides of formula patches become one",
      kJoining},
+    {kCages, false, kLengthUnit,
+     "distance within which free edges of CAD faces become one; 0 is off", kSew},
     {kCages, true, "", "faces of a cage turned to agree with their neighbours", kOrient},
     {kCages, true, "degrees", "creases of a cage where its faces meet at more than this angle",
      kCreaseAngle},
@@ -223,6 +249,8 @@ constexpr bool stands_for(const std::array<OptionWord, n>& words, std::string_vi
 
 static_assert(stands_for(words::kCurvatureFrom, "exact", CurvatureFrom::Exact));
 static_assert(stands_for(words::kCurvatureFrom, "differences", CurvatureFrom::Differences));
+static_assert(stands_for(words::kSharesOf, "model", SharesOf::Model));
+static_assert(stands_for(words::kSharesOf, "part", SharesOf::Part));
 static_assert(stands_for(words::kControl, "mesh", ControlKind::Mesh));
 static_assert(stands_for(words::kControl, "grid", ControlKind::Grid));
 static_assert(stands_for(words::kControl, "cells", ControlKind::Cells));

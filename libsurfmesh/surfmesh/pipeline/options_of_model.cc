@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "surfmesh/model/cad_input.hh"
 #include "surfmesh/model/join_sides.hh"
 #include "surfmesh/pipeline/option_table.hh"
 #include "surfmesh/pipeline/set_option.hh"
@@ -39,14 +40,16 @@ Notices options_too_late(const Model& model, const PipelineOptions& options) {
         is_joining_of(model, option, options)) {
       continue;
     }
-    const bool joins = option.name() == ranges::kJoining.name;
+    const auto structs = [&]() -> const char* {
+      if (option.name() == ranges::kJoining.name) return "JoinOptions of model_from_patches";
+      if (option.name() == ranges::kSew.name) return "CadOptions of read_cad";
+      return "CageOptions of model_from_cage";
+    };
     notices.push_back(warning(
         NoticeKind::UnusedOption,
-        fmt::format(
-            "{} = {} has no effect: the model is made already, and without it; it belongs "
-            "in the {}, or in the LoadOptions of load_model",
-            option.name(), value,
-            joins ? "JoinOptions of model_from_patches" : "CageOptions of model_from_cage")));
+        fmt::format("{} = {} has no effect: the model is made already, and without it; it belongs "
+                    "in the {}, or in the LoadOptions of load_model",
+                    option.name(), value, structs())));
   }
   return notices;
 }
@@ -58,6 +61,7 @@ PipelineOptions options_in_effect(const Model& model, PipelineOptions options) {
   options.orient = defaults.orient;
   options.crease_angle = defaults.crease_angle;
   options.joining = defaults.joining;
+  options.sew = defaults.sew;
   for (const MadeWith& made : model.made_with) {
     if (made.part.empty()) set_option(options, made.option, made.value);
   }

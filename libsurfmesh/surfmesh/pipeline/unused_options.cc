@@ -23,15 +23,22 @@ Notice unused_reuse(std::string_view reason) {
                  fmt::format("{} answers no question {}", ranges::kReuse.name, reason));
 }
 
+/// Segments of a circle are another way to say curvature.
+Notices unused_curvature(const PipelineOptions& options) {
+  if (options.sizing.segments_per_circle == 0 || !options.sizing.curvature) return {};
+  return {without_effect(ranges::kCurvature.name, "beside segments_per_circle")};
+}
+
 /// Beside one length everywhere, other sizes that were asked for have no effect.
 Notices unused_sizes(const PipelineOptions& options) {
   Notices notices;
-  if (!options.sizing.size) return notices;
+  if (!options.sizing.size) return unused_curvature(options);
   PipelineOptions defaults;
   defaults.sizing.size = options.sizing.size;
   for (const std::string_view name :
-       {ranges::kCurvature.name, ranges::kSag.name, ranges::kHmin.name, ranges::kHmax.name,
-        ranges::kStretch.name, ranges::kGrade.name, ranges::kProximity.name}) {
+       {ranges::kCurvature.name, ranges::kSegmentsPerCircle.name, ranges::kSag.name,
+        ranges::kHmin.name, ranges::kHmax.name, ranges::kSharesOf.name, ranges::kStretch.name,
+        ranges::kGrade.name, ranges::kProximity.name}) {
     if (get_option(options, name) == get_option(defaults, name)) continue;
     notices.push_back(without_effect(name, "beside size"));
   }

@@ -45,11 +45,29 @@ Metric plane_metric(const std::vector<Metric>& metrics) {
   return sum;
 }
 
-/// Triangulates all nodes in a box and knows which vertex each one became.
+/// The nodes of loops, one after the other.
+struct LoopNodes {
+  std::vector<Uv> points;
+  std::vector<std::size_t> next;  ///< in the loop
+
+  explicit LoopNodes(const std::vector<std::vector<Uv>>& loops) {
+    for (const auto& loop : loops) {
+      const std::size_t first = points.size();
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        points.push_back(loop[i]);
+        next.push_back(first + (i + 1) % loop.size());
+      }
+    }
+  }
+};
+
+/// Triangulates all nodes in a box and knows which vertex each one became. Nodes at which loops
+/// touch are one vertex.
 class BoxTriangulation {
  public:
-  BoxTriangulation(const std::vector<Uv>& points, const Metric& plane)
-      : box_(box_around(points)), delaunay_(box_.lower, box_.upper) {
+  BoxTriangulation(const LoopNodes& nodes, const Metric& plane)
+      : nodes_(nodes), box_(box_around(nodes.points)), delaunay_(box_.lower, box_.upper) {
+    const std::vector<Uv>& points = nodes.points;
     const ConstantMetricRule rule{delaunay_.uv_handle(), plane};
     delaunay_.reserve(points.size() + 4);
     vertices_.resize(points.size());
@@ -57,9 +75,8 @@ class BoxTriangulation {
     for (const int i : spatial_order(points)) {
       const std::size_t before = delaunay_.n_vertices();
       const VertexHandle vh = delaunay_.insert(points[static_cast<std::size_t>(i)], hint, rule);
-      if (!vh.is_valid() || delaunay_.n_vertices() == before) {
-        throw_touching(points[static_cast<std::size_t>(i)]);
-      }
+      if (!vh.is_valid()) throw_touching(points[static_cast<std::size_t>(i)]);
+      is_touching_ |= delaunay_.n_vertices() == before;
       vertices_[static_cast<std::size_t>(i)] = vh;
       hint = delaunay_.mesh().face_handle(delaunay_.mesh().halfedge_handle(vh));
     }
@@ -67,6 +84,7 @@ class BoxTriangulation {
 
   void constrain(std::size_t from, std::size_t to) {
     const VertexHandle a = vertices_[from], b = vertices_[to];
+    if (is_touching_ && is_constrained(a, b)) throw_touching(delaunay_.uv(a));
     delaunay_.insert_constraint(a, b);
     // A chain of edges passes through a node that is not of this segment.
     if (delaunay_.find_halfedge(a, b).is_valid()) return;
@@ -77,7 +95,8 @@ class BoxTriangulation {
   std::vector<std::array<int, 3>> inside() const {
     std::vector<int> node_of(delaunay_.n_vertices(), -1);
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      node_of[index(vertices_[i])] = static_cast<int>(i);
+      int& node = node_of[index(vertices_[i])];
+      node = node == -1 ? static_cast<int>(i) : kSeveral;
     }
     const std::vector<char> depth = depth_of_faces();
     std::vector<std::array<int, 3>> triangles;
@@ -85,8 +104,9 @@ class BoxTriangulation {
       if (depth[f] != 1) continue;
       std::array<int, 3> triangle{};
       std::size_t k = 0;
-      for (const VertexHandle vh : delaunay_.mesh().fv_range(FaceHandle(static_cast<int>(f)))) {
-        triangle[k++] = node_of[index(vh)];
+      for (const HalfedgeHandle heh : delaunay_.mesh().fh_range(FaceHandle(static_cast<int>(f)))) {
+        const int node = node_of[index(delaunay_.mesh().from_vertex_handle(heh))];
+        triangle[k++] = node == kSeveral ? node_of_sector(heh) : node;
       }
       triangles.push_back(triangle);
     }
@@ -97,6 +117,26 @@ class BoxTriangulation {
   [[noreturn]] static void throw_touching(Uv p) {
     throw Error(ErrorCode::Geometry,
                 fmt::format("the boundary touches itself at (u,v) = ({}, {})", p.u, p.v));
+  }
+
+  bool is_constrained(VertexHandle a, VertexHandle b) const {
+    const HalfedgeHandle heh = delaunay_.find_halfedge(a, b);
+    return heh.is_valid() && delaunay_.is_constrained(delaunay_.mesh().edge_handle(heh));
+  }
+
+  /// Where loops touch, the node from which the segment starts that has the sector of a halfedge on
+  /// its left.
+  int node_of_sector(HalfedgeHandle heh) const {
+    const PolyMesh& mesh = delaunay_.mesh();
+    const VertexHandle from = mesh.from_vertex_handle(heh);
+    while (!delaunay_.is_constrained(mesh.edge_handle(heh))) {
+      heh = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(heh));  // clockwise
+    }
+    const VertexHandle to = mesh.to_vertex_handle(heh);
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      if (vertices_[i] == from && vertices_[nodes_.next[i]] == to) return static_cast<int>(i);
+    }
+    throw_touching(delaunay_.uv(from));  // the loops have their inside on the right
   }
 
   /// A node on the segment from a to b; a's position if there is none.
@@ -133,9 +173,13 @@ class BoxTriangulation {
     return depth;
   }
 
+  static constexpr int kSeveral = -2;
+
+  const LoopNodes& nodes_;
   Box box_;
   DelaunayMesh delaunay_;
-  std::vector<VertexHandle> vertices_;
+  std::vector<VertexHandle> vertices_;  ///< by node
+  bool is_touching_ = false;            ///< some vertex is several nodes
 };
 
 /// Refuse what no box can be put around: a kernel in it would not end.
@@ -165,28 +209,17 @@ void check_loops(const std::vector<std::vector<Uv>>& loops) {
 BoundaryTriangulation triangulate_boundary(const std::vector<std::vector<Uv>>& loops,
                                            const MetricField& field) {
   check_loops(loops);
-  std::vector<Uv> points;
+  const LoopNodes nodes(loops);
   std::vector<Metric> metrics;
   QueryHint hint;
-  for (const auto& loop : loops) {
-    for (const Uv p : loop) {
-      points.push_back(p);
-      metrics.push_back(field.at(p, hint));
-    }
-  }
-  BoxTriangulation box(points, plane_metric(metrics));
-  std::size_t first = 0;
-  for (const auto& loop : loops) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      box.constrain(first + i, first + (i + 1) % loop.size());
-    }
-    first += loop.size();
-  }
+  for (const Uv p : nodes.points) metrics.push_back(field.at(p, hint));
+  BoxTriangulation box(nodes, plane_metric(metrics));
+  for (std::size_t i = 0; i < nodes.next.size(); ++i) box.constrain(i, nodes.next[i]);
   const auto triangles = box.inside();
   if (triangles.empty()) {
     throw Error(ErrorCode::Geometry, "the boundary leaves nothing inside");
   }
-  auto delaunay = std::make_unique<DelaunayMesh>(points, triangles);
+  auto delaunay = std::make_unique<DelaunayMesh>(nodes.points, triangles);
   for (std::size_t i = 0; i < metrics.size(); ++i) {
     delaunay->metric(VertexHandle(static_cast<int>(i))) = metrics[i];
   }

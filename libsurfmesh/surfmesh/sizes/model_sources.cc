@@ -74,6 +74,7 @@ std::vector<PatchSources> model_sources(const Model& model, const Sources& sourc
   std::vector<PatchSources> result = sources_by_patch(sources, sizing, model.patches.size());
   for (std::size_t p = 0; p < result.size(); ++p) {
     PatchSources& patch = result[p];
+    if (!sizing.part_bounds.empty()) patch.bounds = sizing.part_bounds[p];
     patch.fans = std::move(fans[p]);
     patch.rings = short_rings(model, static_cast<int>(p), greatest_ring(sizing));
     if (boundary[p].empty()) continue;

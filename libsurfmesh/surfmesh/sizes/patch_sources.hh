@@ -28,6 +28,8 @@ struct PatchSources {
   std::vector<WideFan> fans = {};  ///< wide ones, around which ripples do not count
   std::vector<Ring> rings = {};    ///< short ones, around which hmin does not apply
 
+  std::optional<SizeBounds> bounds = {};  ///< of this patch, where they are not those of the model
+
   /// The least precision that a source gives of its own.
   std::optional<double> precision() const;
 };

@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/length.hh"
 #include "surfmesh/core/option_range.hh"
+#include "surfmesh/sizes/model_parts.hh"
 
 namespace surfmesh {
 namespace {
@@ -15,21 +18,24 @@ SizeBounds resolve_bounds(const Sizing& sizing, double diagonal) {
     const double size = sizing.size->in_units(diagonal);
     return {size, size, diagonal};
   }
-  const SizeBounds bounds{sizing.hmin.in_units(diagonal), sizing.hmax.in_units(diagonal), diagonal};
+  const Length hmin = sizing.least_size();
+  const SizeBounds bounds{hmin.in_units(diagonal), sizing.hmax.in_units(diagonal), diagonal};
   if (bounds.hmin <= bounds.hmax) return bounds;
   // Only the size of the model may tell.
   throw Error(
       ErrorCode::InvalidOption,
       fmt::format("hmin = {} must not be above hmax = {}, set both: they are lengths of {:.6g} and "
                   "{:.6g}",
-                  to_text(sizing.hmin), to_text(sizing.hmax), bounds.hmin, bounds.hmax));
+                  to_text(hmin), to_text(sizing.hmax), bounds.hmin, bounds.hmax));
 }
 
 void check(const Sizing& sizing) {
   check_option(ranges::kCurvature, sizing.curvature_factor());
   check_option(ranges::kSag, sizing.sag);
   check_option(ranges::kSize, sizing.size);
-  check_option(ranges::kHmin, sizing.hmin);
+  check_option(ranges::kSegmentsPerCircle, sizing.segments_per_circle);
+  check_option(ranges::kSharesOf, sizing.shares_of);
+  check_option(ranges::kHmin, sizing.least_size());
   check_option(ranges::kHmax, sizing.hmax);
   check_option(ranges::kStretch, sizing.stretch);
   check_option(ranges::kGrade, sizing.grade);
@@ -51,7 +57,21 @@ ResolvedSizing resolve(const Sizing& sizing, double diagonal) {
           .proximity = is_uniform ? 0 : sizing.proximity,
           .features = sizing.features && !is_uniform,
           .curvature_from = sizing.curvature_from,
-          .isotropic = sizing.isotropic};
+          .isotropic = sizing.isotropic,
+          .part_bounds = {}};
+}
+
+ResolvedSizing resolve(const Sizing& sizing, const Model& model) {
+  ResolvedSizing resolved = resolve(sizing, model.diagonal);
+  if (sizing.shares_of == SharesOf::Model || sizing.size) return resolved;
+  SizeBounds& all = resolved.bounds;
+  for (const double diagonal : part_diagonals(model)) {
+    SizeBounds own = resolve_bounds(sizing, diagonal);
+    own.diagonal = model.diagonal;
+    all.hmin = std::min(all.hmin, own.hmin);
+    resolved.part_bounds.push_back(own);
+  }
+  return resolved;
 }
 
 }  // namespace surfmesh

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
+#include "surfmesh/model/model.hh"
 #include "surfmesh/sizes/size_bounds.hh"
 #include "surfmesh/sizes/sizing.hh"
 
@@ -21,6 +24,8 @@ struct ResolvedSizing {
   bool features;
   CurvatureFrom curvature_from;
   bool isotropic = false;
+  /// By patch, where shares refer to the parts of the model; else empty. They lie in `bounds`.
+  std::vector<SizeBounds> part_bounds = {};
 
   /// True if sizes follow from curvature at all.
   bool follows_curvature() const { return curvature > 0 || sag > 0; }
@@ -30,5 +35,12 @@ struct ResolvedSizing {
 ///
 /// Throws   InvalidOption naming the option, its value and its range
 ResolvedSizing resolve(const Sizing& sizing, double diagonal);
+
+/// The same for a model, also where shares refer to its parts (SharesOf::Part): the bounds are then
+/// those of all parts together.
+///
+/// Cost     with SharesOf::Part that of part_diagonals, else nothing
+/// Throws   as above
+ResolvedSizing resolve(const Sizing& sizing, const Model& model);
 
 }  // namespace surfmesh

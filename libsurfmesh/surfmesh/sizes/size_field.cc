@@ -36,6 +36,9 @@ constexpr int kRingSamples = 5;
 /// Share of its width and height at which the field is looked at in each cell of the surface.
 constexpr double kCellShare = 0.45;
 
+/// Share of the greatest |p_u| or |p_v| of a surface below which they are rounding.
+constexpr double kNoSpeed = 1e-10;
+
 /// The length that a size tensor asks for along a unit vector.
 double length_along(const SizeTensor& h, const Eigen::Vector2d& direction) {
   const double x = h.h22 * direction.x() - h.h12 * direction.y();
@@ -52,10 +55,11 @@ SizeField::SizeField(const Surface& surface, const ResolvedSizing& sizing,
                        ? std::make_shared<DifferenceSurface>(surface)
                        : nullptr),
       domain_(surface.domain()),
-      bounds_(sizing.bounds),
+      bounds_(sources.bounds.value_or(sizing.bounds)),
       length_(sizing),
       stretch_(sizing.stretch),
-      is_isotropic_(sizing.isotropic) {
+      is_isotropic_(sizing.isotropic),
+      speeds_(greatest_speeds()) {
   add_all_sources(sources, sizing.grade, precision);
   if (length_.is_off()) return;
   add_discs();
@@ -342,13 +346,35 @@ void SizeField::add_rings(Uv uv, Sample& sample) const {
   }
 }
 
+/// Greatest lengths of p_u and p_v at a few places.
+SizeField::Speeds SizeField::greatest_speeds() const {
+  Speeds speeds;
+  for (const double t : {0.1, 0.5, 0.9}) {
+    for (const double s : {0.1, 0.5, 0.9}) {
+      const Jet jet = surface_.evaluate(domain_.fold(domain_.at(s, t)), Order::First);
+      speeds.u = std::max(speeds.u, jet.du.norm());
+      speeds.v = std::max(speeds.v, jet.dv.norm());
+    }
+  }
+  return speeds;
+}
+
+/// The first form at a point. At a pole, a derivative that should vanish may be rounding: then it
+/// does.
+FirstFormFactor SizeField::form_of(const Jet& jet) const {
+  const bool has_u = jet.du.squaredNorm() > kNoSpeed * kNoSpeed * speeds_.u * speeds_.u;
+  const bool has_v = jet.dv.squaredNorm() > kNoSpeed * kNoSpeed * speeds_.v * speeds_.v;
+  return first_form_factor(has_u ? jet.du : Vec3(Vec3::Zero()),
+                           has_v ? jet.dv : Vec3(Vec3::Zero()));
+}
+
 SizeField::Sample SizeField::at(Uv uv) const {
   uv = domain_.fold(uv);
   const bool is_curved = !length_.is_off();
   const Jet jet = is_curved ? second_order(uv) : surface_.evaluate(uv, Order::First);
   Sample sample;
   sample.point = jet.point;
-  sample.form = first_form_factor(jet.du, jet.dv);
+  sample.form = form_of(jet);
   sample.size = isotropic(bounds_.hmax);
   if (is_curved) add_curvature(uv, jet, sample);
   if (has_wishes_) add_sources(uv, jet, sample);

@@ -86,6 +86,14 @@ class SizeField {
     SizeTensor size;
   };
 
+  /// Lengths of p_u and p_v.
+  struct Speeds {
+    double u = 0;
+    double v = 0;
+  };
+
+  Speeds greatest_speeds() const;
+  FirstFormFactor form_of(const Jet& jet) const;
   void add_all_sources(const PatchSources& sources, double grade, double precision);
   void add_tree(std::shared_ptr<const SourceTree> tree);
   void add_required_points(const PatchSources& sources);
@@ -111,6 +119,7 @@ class SizeField {
   CurvatureLength length_;
   double stretch_;
   bool is_isotropic_;
+  Speeds speeds_;  ///< of the surface, greatest
   std::optional<SizeTensor> everywhere_;
   std::vector<Area> areas_;
   std::vector<FieldSource> fields_;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,12 +23,24 @@ enum class CurvatureFrom {
   Differences  ///< differences of its positions, for surfaces without derivatives
 };
 
+/// What shares of the diagonal in the bounds of sizes refer to.
+enum class SharesOf {
+  Model,  ///< its diagonal
+  Part    ///< that of each part of the model: what hangs together by contours
+};
+
 /// Which sizes follow from the shape, and the bounds of all sizes.
 struct Sizing {
   /// Size = factor × radius of curvature; 0 is off. Unset: 0.25, or off with `sag` or `size`.
   std::optional<double> curvature = {};
-  Length hmin = Length::share(0.001);  ///< lower clamp of all sizes, above 0
-  Length hmax = Length::share(0.2);    ///< upper clamp of all sizes, at least hmin
+  /// Segments of a full circle, at least 3, in place of `curvature`: of surfaces, and of contours,
+  /// down to holes of a thousandth of the model. 0 is off.
+  double segments_per_circle = 0;
+  /// Lower clamp of all sizes, above 0. Unset: 0.1 % of the diagonal, or 0.001 % with
+  /// `segments_per_circle`.
+  std::optional<Length> hmin = {};
+  Length hmax = Length::share(0.2);      ///< upper clamp of all sizes, at least hmin
+  SharesOf shares_of = SharesOf::Model;  ///< of hmin and hmax
   double stretch = 2;  ///< greatest ratio of the two sizes from curvature, at least 1
   double grade = 1.5;  ///< sizes grow by at most ln(grade) per unit of length; 0 is off
   /// Sizes from the curvature of true boundaries, creases and trims; off without `curvature` and
@@ -42,8 +56,16 @@ struct Sizing {
   /// Greatest permitted distance between mesh and surface, above 0; unset is off.
   std::optional<Length> sag = {};
 
-  /// The effective factor.
-  double curvature_factor() const { return curvature.value_or(sag || size ? 0 : 0.25); }
+  /// The effective factor: the length of a chord of the unit circle for so many segments.
+  double curvature_factor() const {
+    if (segments_per_circle > 0) return 2 * std::sin(std::numbers::pi / segments_per_circle);
+    return curvature.value_or(sag || size ? 0 : 0.25);
+  }
+
+  /// The effective lower clamp.
+  Length least_size() const {
+    return hmin.value_or(Length::share(segments_per_circle > 0 ? 0.00001 : 0.001));
+  }
 };
 
 namespace ranges {
