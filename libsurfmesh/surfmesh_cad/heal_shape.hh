@@ -17,8 +17,9 @@ void sew_faces(CadShape& cad, const CadOptions& options);
 /// Divide faces and edges of splines where they have corners inside: elements would cut those off.
 void divide_at_corners(CadShape& cad);
 
-/// Merge edges shorter than 1e-7 of the diagonal, or than the tolerance of their vertices, and faces
-/// as narrow, with their neighbours. What is less closed or less valid than before is not taken.
+/// Merge edges shorter than 1e-7 of the diagonal, or than the tolerance of their vertices, and
+/// faces as narrow, with their neighbours. What is less closed or less valid than before is not
+/// taken.
 void merge_small_edges(CadShape& cad);
 
 /// Mend wires, seams and curves of faces, for shapes of which faces cannot be used as they are.

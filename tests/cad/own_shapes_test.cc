@@ -65,7 +65,7 @@ TEST_P(OwnShapes, AreMeshedWithinTheSag) {
   EXPECT_FALSE(testing::has(result.report.notices, NoticeKind::BrokenPromise)) << texts;
   EXPECT_LE(testing::corner_distance(model, result.mesh), testing::allowed_distance(model));
   if (shape().kind == ShapeKind::Glued) return;
-  EXPECT_EQ(measure_topology(result.mesh).is_closed, shape().kind == ShapeKind::Solid);
+  EXPECT_EQ(testing::is_closed(result.mesh), shape().kind == ShapeKind::Solid);
   if (shape().kind == ShapeKind::Sheet) return;
   const testing::ShapeFacts facts = facts_of(shape());
   double volume = 0;
