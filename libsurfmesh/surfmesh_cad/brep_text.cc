@@ -139,9 +139,9 @@ class ShapeWords {
   }
 
   void check_vertex() {
-    skip(4);
+    words_.reals(4);
     for (;;) {
-      skip(1);
+      words_.reals(1);
       switch (integer()) {
         case 0:
           return;
@@ -153,7 +153,7 @@ class ShapeWords {
           index(Surfaces);
           break;
         case 3:
-          skip(1);
+          words_.reals(1);
           index(Surfaces);
           break;
         default:
@@ -164,7 +164,7 @@ class ShapeWords {
   }
 
   void check_edge() {
-    skip(4);
+    words_.reals(4);
     for (int kind = integer(); kind != 0; kind = integer()) check_curve(kind);
   }
 
@@ -173,7 +173,7 @@ class ShapeWords {
       case 1:
         index(Curves, 0);
         location();
-        return skip(2);
+        return words_.reals(2);
       case 2:
       case 3:
         return check_curve_on_surface(kind == 3);
@@ -203,8 +203,8 @@ class ShapeWords {
     if (is_seam) check_second_curve();
     index(Surfaces);
     location();
-    skip(2);
-    if (version_ == 2) skip(is_seam ? 8 : 4);
+    words_.reals(2);
+    if (version_ == 2) words_.reals(is_seam ? 8 : 4);
   }
 
   void check_second_curve() {
@@ -219,7 +219,7 @@ class ShapeWords {
 
   /// A face may have a triangulation: "2" and its index, before the flags of seven digits.
   void check_face() {
-    skip(2);
+    words_.reals(2);
     index(Surfaces, 0);
     location();
     constexpr std::size_t kFlags = 7;

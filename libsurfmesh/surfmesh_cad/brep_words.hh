@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -58,7 +59,11 @@ class BrepWords {
   void reals(int count) {
     for (int i = 0; i < count; ++i) {
       const std::string_view text = word();
-      if (text.find_first_not_of("0123456789+-.eE") != std::string_view::npos) {
+      double value = 0;
+      const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+      // Out of range is what is as small as 1e-320, too.
+      const bool is_number = error == std::errc() || error == std::errc::result_out_of_range;
+      if (!is_number || stop != text.data() + text.size() || !std::isfinite(value)) {
         fail_brep(fmt::format("{} is no number", text));
       }
     }

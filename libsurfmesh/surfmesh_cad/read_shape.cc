@@ -17,6 +17,7 @@
 #include "surfmesh_cad/cad_file.hh"
 #include "surfmesh_cad/failed_entities.hh"
 #include "surfmesh_cad/part_names.hh"
+#include "surfmesh_cad/quiet_messages.hh"
 
 namespace surfmesh {
 namespace {
@@ -85,6 +86,7 @@ CadShape read_iges(const std::filesystem::path& path) {
 
 CadShape read_brep(const std::filesystem::path& path) {
   CadShape cad;
+  const QuietOutput quiet;
   std::ifstream file(path, std::ios::binary);
   BRepTools::Read(cad.shape, file, BRep_Builder());
   if (cad.shape.IsNull()) throw Error(ErrorCode::InvalidInput, "OpenCASCADE cannot read it");
