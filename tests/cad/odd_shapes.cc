@@ -6,6 +6,8 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom_CylindricalSurface.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
@@ -93,6 +95,23 @@ TopoDS_Shape sphere_without_poles() {
   return solid;
 }
 
+/// A tube whose face lacks the seam: it has two loops, neither of which closes in its parameters.
+TopoDS_Shape tube_without_seam() {
+  constexpr double kTolerance = 1e-7;
+  const Handle(Geom_CylindricalSurface) surface = new Geom_CylindricalSurface(gp_Ax3(), 2);
+  BRep_Builder builder;
+  TopoDS_Face face;
+  builder.MakeFace(face, surface, kTolerance);
+  for (const double z : {0.0, 5.0}) {
+    const TopoDS_Wire wire = circle(2, z);
+    const TopoDS_Edge edge = TopoDS::Edge(TopExp_Explorer(wire, TopAbs_EDGE).Current());
+    const Handle(Geom2d_Line) line = new Geom2d_Line(gp_Pnt2d(0, z), gp_Dir2d(1, 0));
+    builder.UpdateEdge(edge, line, face, kTolerance);
+    builder.Add(face, wire.Oriented(z == 0 ? TopAbs_FORWARD : TopAbs_REVERSED));
+  }
+  return face;
+}
+
 /// A box with an edge on a face that bounds nothing.
 TopoDS_Shape inner_edge() {
   const TopoDS_Shape shape = box(4, 4, 4);
@@ -119,6 +138,7 @@ void add_odd_shapes(std::vector<OwnShape>& shapes) {
        {"micro_edge", ".brep", micro_edge},
        {"sphere_without_poles", ".brep", sphere_without_poles},
        {"inner_edge", ".brep", inner_edge},
+       {"tube_without_seam", ".brep", tube_without_seam, ShapeKind::Sheet},
        {"loose_box", ".iges", [] { return box(3, 4, 5); }},
        {"loose_cylinder", ".iges", [] { return cylinder(3, 4); }},
        {"loose_hole", ".igs",

@@ -136,6 +136,14 @@ TEST_F(CadParts, GetThePolesThatTheFileLeavesOut) {
             2);
 }
 
+TEST_F(CadParts, GetTheSeamThatTheFileLeavesOut) {
+  const Model model = read("tube_without_seam");
+  ASSERT_EQ(model.patches.size(), 1u);
+  EXPECT_EQ(model.patches.front().loops.size(), 1u);
+  EXPECT_EQ(model.contours.size(), 3u);
+  ASSERT_TRUE(testing::has(model.notices, NoticeKind::HealedShape));
+}
+
 TEST_F(CadParts, LoseEdgesThatBoundNothing) {
   const Model model = read("inner_edge");
   EXPECT_EQ(model.contours.size(), 12u);
