@@ -10,8 +10,8 @@ namespace surfmesh {
 /// ignored input.
 void drop_empty_faces(CadShape& cad);
 
-/// Sew faces that the file does not join: always with a tolerance given, else if no two faces of
-/// the shape are in one shell. Shells that are closed then become solids.
+/// Sew faces that are in no solid: always with a tolerance given, else if no two faces of the shape
+/// are in one shell. Shells that are closed then become solids, or hollows of those around them.
 void sew_faces(CadShape& cad, const CadOptions& options);
 
 /// Divide faces and edges of splines where they have corners inside: elements would cut those off.

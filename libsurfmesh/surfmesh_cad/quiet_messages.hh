@@ -23,7 +23,7 @@ class QuietMessages {
   Message_SequenceOfPrinters printers_;
 };
 
-/// Nothing comes out at std::cout while this exists: the reader of BREP files writes there.
+/// Nothing comes out at std::cout while this exists: readers write there.
 class QuietOutput {
  public:
   QuietOutput() : buffer_(std::cout.rdbuf(&nothing_)) {}

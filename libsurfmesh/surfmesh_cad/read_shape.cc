@@ -86,7 +86,6 @@ CadShape read_iges(const std::filesystem::path& path) {
 
 CadShape read_brep(const std::filesystem::path& path) {
   CadShape cad;
-  const QuietOutput quiet;
   std::ifstream file(path, std::ios::binary);
   BRepTools::Read(cad.shape, file, BRep_Builder());
   if (cad.shape.IsNull()) throw Error(ErrorCode::InvalidInput, "OpenCASCADE cannot read it");
@@ -96,6 +95,7 @@ CadShape read_brep(const std::filesystem::path& path) {
 }  // namespace
 
 CadShape read_shape(const std::filesystem::path& path) {
+  const QuietOutput quiet;
   switch (check_cad_file(path)) {
     case CadFormat::Step:
       return read_step(path);

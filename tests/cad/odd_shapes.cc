@@ -141,6 +141,8 @@ void add_odd_shapes(std::vector<OwnShape>& shapes) {
        {"tube_without_seam", ".brep", tube_without_seam, ShapeKind::Sheet},
        {"loose_box", ".iges", [] { return box(3, 4, 5); }},
        {"loose_cylinder", ".iges", [] { return cylinder(3, 4); }},
+       {"loose_hollow", ".iges",
+        [] { return without(box(4, 4, 4), moved(box(2, 2, 2), 1, 1, 1)); }},
        {"loose_hole", ".igs",
         [] { return without(box(10, 10, 4), moved(cylinder(2, 4), 5, 5, 0)); }}});
 }

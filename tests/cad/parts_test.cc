@@ -110,6 +110,12 @@ TEST_F(CadParts, AreNotSewnIfThatIsOff) {
   EXPECT_TRUE(model.notices.empty());
 }
 
+TEST_F(CadParts, AreLeftAsTheyAreWhereTheyAreSolids) {
+  const Model model = read("hollow_box", {.sew = Length::units(0.01)});
+  EXPECT_EQ(model.contours.size(), 24u);
+  EXPECT_TRUE(model.notices.empty());
+}
+
 TEST_F(CadParts, AreDividedWhereSplinesHaveCorners) {
   const Model model = read("cornered_prism");
   EXPECT_EQ(model.patches.size(), 7u);
