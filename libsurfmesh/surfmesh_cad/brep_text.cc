@@ -204,7 +204,7 @@ class ShapeWords {
     index(Surfaces);
     location();
     words_.reals(2);
-    if (version_ == 2) words_.reals(is_seam ? 8 : 4);
+    if (version_ == 2) words_.reals(4);  // its ends
   }
 
   void check_second_curve() {

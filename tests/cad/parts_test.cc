@@ -163,6 +163,16 @@ TEST_F(CadParts, AreNotToldOfWhereNothingIsMended) {
   }
 }
 
+TEST_F(CadParts, MayBeInAnyVersionOfBrepFilesWithTriangles) {
+  for (const char* name : {"fillets", "torus_part", "glued"}) {
+    const std::size_t patches = read(name).patches.size();
+    for (const int version : {1, 2, 3}) {
+      testing::write_brep(testing::own_shape(name), folder_ / "part.brep", version);
+      EXPECT_EQ(read_cad(folder_ / "part.brep").patches.size(), patches) << name << version;
+    }
+  }
+}
+
 TEST(CadVersion, IsThatOfOpenCascade) { EXPECT_EQ(cad_version().substr(0, 2), "7."); }
 
 }  // namespace
