@@ -10,11 +10,11 @@
 #include <string>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh_cad/brep_geometry.hh"
+#include "surfmesh_cad/brep_words.hh"
 
 namespace surfmesh {
 namespace {
-
-constexpr std::string_view kSpace = " \t\r\n";
 
 /// The first line that tells the format, and the sections that shapes refer to.
 constexpr std::string_view kHeader = "CASCADE Topology V";
@@ -23,14 +23,67 @@ constexpr std::array<std::string_view, 7> kSections = {
     "Surfaces",  "Triangulations"};
 enum Section { Locations, Curve2ds, Curves, Polygons, PolygonsOnTriangulations, Surfaces, Meshes };
 
-[[noreturn]] void fail(const std::string& reason) { throw Error(ErrorCode::InvalidInput, reason); }
+struct SectionStart {
+  int count = 0;
+  std::size_t end = 0;  ///< behind the count
+};
+
+/// The number behind the name of a section.
+SectionStart section_start(std::string_view text, std::string_view name) {
+  const std::string start = fmt::format("\n{} ", name);
+  const std::size_t at = text.find(start);
+  if (at == std::string_view::npos) fail_brep(fmt::format("it has no section {}", name));
+  SectionStart section;
+  const char* last = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + at + start.size(), last, section.count);
+  if (error != std::errc() || section.count < 0) {
+    fail_brep(fmt::format("the number of {} is none", name));
+  }
+  section.end = static_cast<std::size_t>(stop - text.data());
+  return section;
+}
+
+int version_of(std::string_view text) {
+  const std::size_t at = text.find(kHeader);
+  if (at == std::string_view::npos || at + kHeader.size() >= text.size()) {
+    throw Error(ErrorCode::InvalidInput,
+                "this is no BREP file as text: it has no line CASCADE Topology V1, V2 or V3");
+  }
+  return text[at + kHeader.size()] - '0';
+}
+
+/// The section ends where the next one begins.
+void check_next(BrepWords& words, Section next) {
+  const std::string_view name = kSections[next];
+  if (const std::string_view word = words.word(); word != name) {
+    fail_brep(fmt::format("{} stands where {} ought to begin", word, name));
+  }
+}
+
+/// Check the sections of curves and surfaces.
+void check_geometry(std::string_view text) {
+  const SectionStart curve2ds = section_start(text, kSections[Curve2ds]);
+  BrepWords words(text, curve2ds.end);
+  check_brep_curves(words, curve2ds.count, 2);
+  check_next(words, Curves);
+  check_brep_curves(words, words.integer(), 3);
+  check_next(words, Polygons);
+  const SectionStart surfaces = section_start(text, kSections[Surfaces]);
+  words = BrepWords(text, surfaces.end);
+  check_brep_surfaces(words, surfaces.count);
+  check_next(words, Meshes);
+}
 
 /// Reads the section of shapes word by word. Their numbers run down: the first has the greatest.
 class ShapeWords {
  public:
-  explicit ShapeWords(std::string_view text)
-      : version_(version_of(text)), text_(text), shapes_(count_after("TShapes", &position_)) {
-    for (std::size_t s = 0; s < kSections.size(); ++s) counts_[s] = count_after(kSections[s]);
+  explicit ShapeWords(std::string_view text) : version_(version_of(text)), words_(text) {
+    for (std::size_t s = 0; s < kSections.size(); ++s) {
+      counts_[s] = section_start(text, kSections[s]).count;
+    }
+    const SectionStart shapes = section_start(text, "TShapes");
+    shapes_ = shapes.count;
+    words_ = BrepWords(text, shapes.end);
   }
 
   void check() {
@@ -40,53 +93,13 @@ class ShapeWords {
   }
 
  private:
-  static int version_of(std::string_view text) {
-    const std::size_t at = text.find(kHeader);
-    if (at == std::string_view::npos || at + kHeader.size() >= text.size()) {
-      fail("this is no BREP file as text: it has no line CASCADE Topology V1, V2 or V3");
-    }
-    return text[at + kHeader.size()] - '0';
-  }
-
-  /// The number behind the name of a section, and where the text goes on.
-  int count_after(std::string_view name, std::size_t* end = nullptr) const {
-    const std::string start = fmt::format("\n{} ", name);
-    const std::size_t at = text_.find(start);
-    if (at == std::string_view::npos) fail(fmt::format("the BREP file has no section {}", name));
-    int count = -1;
-    const char* last = text_.data() + text_.size();
-    const auto [stop, error] = std::from_chars(text_.data() + at + start.size(), last, count);
-    if (error != std::errc() || count < 0) fail(fmt::format("the number of {} is none", name));
-    if (end != nullptr) *end = static_cast<std::size_t>(stop - text_.data());
-    return count;
-  }
-
   [[noreturn]] void fail_here(const std::string& reason) const {
-    fail(number_ < 0 ? reason : fmt::format("shape {} of the BREP file: {}", number_, reason));
+    fail_brep(number_ < 0 ? reason : fmt::format("shape {}: {}", number_, reason));
   }
 
-  std::string_view word() {
-    const std::size_t begin = text_.find_first_not_of(kSpace, position_);
-    if (begin == std::string_view::npos) fail("the BREP file is cut off");
-    position_ = std::min(text_.find_first_of(kSpace, begin), text_.size());
-    return text_.substr(begin, position_ - begin);
-  }
-
-  void skip(int words) {
-    for (int i = 0; i < words; ++i) word();
-  }
-
-  int integer(std::string_view text) const {
-    int value = 0;
-    if (text.starts_with('+')) text.remove_prefix(1);
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || stop != text.data() + text.size()) {
-      fail_here(fmt::format("{} is no whole number", text));
-    }
-    return value;
-  }
-
-  int integer() { return integer(word()); }
+  std::string_view word() { return words_.word(); }
+  void skip(int words) { words_.skip(words); }
+  int integer() { return words_.integer(); }
 
   /// An index of a section. 0 stands for none where that is possible.
   void index(Section section, int least = 1) {
@@ -103,7 +116,7 @@ class ShapeWords {
     if (first.empty() || std::string_view("+-ie").find(first.front()) == std::string_view::npos) {
       fail_here(fmt::format("{} is no reference to a shape", first));
     }
-    const int number = integer(first.substr(1));
+    const int number = BrepWords::integer(first.substr(1));
     if (number < 1 || number > shapes_ || number <= number_) {
       fail_here(fmt::format("it refers to shape {} of {}", number, shapes_));
     }
@@ -126,9 +139,9 @@ class ShapeWords {
   }
 
   void check_vertex() {
-    skip(4);
+    words_.reals(4);
     for (;;) {
-      skip(1);
+      words_.reals(1);
       switch (integer()) {
         case 0:
           return;
@@ -140,7 +153,7 @@ class ShapeWords {
           index(Surfaces);
           break;
         case 3:
-          skip(1);
+          words_.reals(1);
           index(Surfaces);
           break;
         default:
@@ -151,7 +164,7 @@ class ShapeWords {
   }
 
   void check_edge() {
-    skip(4);
+    words_.reals(4);
     for (int kind = integer(); kind != 0; kind = integer()) check_curve(kind);
   }
 
@@ -160,7 +173,7 @@ class ShapeWords {
       case 1:
         index(Curves, 0);
         location();
-        return skip(2);
+        return words_.reals(2);
       case 2:
       case 3:
         return check_curve_on_surface(kind == 3);
@@ -190,14 +203,14 @@ class ShapeWords {
     if (is_seam) check_second_curve();
     index(Surfaces);
     location();
-    skip(2);
-    if (version_ == 2) skip(is_seam ? 8 : 4);
+    words_.reals(2);
+    if (version_ == 2) words_.reals(4);  // its ends
   }
 
   void check_second_curve() {
     const std::string_view both = word();
     const std::size_t digits = std::min(both.find_first_not_of("0123456789"), both.size());
-    const int value = integer(both.substr(0, digits));
+    const int value = BrepWords::integer(both.substr(0, digits));
     if (value < 1 || value > counts_[Curve2ds]) {
       fail_here(fmt::format("it refers to curve {} of {}", value, counts_[Curve2ds]));
     }
@@ -206,7 +219,7 @@ class ShapeWords {
 
   /// A face may have a triangulation: "2" and its index, before the flags of seven digits.
   void check_face() {
-    skip(2);
+    words_.reals(2);
     index(Surfaces, 0);
     location();
     constexpr std::size_t kFlags = 7;
@@ -216,15 +229,18 @@ class ShapeWords {
   }
 
   int version_;
-  std::string_view text_;
-  std::size_t position_ = 0;
-  int shapes_;
+  BrepWords words_;
+  int shapes_ = 0;
   int number_ = -1;
   std::array<int, kSections.size()> counts_ = {};
 };
 
 }  // namespace
 
-void check_brep_text(std::string_view text) { ShapeWords(text).check(); }
+void check_brep_text(std::string_view text) {
+  ShapeWords shapes(text);  // which tells first what is no BREP file at all
+  check_geometry(text);
+  shapes.check();
+}
 
 }  // namespace surfmesh

@@ -8,6 +8,9 @@
 #include <Interface_Check.hxx>
 #include <Interface_CheckIterator.hxx>
 #include <Interface_InterfaceModel.hxx>
+#include <StepGeom_Curve.hxx>
+#include <StepGeom_Pcurve.hxx>
+#include <StepRepr_DefinitionalRepresentation.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <Transfer_Binder.hxx>
 #include <Transfer_TransientProcess.hxx>
@@ -27,6 +30,19 @@ bool is_of_shape(const Handle(Standard_Transient) & entity) {
   const std::string_view type = entity->DynamicType()->Name();
   return type.starts_with("StepGeom_") || type.starts_with("StepShape_") ||
          type.starts_with("StepRepr_") || type.starts_with("StepBasic_");
+}
+
+/// Throws   InvalidInput for a curve on a surface without a curve: the reader does not look at it
+void check_curve(const Handle(Interface_InterfaceModel) & model,
+                 const Handle(Standard_Transient) & entity) {
+  const auto on_surface = Handle(StepGeom_Pcurve)::DownCast(entity);
+  if (on_surface.IsNull()) return;
+  const Handle(StepRepr_DefinitionalRepresentation) curve = on_surface->ReferenceToCurve();
+  if (!curve.IsNull() && curve->NbItems() > 0 &&
+      !Handle(StepGeom_Curve)::DownCast(curve->ItemsValue(1)).IsNull()) {
+    return;
+  }
+  throw Error(ErrorCode::InvalidInput, fmt::format("{}: it has no curve", label_of(model, entity)));
 }
 
 }  // namespace
@@ -58,6 +74,9 @@ bool check_entities(XSControl_WorkSession& session) {
     if (!is_of_shape(entity)) continue;
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("{}: {}", label_of(session.Model(), entity), list.Value()->CFail(1)));
+  }
+  for (Standard_Integer i = 1; i <= session.Model()->NbEntities(); ++i) {
+    check_curve(session.Model(), session.Model()->Value(i));
   }
   return is_sound;
 }

@@ -2,10 +2,13 @@
 #include "surfmesh_cad/heal_shape.hh"
 
 #include <fmt/format.h>
+
 #include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepClass3d_SolidClassifier.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Precision.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_Shape.hxx>
 #include <ShapeUpgrade_ShapeDivideContinuity.hxx>
@@ -15,6 +18,10 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Solid.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "surfmesh_cad/spline_corners.hh"
 
@@ -47,23 +54,53 @@ double sewing_tolerance(const CadShape& cad, const CadOptions& options) {
   return options.sew ? options.sew->in_units(diagonal) : kUsualSewing * diagonal;
 }
 
-/// The shape with solids in place of its closed shells, their outside being outside.
-TopoDS_Shape with_solids(const TopoDS_Shape& shape) {
+/// A solid of a closed shell, whose outside is outside.
+TopoDS_Solid solid_of(const TopoDS_Shape& shell) {
+  TopoDS_Solid solid;
+  BRep_Builder builder;
+  builder.MakeSolid(solid);
+  builder.Add(solid, shell);
+  BRepLib::OrientClosedSolid(solid);
+  return solid;
+}
+
+bool is_inside(const TopoDS_Solid& inner, const TopoDS_Solid& outer) {
+  const TopoDS_Vertex vertex = TopoDS::Vertex(TopExp_Explorer(inner, TopAbs_VERTEX).Current());
+  BRepClass3d_SolidClassifier place(outer, BRep_Tool::Pnt(vertex), Precision::Confusion());
+  return place.State() == TopAbs_IN;
+}
+
+/// Solids of closed shells. One inside another is a hollow of it: its outside is inside.
+std::vector<TopoDS_Shape> nested(const std::vector<TopoDS_Solid>& solids) {
+  std::vector<TopoDS_Shape> result;
+  for (const TopoDS_Solid& solid : solids) {
+    const auto depth = std::count_if(solids.begin(), solids.end(), [&](const TopoDS_Solid& other) {
+      return !other.IsSame(solid) && is_inside(solid, other);
+    });
+    result.push_back(solid);
+    if (depth % 2 == 1) result.back().Reverse();
+  }
+  return result;
+}
+
+/// What was sewn, with solids in place of its closed shells, and the solids that were there.
+TopoDS_Shape with_solids(const TopoDS_Shape& sewn, const TopoDS_Shape& before) {
   TopoDS_Compound all;
   BRep_Builder builder;
   builder.MakeCompound(all);
-  for (TopExp_Explorer it(shape, TopAbs_SHELL); it.More(); it.Next()) {
-    if (!BRep_Tool::IsClosed(it.Current())) {
-      builder.Add(all, it.Current());
-      continue;
-    }
-    TopoDS_Solid solid;
-    builder.MakeSolid(solid);
-    builder.Add(solid, it.Current());
-    BRepLib::OrientClosedSolid(solid);
-    builder.Add(all, solid);
+  for (TopExp_Explorer it(before, TopAbs_SOLID); it.More(); it.Next()) {
+    builder.Add(all, it.Current());
   }
-  for (TopExp_Explorer it(shape, TopAbs_FACE, TopAbs_SHELL); it.More(); it.Next()) {
+  std::vector<TopoDS_Solid> solids;
+  for (TopExp_Explorer it(sewn, TopAbs_SHELL); it.More(); it.Next()) {
+    if (BRep_Tool::IsClosed(it.Current())) {
+      solids.push_back(solid_of(it.Current()));
+    } else {
+      builder.Add(all, it.Current());
+    }
+  }
+  for (const TopoDS_Shape& solid : nested(solids)) builder.Add(all, solid);
+  for (TopExp_Explorer it(sewn, TopAbs_FACE, TopAbs_SHELL); it.More(); it.Next()) {
     builder.Add(all, it.Current());
   }
   return all;
@@ -103,20 +140,23 @@ void drop_empty_faces(CadShape& cad) {
 void sew_faces(CadShape& cad, const CadOptions& options) {
   const double tolerance = sewing_tolerance(cad, options);
   if (!(tolerance > 0)) return;
-  const int faces = count_of(cad.shape, TopAbs_FACE);
   const int edges = count_of(cad.shape, TopAbs_EDGE);
   BRepBuilderAPI_Sewing sewing(tolerance);
-  for (TopExp_Explorer it(cad.shape, TopAbs_FACE); it.More(); it.Next()) sewing.Add(it.Current());
+  int faces = 0;
+  for (TopExp_Explorer it(cad.shape, TopAbs_FACE, TopAbs_SOLID); it.More(); it.Next(), ++faces) {
+    sewing.Add(it.Current());
+  }
+  if (faces == 0) return;
   sewing.Perform();
   if (sewing.SewedShape().IsNull()) return;
   carry_facts(cad, [&sewing](const TopoDS_Shape& face) {
     return sewing.IsModified(face) ? sewing.Modified(face) : face;
   });
-  cad.shape = with_solids(sewing.SewedShape());
-  tell(cad, fmt::format("its {} faces are sewn where they are nearer than {:.3g}: of {} edges {} "
-                        "are left, {} of them with one face",
-                        faces, tolerance, edges, count_of(cad.shape, TopAbs_EDGE),
-                        sewing.NbFreeEdges()));
+  cad.shape = with_solids(sewing.SewedShape(), cad.shape);
+  tell(cad, fmt::format(
+                "its {} loose faces are sewn where they are nearer than {:.3g}: of {} edges "
+                "{} are left, {} of them with one face",
+                faces, tolerance, edges, count_of(cad.shape, TopAbs_EDGE), sewing.NbFreeEdges()));
 }
 
 void divide_at_corners(CadShape& cad) {

@@ -10,15 +10,16 @@ namespace surfmesh {
 /// ignored input.
 void drop_empty_faces(CadShape& cad);
 
-/// Sew faces that the file does not join: always with a tolerance given, else if no two faces of
-/// the shape are in one shell. Shells that are closed then become solids.
+/// Sew faces that are in no solid: always with a tolerance given, else if no two faces of the shape
+/// are in one shell. Shells that are closed then become solids, or hollows of those around them.
 void sew_faces(CadShape& cad, const CadOptions& options);
 
 /// Divide faces and edges of splines where they have corners inside: elements would cut those off.
 void divide_at_corners(CadShape& cad);
 
-/// Merge edges shorter than 1e-7 of the diagonal, or than the tolerance of their vertices, with
-/// their neighbours.
+/// Merge edges shorter than 1e-7 of the diagonal, or than the tolerance of their vertices, and
+/// faces as narrow, with their neighbours. What is less closed or less valid than before is not
+/// taken.
 void merge_small_edges(CadShape& cad);
 
 /// Mend wires, seams and curves of faces, for shapes of which faces cannot be used as they are.

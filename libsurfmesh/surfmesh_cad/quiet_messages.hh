@@ -3,6 +3,9 @@
 
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <cstdio>
+#include <iostream>
+#include <streambuf>
 
 namespace surfmesh {
 
@@ -18,6 +21,24 @@ class QuietMessages {
 
  private:
   Message_SequenceOfPrinters printers_;
+};
+
+/// Nothing comes out at std::cout while this exists: readers write there.
+class QuietOutput {
+ public:
+  QuietOutput() : buffer_(std::cout.rdbuf(&nothing_)) {}
+  ~QuietOutput() { std::cout.rdbuf(buffer_); }
+  QuietOutput(const QuietOutput&) = delete;
+  QuietOutput& operator=(const QuietOutput&) = delete;
+
+ private:
+  /// Takes all that is written.
+  class Nothing : public std::streambuf {
+    int overflow(int c) override { return c == EOF ? 0 : c; }
+  };
+
+  Nothing nothing_;
+  std::streambuf* buffer_;
 };
 
 }  // namespace surfmesh

@@ -18,8 +18,8 @@ namespace surfmesh {
 /// How far curves are from each other is measured: it is Contour::tolerance where it counts.
 ///
 /// Files are read one at a time, for OpenCASCADE keeps the options of its readers in variables of
-/// the whole program; they are as before afterwards. Its messages are not printed. It installs no
-/// handlers of signals.
+/// the whole program; they are as before afterwards. Its messages are not printed: while a file
+/// is read, nothing is by std::cout. It installs no handlers of signals.
 ///
 /// Cost     reading the file takes most of the time; about 30 times its size in memory
 /// Throws   Io if the file cannot be read; InvalidInput if it is damaged, of another kind or has

@@ -17,6 +17,7 @@
 #include "surfmesh_cad/cad_file.hh"
 #include "surfmesh_cad/failed_entities.hh"
 #include "surfmesh_cad/part_names.hh"
+#include "surfmesh_cad/quiet_messages.hh"
 
 namespace surfmesh {
 namespace {
@@ -94,6 +95,7 @@ CadShape read_brep(const std::filesystem::path& path) {
 }  // namespace
 
 CadShape read_shape(const std::filesystem::path& path) {
+  const QuietOutput quiet;
   switch (check_cad_file(path)) {
     case CadFormat::Step:
       return read_step(path);

@@ -5,8 +5,10 @@
 #include <BRep_Tool.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <ShapeBuild_ReShape.hxx>
+#include <ShapeFix_FixSmallFace.hxx>
 #include <ShapeFix_Wireframe.hxx>
 #include <TopExp.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -24,6 +26,9 @@ constexpr double kLeastEdge = 1e-7;
 /// Intervals for an upper bound of the length of what is short: the length of a polyline is one but
 /// for what lies between its points.
 constexpr int kIntervals = 8;
+
+/// Edges are merged to a distance somewhat above the longest of them.
+constexpr double kSlack = 2;
 
 double length_of(const TopoDS_Edge& edge) {
   const BRepAdaptor_Curve curve(edge);
@@ -74,33 +79,61 @@ SmallEdges small_edges(const TopoDS_Shape& shape, double least) {
   return small;
 }
 
+/// Edges of one face alone: a shape that is closed has none.
+int open_edges(const TopoDS_Shape& shape) {
+  TopTools_IndexedDataMapOfShapeListOfShape faces;
+  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces);
+  int count = 0;
+  for (Standard_Integer i = 1; i <= faces.Extent(); ++i) {
+    const bool is_pole = BRep_Tool::Degenerated(TopoDS::Edge(faces.FindKey(i)));
+    if (!is_pole && faces(i).Extent() == 1) ++count;
+  }
+  return count;
+}
+
+/// Faces narrower than a distance become edges, then edges shorter than it vertices.
+TopoDS_Shape merged(const TopoDS_Shape& shape, double distance,
+                    const Handle(ShapeBuild_ReShape) & changes) {
+  ShapeFix_FixSmallFace faces;
+  faces.SetContext(changes);
+  faces.Init(shape);
+  faces.SetPrecision(distance);
+  faces.SetMaxTolerance(distance);
+  faces.Perform();
+  ShapeFix_Wireframe edges(faces.FixShape());
+  edges.SetContext(changes);
+  edges.SetPrecision(distance);
+  edges.SetMaxTolerance(distance);
+  edges.ModeDropSmallEdges() = true;
+  edges.FixSmallEdges();
+  return edges.Shape();
+}
+
+/// Whether a shape may take the place of another: it is as closed, and as valid.
+bool is_as_good(const TopoDS_Shape& result, const TopoDS_Shape& before) {
+  return !result.IsNull() && open_edges(result) <= open_edges(before) &&
+         (BRepCheck_Analyzer(result).IsValid() || !BRepCheck_Analyzer(before).IsValid());
+}
+
 }  // namespace
 
 void merge_small_edges(CadShape& cad) {
   const double least = kLeastEdge * rough_diagonal(cad.shape);
   const SmallEdges before = small_edges(cad.shape, least);
   if (before.count == 0) return;
-  ShapeFix_Wireframe fix(cad.shape);
+  const double distance = std::max(least, kSlack * before.longest);
   const Handle(ShapeBuild_ReShape) changes = new ShapeBuild_ReShape;
-  fix.SetContext(changes);
-  constexpr double kSlack = 2;
-  fix.SetPrecision(std::max(least, kSlack * before.longest));
-  fix.SetMaxTolerance(std::max(least, kSlack * before.longest));
-  fix.ModeDropSmallEdges() = true;
-  fix.FixSmallEdges();
-  const TopoDS_Shape result = fix.Shape();
-  // What is worse than before is not taken.
-  if (result.IsNull() || count_of(result, TopAbs_FACE) != count_of(cad.shape, TopAbs_FACE) ||
-      (!BRepCheck_Analyzer(result).IsValid() && BRepCheck_Analyzer(cad.shape).IsValid())) {
-    return;
-  }
+  const TopoDS_Shape result = merged(cad.shape, distance, changes);
+  if (!is_as_good(result, cad.shape)) return;
   const int left = small_edges(result, least).count;
   if (left >= before.count) return;
+  const int faces = count_of(cad.shape, TopAbs_FACE) - count_of(result, TopAbs_FACE);
   carry_facts(cad, [&changes](const TopoDS_Shape& face) { return changes->Apply(face); });
   cad.shape = result;
   append({warning(NoticeKind::HealedShape,
-                  fmt::format("{} edges shorter than {:.3g} are merged with their neighbours",
-                              before.count - left, kSlack * before.longest))},
+                  fmt::format("{} edges shorter than {:.3g} and {} faces as narrow are merged with "
+                              "their neighbours",
+                              before.count - left, distance, faces))},
          cad.notices);
 }
 

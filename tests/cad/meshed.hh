@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "surfmesh/core/notice.hh"
 #include "surfmesh/core/properties.hh"
-#include "surfmesh/core/validate.hh"
 #include "surfmesh/geometry/parts.hh"
 #include "surfmesh/model/finish_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
@@ -54,6 +55,24 @@ inline double allowed_distance(const Model& model) {
   double gap = 0;
   for (const Contour& contour : model.contours) gap = std::max(gap, fine_gap(model, contour));
   return std::max(kLeast * model.diagonal, kSlack * gap);
+}
+
+/// True if faces pass each edge as often in one direction as in the other. Copies of a vertex are
+/// one again: a half-edge mesh has them where a shape touches itself.
+inline bool is_closed(const PolyMesh& mesh) {
+  const auto original = find(mesh, keys::vertex_original);
+  const auto number = [&](const auto& vertex) {
+    return original.is_valid() ? mesh.property(original, vertex) : vertex.idx();
+  };
+  std::map<std::pair<int, int>, int> passes;
+  for (const auto face : mesh.faces()) {
+    for (const auto side : face.halfedges()) {
+      const int from = number(side.from()), to = number(side.to());
+      passes[std::minmax(from, to)] += from < to ? 1 : -1;
+    }
+  }
+  return std::all_of(passes.begin(), passes.end(),
+                     [](const auto& pass) { return pass.second == 0; });
 }
 
 inline bool has(const Notices& notices, NoticeKind kind) {

@@ -3,6 +3,7 @@
 
 #include <BRepBndLib.hxx>
 #include <BRepGProp.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
@@ -120,6 +121,13 @@ void write_assembly(const std::filesystem::path& path) {
   writer.SetColorMode(true);
   writer.Transfer(document, STEPControl_AsIs);
   writer.Write(path.c_str());
+}
+
+void write_brep(const OwnShape& own, const std::filesystem::path& path, int version) {
+  constexpr double kCoarse = 0.5;
+  const TopoDS_Shape shape = own.make();
+  const BRepMesh_IncrementalMesh triangles(shape, kCoarse);
+  BRepTools::Write(shape, path.c_str(), true, false, static_cast<TopTools_FormatVersion>(version));
 }
 
 void write_wires(const std::filesystem::path& path) { write_cad(circle(2, 0), path); }

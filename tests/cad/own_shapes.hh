@@ -45,6 +45,9 @@ void write_cad(const TopoDS_Shape& shape, const std::filesystem::path& path,
 /// An assembly as STEP: two red bolts and a blue plate, whose top is a face called "top" in green.
 void write_assembly(const std::filesystem::path& path);
 
+/// Write a shape with its triangles as BREP, in one of the three versions of the format.
+void write_brep(const OwnShape& shape, const std::filesystem::path& path, int version);
+
 /// Files without faces: of a wire, and of nothing.
 void write_wires(const std::filesystem::path& path);
 void write_empty(const std::filesystem::path& path);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -108,6 +110,12 @@ TEST_F(CadParts, AreNotSewnIfThatIsOff) {
   EXPECT_TRUE(model.notices.empty());
 }
 
+TEST_F(CadParts, AreLeftAsTheyAreWhereTheyAreSolids) {
+  const Model model = read("hollow_box", {.sew = Length::units(0.01)});
+  EXPECT_EQ(model.contours.size(), 24u);
+  EXPECT_TRUE(model.notices.empty());
+}
+
 TEST_F(CadParts, AreDividedWhereSplinesHaveCorners) {
   const Model model = read("cornered_prism");
   EXPECT_EQ(model.patches.size(), 7u);
@@ -120,9 +128,48 @@ TEST_F(CadParts, AreLeftAsTheyAreWhereSplinesHaveNone) {
   EXPECT_TRUE(model.notices.empty());
 }
 
+TEST_F(CadParts, LoseTheirTinyEdges) {
+  const Model model = read("micro_edge");
+  EXPECT_EQ(model.patches.size(), 7u);
+  for (const Contour& contour : model.contours) EXPECT_NE(contour.start, contour.end);
+  EXPECT_TRUE(testing::has(model.notices, NoticeKind::HealedShape));
+}
+
+TEST_F(CadParts, GetThePolesThatTheFileLeavesOut) {
+  const Model model = read("sphere_without_poles");
+  EXPECT_EQ(std::count_if(model.contours.begin(), model.contours.end(),
+                          [](const Contour& contour) { return contour.is_degenerate; }),
+            2);
+}
+
+TEST_F(CadParts, GetTheSeamThatTheFileLeavesOut) {
+  const Model model = read("tube_without_seam");
+  ASSERT_EQ(model.patches.size(), 1u);
+  EXPECT_EQ(model.patches.front().loops.size(), 1u);
+  EXPECT_EQ(model.contours.size(), 3u);
+  ASSERT_TRUE(testing::has(model.notices, NoticeKind::HealedShape));
+}
+
+TEST_F(CadParts, LoseEdgesThatBoundNothing) {
+  const Model model = read("inner_edge");
+  EXPECT_EQ(model.contours.size(), 12u);
+  ASSERT_TRUE(testing::has(model.notices, NoticeKind::HealedShape));
+  EXPECT_NE(model.notices.front().text.find("1 edges that bound no face"), std::string::npos);
+}
+
 TEST_F(CadParts, AreNotToldOfWhereNothingIsMended) {
   for (const char* name : {"box", "thread", "open_box", "hollow_sphere"}) {
     EXPECT_TRUE(read(name).notices.empty()) << name;
+  }
+}
+
+TEST_F(CadParts, MayBeInAnyVersionOfBrepFilesWithTriangles) {
+  for (const char* name : {"fillets", "torus_part", "glued"}) {
+    const std::size_t patches = read(name).patches.size();
+    for (const int version : {1, 2, 3}) {
+      testing::write_brep(testing::own_shape(name), folder_ / "part.brep", version);
+      EXPECT_EQ(read_cad(folder_ / "part.brep").patches.size(), patches) << name << version;
+    }
   }
 }
 

@@ -26,7 +26,7 @@ TEST_P(SharedCadFiles, AreMeshedClosed) {
   check(model);
   EXPECT_EQ(model.patches.size(), GetParam().patches);
   const MeshResult result = mesh_model(model, {}, {});
-  EXPECT_TRUE(measure_topology(result.mesh).is_closed);
+  EXPECT_TRUE(testing::is_closed(result.mesh));
   EXPECT_LE(testing::corner_distance(model, result.mesh), testing::allowed_distance(model));
   EXPECT_FALSE(testing::has(result.report.notices, NoticeKind::TurnedTriangles));
   EXPECT_FALSE(testing::has(result.report.notices, NoticeKind::BrokenPromise));
