@@ -3,24 +3,70 @@
 
 #ifdef SURFMESH_HAS_CAD
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "surfmesh/core/error.hh"
+#endif
+#ifdef SURFMESH_READS_CAD
 #include "surfmesh_cad/read_cad.hh"
 #endif
 
 namespace surfmesh {
 
-#ifdef SURFMESH_HAS_CAD
+#if defined(SURFMESH_READS_CAD)
 
 CadReader cad_reader() { return read_cad; }
 
-std::string cad_library() { return fmt::format("OpenCASCADE {}", cad_version()); }
+#elif defined(SURFMESH_HAS_CAD)
+
+namespace {
+
+/// The words of the command line, the program's name first.
+std::vector<std::string> own_arguments() {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::vector<std::string> arguments;
+  for (std::string argument; std::getline(file, argument, '\0');) arguments.push_back(argument);
+  return arguments;
+}
+
+/// Start the same command in the program that is linked with OpenCASCADE, in place of this one.
+[[noreturn]] void go_on_in_cad_program() {
+  std::vector<std::string> arguments = own_arguments();
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  const std::filesystem::path program =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "surfmesh-cad";
+  execv(program.c_str(), pointers.data());
+  throw Error(ErrorCode::Io, fmt::format("{}, which reads CAD files, cannot be started: {}",
+                                         program.string(), std::strerror(errno)));
+}
+
+}  // namespace
+
+CadReader cad_reader() {
+  return [](const std::filesystem::path&, const CadOptions&) -> Model { go_on_in_cad_program(); };
+}
 
 #else
 
 CadReader cad_reader() { return {}; }
 
-std::string cad_library() { return {}; }
-
 #endif
+
+std::string cad_library() {
+#ifdef SURFMESH_HAS_CAD
+  return "OpenCASCADE " SURFMESH_HAS_CAD;
+#else
+  return {};
+#endif
+}
 
 }  // namespace surfmesh

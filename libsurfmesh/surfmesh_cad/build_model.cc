@@ -132,7 +132,6 @@ class Builder {
   Contour& new_contour() {
     Contour& contour = built_.model.contours.emplace_back();
     contour.name = fmt::format("edge{}", built_.model.contours.size());
-    is_pole_.push_back(false);
     return contour;
   }
 
@@ -146,8 +145,9 @@ class Builder {
     Contour& contour = new_contour();
     contour.start = vertex_of(start);
     contour.end = end.IsSame(start) ? contour.start : vertex_of(end);
-    is_pole_.back() = BRep_Tool::Degenerated(edge);
-    if (!is_pole_.back()) contour.breaks = knots_of(edge);
+    // A pole of the file is one, even if it has some extent by its inaccuracy.
+    contour.is_degenerate = BRep_Tool::Degenerated(edge);
+    if (!contour.is_degenerate) contour.breaks = knots_of(edge);
     contours_.Bind(edge, last_contour());
     return last_contour();
   }
@@ -155,7 +155,7 @@ class Builder {
   int add_pole(const FaceEdge& side) {
     Contour& contour = new_contour();
     contour.start = contour.end = vertex_of(side.vertex);
-    is_pole_.back() = true;
+    contour.is_degenerate = true;
     return last_contour();
   }
 
@@ -172,16 +172,23 @@ class Builder {
     return index;
   }
 
-  /// Solids are groups where there are several of them, unless parts or bodies are these.
+  /// A face of two solids belongs to the first. Solids are groups where there are several of them,
+  /// unless parts or bodies are these.
   void add_solids() {
     TopTools_IndexedMapOfShape solids;
     TopExp::MapShapes(cad_.shape, TopAbs_SOLID, solids);
-    if (solids.Extent() < 2 || solids.Extent() <= static_cast<int>(cad_.parts.size())) return;
+    const bool are_groups =
+        solids.Extent() >= 2 && solids.Extent() > static_cast<int>(cad_.parts.size());
     for (Standard_Integer s = 1; s <= solids.Extent(); ++s) {
       const std::string name = fmt::format("solid{}", s);
       for (TopExp_Explorer face(solids(s), TopAbs_FACE); face.More(); face.Next()) {
         const Standard_Integer* patch = patch_by_face_.Seek(face.Current());
-        if (patch != nullptr) add_to_group(name, *patch, built_.model.groups);
+        if (patch == nullptr) continue;
+        if (are_groups) add_to_group(name, *patch, built_.model.groups);
+        Patch& own = built_.model.patch(*patch);
+        if (own.solid >= 0) continue;
+        own.solid = static_cast<int>(s);
+        own.is_reversed = face.Current().Orientation() == TopAbs_REVERSED;
       }
     }
   }
@@ -192,10 +199,6 @@ class Builder {
     centre_vertices(model);
     set_box(model);
     finish(model);
-    for (std::size_t c = 0; c < model.contours.size(); ++c) {
-      // A pole of the file is one, even if it has some extent by its inaccuracy.
-      if (is_pole_[c]) model.contours[c].is_degenerate = true;
-    }
     put_in_order(model.groups);
     set_tolerances(model);
     if (dropped_edges_ > 0) {
@@ -211,7 +214,6 @@ class Builder {
   NCollection_DataMap<TopoDS_Shape, Standard_Integer, TopTools_ShapeMapHasher> patch_by_face_;
   NCollection_DataMap<TopoDS_Shape, Standard_Integer, TopTools_ShapeMapHasher> contours_;
   NCollection_DataMap<TopoDS_Shape, Standard_Integer, TopTools_ShapeMapHasher> vertices_;
-  std::vector<bool> is_pole_;  ///< by contour
   int dropped_edges_ = 0;
   BuiltModel built_;
 };

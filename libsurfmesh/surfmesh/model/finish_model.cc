@@ -71,8 +71,8 @@ void compare_uses(Model& model, Contour& contour) {
   const std::vector<Vec3> points = points_on(model, contour, contour.uses.front());
   Eigen::AlignedBox3d box;
   for (const Vec3& point : points) box.extend(point);
-  contour.is_degenerate =
-      contour.start == contour.end && box.diagonal().norm() <= kPointExtent * model.diagonal;
+  const bool is_point = box.diagonal().norm() <= kPointExtent * model.diagonal;
+  contour.is_degenerate |= contour.start == contour.end && is_point;
   const double allowed =
       std::max(kSameSpeedGap * model.diagonal, kShareOfTolerance * contour.tolerance);
   for (std::size_t i = 1; i < contour.uses.size(); ++i) {
