@@ -60,6 +60,7 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
                                  "patches",
                                  "groups",
                                  "diagonal",
+                                 "tolerance",
                                  "edge_lengths",
                                  "edges",
                                  "quality",

@@ -158,6 +158,13 @@ MeshNames mesh_names(const Model& model) {
   return names;
 }
 
+double greatest_tolerance(const Model& model) {
+  double greatest = 0;
+  for (const ModelVertex& vertex : model.vertices) greatest = std::max(greatest, vertex.tolerance);
+  for (const Contour& contour : model.contours) greatest = std::max(greatest, contour.tolerance);
+  return greatest;
+}
+
 double allowed_gap(const Model& model, const Contour& before, const Contour& after) {
   double tolerance = before.tolerance + after.tolerance;
   for (const int vertex : {before.start, before.end}) {

@@ -45,6 +45,9 @@
 namespace surfmesh {
 namespace {
 
+/// The least sag, in gaps between surfaces that meet.
+constexpr double kSagsOfGap = 2;
+
 /// Meshes of up to so many quads are made in two ways.
 constexpr std::size_t kMostQuadsMadeTwice = 1000;
 
@@ -353,6 +356,7 @@ class Run {
     report_.quality = measure_quality(mesh);
     if (quads > 0) report_.quads = measure_quads(mesh);
     report_.diagonal = model_.diagonal;
+    report_.tolerance = greatest_tolerance(model_);
     report_.lengths = measure_lengths(mesh);
     locate_worst(mesh);
     append(detail::notices_of_faces(mesh, model_, report_), report_.notices);
@@ -421,10 +425,23 @@ void work_with_control(const Model& model, const Sources& sources, const Resolve
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// The sag is not to ask for less than surfaces are apart where they meet, and the mesh near there
+/// be off both of them.
+void raise_sag(const Model& model, ResolvedSizing& sizing, Notices& notices) {
+  const double least = kSagsOfGap * greatest_tolerance(model);
+  if (sizing.sag == 0 || sizing.sag >= least) return;
+  notices.push_back(shortfall(
+      NoticeKind::LooseFit,
+      fmt::format("sag = {:.6g} is less than the surfaces of the model allow, which are up to "
+                  "{:.3g} apart where they meet; {:.6g} is kept in its place",
+                  sizing.sag, least / kSagsOfGap, least)));
+  sizing.sag = least;
+}
+
 /// Mesh the model once or until the sag is reached.
 void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOptions& options,
                    const RunContext& context, MeshResult& result) {
-  const ResolvedSizing sizing = resolve(options.sizing, model);
+  ResolvedSizing sizing = resolve(options.sizing, model);
   if (sizing.sag == 0) {
     work_with_control(model, sources, sizing, options, context, result.report,
                       [&](ControlSpaces control) {
@@ -432,6 +449,8 @@ void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOpt
                       });
     return;
   }
+  Notices notices;
+  raise_sag(model, sizing, notices);
   const detail::CountedModel counted(model);
   detail::PatchCache cache(model.patches.size());
   const auto mesh_with = [&](ControlSpaces control, double corrected_sag,
@@ -445,6 +464,7 @@ void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOpt
   result =
       detail::reach_sag({counted.model(), sources, sizing, options.control, context}, mesh_with);
   result.report.sag.evaluations = counted.evaluations();
+  append(std::move(notices), result.report.notices);
 }
 
 /// The normals of the surface, if they are wanted in the file.

@@ -303,7 +303,7 @@ class Lines {
 };
 
 /// Null in the report of an estimate, which has no mesh.
-constexpr std::array<const char*, 11> kFiguresOfMesh = {"mesh",
+constexpr std::array<const char*, 12> kFiguresOfMesh = {"mesh",
                                                         "patches",
                                                         "groups",
                                                         "edge_lengths",
@@ -312,6 +312,7 @@ constexpr std::array<const char*, 11> kFiguresOfMesh = {"mesh",
                                                         "quads",
                                                         "refine",
                                                         "diagonal",
+                                                        "tolerance",
                                                         "triangles_per_second",
                                                         "triangles_per_second_in_all"};
 
@@ -341,6 +342,7 @@ std::string to_json(const Report& report) {
       {"patches", patches_json(report.patches)},
       {"groups", groups_json(report.patches)},
       {"diagonal", report.diagonal},
+      {"tolerance", report.tolerance},
       {"edge_lengths",
        {{"min", report.lengths.min}, {"mean", report.lengths.mean}, {"max", report.lengths.max}}},
       {"edges", edges_json(report.edges)},

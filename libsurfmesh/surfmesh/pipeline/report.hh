@@ -78,6 +78,7 @@ struct Report {
   EdgeStatistics edges;       ///< in the metric of the control space
   QualityStatistics quality;  ///< likewise
   double diagonal = 0;        ///< of the model's box, model units
+  double tolerance = 0;       ///< greatest one of the model's contours and vertices, model units
   Lengths lengths;
   std::optional<WorstFace> worst;
   QuadStatistics quads;

@@ -67,7 +67,9 @@ class DistanceMeter {
         is_off_(mesh.n_faces(), 0),
         is_coarse_(mesh.n_faces(), 0),
         side_of_(model.patches.size(), 0),
-        on_surface_(surface_tolerance(mesh, model)) {}
+        on_surface_(surface_tolerance(mesh, model)),
+        off_surface_(
+            std::max({kOffSurface * model.diagonal, model.joining, greatest_tolerance(model)})) {}
 
   SurfaceDistance run(const RunContext& context) {
     for (const FaceHandle fh : mesh_.faces()) {
@@ -154,7 +156,7 @@ class DistanceMeter {
       result_.max_corner = distance;
       result_.max_corner_face = index(fh);
     }
-    if (!is_projected_ && distance > std::max(kOffSurface * model_.diagonal, model_.joining)) {
+    if (!is_projected_ && distance > off_surface_) {
       off_.add([&] {
         return fmt::format("{} at {}, by {:.3g}", face_text(fh), point_text(point), distance);
       });
@@ -239,6 +241,7 @@ class DistanceMeter {
   std::vector<char> is_coarse_;
   std::vector<double> side_of_;  ///< of each patch, area along minus area against the normal
   double on_surface_;            ///< distances below are rounding
+  double off_surface_;           ///< farther than this, corners are a fault
   SurfaceDistance result_;
   double sum_ = 0;
   std::size_t samples_ = 0;

@@ -23,8 +23,8 @@ struct SurfaceDistance {
   std::size_t max_corner_face = 0;
   /// turned_face: against the normal of the surface, seen from the side on which most of its patch
   /// is, and in a projected mesh by more than 120°; corner_off_surface: farther than 1e-6 of the
-  /// diagonal, or than sides are joined, from the surface at its (u,v), for a mesh with (u,v) of
-  /// its own.
+  /// diagonal, than sides are joined and than the model's tolerances, from the surface at its
+  /// (u,v), for a mesh with (u,v) of its own.
   std::vector<MeshFault> faults;
   /// Faces of a projected mesh that look turned, but whose corners are not all found on the
   /// surface, as most of the mesh's are, or have normals that are more than 90° apart: across a

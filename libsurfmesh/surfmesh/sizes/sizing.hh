@@ -29,6 +29,11 @@ enum class SharesOf {
   Part    ///< that of each part of the model: what hangs together by contours
 };
 
+/// What the lower clamp of sizes is if it is not given, as shares of the diagonal. Holes of CAD
+/// parts may be a thousandth of the part.
+inline constexpr double kUsualHmin = 1e-3;
+inline constexpr double kHminOfCircles = 1e-5;
+
 /// Which sizes follow from the shape, and the bounds of all sizes.
 struct Sizing {
   /// Size = factor × radius of curvature; 0 is off. Unset: 0.25, or off with `sag` or `size`.
@@ -64,7 +69,7 @@ struct Sizing {
 
   /// The effective lower clamp.
   Length least_size() const {
-    return hmin.value_or(Length::share(segments_per_circle > 0 ? 0.00001 : 0.001));
+    return hmin.value_or(Length::share(segments_per_circle > 0 ? kHminOfCircles : kUsualHmin));
   }
 };
 
