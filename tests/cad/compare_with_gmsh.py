@@ -16,6 +16,8 @@ import subprocess
 import sys
 import tempfile
 
+STAGES = ("control", "boundary", "triangulate", "refine", "improve", "quad", "assemble",
+          "across")
 SIZES = ["--segments-per-circle", "20", "--stretch", "1", "--hmin", "0.01%", "--hmax", "5%"]
 
 
@@ -80,8 +82,8 @@ def run_surfmesh(program, file, folder):
     if result.returncode not in (0, 3):
         return None, None, result.stderr.strip()
     read = json.loads(report.read_text())
-    seconds = sum(s for stage, s in read["seconds"].items() if stage not in ("read", "write"))
-    return measure(*read_off(mesh), seconds), read["model"]["diagonal"], result.stderr.strip()
+    seconds = sum(s for stage, s in read["seconds"].items() if stage in STAGES)
+    return measure(*read_off(mesh), seconds), read["diagonal"], result.stderr.strip()
 
 
 def run_gmsh(file, diagonal, folder):

@@ -15,6 +15,9 @@ namespace {
 constexpr double kPlace = 0.4375;
 constexpr double kStep = 1e-4;
 
+/// Share of the diagonal of the model at which the patches are seen beside the contour.
+constexpr double kReach = 1e-4;
+
 /// Patches nearer than this angle, in radians, have no order.
 constexpr double kLeastAngle = 1e-6;
 
@@ -33,6 +36,13 @@ bool is_of_one_solid(const Model& model, const Contour& contour) {
     patches.insert(use.patch);
   }
   return solid >= 0 && patches.size() == contour.uses.size();
+}
+
+/// The step in (u,v) that leads nearest to a small step in the tangent plane.
+Uv step_along(const Jet& jet, const Vec3& step) {
+  const double e = jet.du.squaredNorm(), f = jet.du.dot(jet.dv), g = jet.dv.squaredNorm();
+  const double a = step.dot(jet.du), b = step.dot(jet.dv), det = e * g - f * f;
+  return {(g * a - f * b) / det, (e * b - f * a) / det};
 }
 
 /// Puts the patches around a contour in order.
@@ -69,8 +79,11 @@ class Leaves {
     const Jet jet = surface.evaluate(use.curve->evaluate(t), Order::First);
     const Vec3 normal = jet.du.cross(jet.dv).normalized();
     const Vec3 inward = (use.is_forward ? 1 : -1) * normal.cross(tangent_);
+    // Patches that are tangent to each other have an order only at some distance.
+    const Uv inside = use.curve->evaluate(t) + step_along(jet, kReach * model_.diagonal * inward);
+    const Vec3 away = surface.evaluate(inside, Order::Position).point - near_;
     if (leaves_.empty()) axis_ = inward;
-    const double angle = std::atan2(tangent_.dot(axis_.cross(inward)), axis_.dot(inward));
+    const double angle = std::atan2(tangent_.dot(axis_.cross(away)), axis_.dot(away));
     const bool is_outside_ahead = model_.patch(use).is_reversed
                                       ? tangent_.cross(inward).dot(normal) < 0
                                       : tangent_.cross(inward).dot(normal) > 0;

@@ -25,6 +25,10 @@ constexpr double kLeastWay = 6;
 /// patch on both sides.
 constexpr double kSamePoint = 1e-9;
 
+/// Contours that leave a vertex at less than about 5°, as seen at this share of them, make a cusp.
+constexpr double kCornerShare = 1e-3;
+constexpr double kCuspCosine = 0.996;
+
 /// Rounds of halving: contours that touch have pieces that are never straight enough.
 constexpr int kMaxRounds = 12;
 
@@ -161,7 +165,29 @@ std::optional<BoundaryPoint> BoundaryPieces::nearest(const Vec3& p, const Facing
 bool BoundaryPieces::are_joined(const BoundaryPiece& piece, const BoundaryPoint& point) const {
   const double same_point = kSamePoint * piece.whole;
   return point.distance <= same_point ||
-         way_between(piece, point) <= kLeastWay * point.distance + same_point;
+         way_between(piece, point) <= kLeastWay * point.distance + same_point ||
+         are_in_cusp(piece, point);
+}
+
+/// True if the contours of both leave a vertex that they have in common in the same direction.
+///
+/// Between them is room for flat elements only, whatever their size.
+bool BoundaryPieces::are_in_cusp(const BoundaryPiece& piece, const BoundaryPoint& point) const {
+  const BoundaryPiece& other = (*this)[point.piece];
+  if (piece.contour == other.contour) return false;
+  const Contour &a = model_.contour(piece.contour), &b = model_.contour(other.contour);
+  const auto direction = [this](const BoundaryPiece& of, bool is_at_end) {
+    const ContourUse& use = model_.use({of.contour, of.use});
+    const Vec3 from = model_.point(use, is_at_end ? 1 : 0);
+    return (model_.point(use, is_at_end ? 1 - kCornerShare : kCornerShare) - from).normalized();
+  };
+  for (const bool is_end_a : {false, true}) {
+    for (const bool is_end_b : {false, true}) {
+      if ((is_end_a ? a.end : a.start) != (is_end_b ? b.end : b.start)) continue;
+      if (direction(piece, is_end_a).dot(direction(other, is_end_b)) > kCuspCosine) return true;
+    }
+  }
+  return false;
 }
 
 /// Infinite if the contours have no vertex in common.

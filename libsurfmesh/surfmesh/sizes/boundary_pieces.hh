@@ -70,7 +70,8 @@ class BoundaryPieces {
 
   /// True if the boundary leads from the middle of a piece to a point by a way of no more than six
   /// times its distance: around a corner or a bend, that is, along one contour or two that end at
-  /// one vertex. Also true at the same place: where sides coincide that are not joined is no gap.
+  /// one vertex. Also true at the same place, for where sides coincide that are not joined is no
+  /// gap; and for contours that leave a vertex in the same direction.
   bool are_joined(const BoundaryPiece& piece, const BoundaryPoint& point) const;
 
  private:
@@ -80,6 +81,7 @@ class BoundaryPieces {
   void plant_tree();
   void straighten();
   std::vector<char> find_bent() const;
+  bool are_in_cusp(const BoundaryPiece& piece, const BoundaryPoint& point) const;
   double way_between(const BoundaryPiece& piece, const BoundaryPoint& point) const;
 
   const Model& model_;
