@@ -25,6 +25,7 @@ struct LatticeCells {
 };
 
 constexpr LatticeCells kOfSizes{8, 32, 128};
+constexpr LatticeCells kOfFirstLook{2, 8, 16};
 constexpr LatticeCells kOfAreas{4, 32, 64};
 
 /// How much larger the area may be than it looks between samples.
@@ -97,8 +98,8 @@ class PatchSampler {
 }  // namespace
 
 CoarseEstimate estimate_coarsely(const Model& model, const std::vector<PatchSources>& sources,
-                                 const ResolvedSizing& sizing) {
-  const int cells = cells_per_side(model, kOfSizes);
+                                 const ResolvedSizing& sizing, CoarseLook look) {
+  const int cells = cells_per_side(model, look == CoarseLook::First ? kOfFirstLook : kOfSizes);
   std::vector<SizedPatch> likely(sources.size()), least(sources.size());
   share_indices(sources.size(), [&](std::size_t p) {
     at_location(label(model.patches[p]), [&] {

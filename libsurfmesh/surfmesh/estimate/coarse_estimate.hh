@@ -17,13 +17,16 @@ struct CoarseEstimate {
   TriangleEstimate least;
 };
 
-/// Estimate from 8 × 8 to 32 × 32 cells a patch, fewer for models of more patches. Sizes are not
-/// graded.
+/// How closely sizes are looked at: the first look takes a sixteenth of the samples.
+enum class CoarseLook { First, Close };
+
+/// Estimate from 8 × 8 to 32 × 32 cells a patch, fewer for models of more patches; from 2 × 2 to
+/// 8 × 8 with the first look. Sizes are not graded.
 ///
 /// Cost     3 samples of the field a cell
 /// Throws   InvalidInput for a source that is invalid, naming the patch
 CoarseEstimate estimate_coarsely(const Model& model, const std::vector<PatchSources>& sources,
-                                 const ResolvedSizing& sizing);
+                                 const ResolvedSizing& sizing, CoarseLook look = CoarseLook::Close);
 
 /// An upper bound on the number of triangles if all sizes are at least hmin, apart from tubes that
 /// are thinner. From the area of a coarse lattice.

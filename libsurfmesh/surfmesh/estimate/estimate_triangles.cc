@@ -22,6 +22,10 @@ namespace {
 /// Triangles on a border of the region are divided down to this share of its area.
 constexpr double kLeastShare = 1.0 / 4096;
 
+/// They are not divided further where so little of an element is left: on the border of small
+/// patches, that is nearly all the work.
+constexpr double kLeastElements = 0.5;
+
 /// Ratio of the areas of two sizes between which three points are enough for an integral.
 constexpr double kEvenShare = 4;
 
@@ -54,6 +58,12 @@ struct NodeTriangle {
   double area() const {
     const Uv ab = b.uv - a.uv, ac = c.uv - a.uv;
     return 0.5 * std::abs(ab.u * ac.v - ab.v * ac.u);
+  }
+  /// How many triangles of its sizes it holds, at the corner where they are most.
+  double elements() const {
+    const double most =
+        std::max({a.scale / (a.l_s * a.l_t), b.scale / (b.l_s * b.l_t), c.scale / (c.l_s * c.l_t)});
+    return most * area() / kUnitTriangleArea;
   }
   bool is_even() const {
     const auto [least, greatest] = std::minmax({a.l_s * a.l_t, b.l_s * b.l_t, c.l_s * c.l_t});
@@ -114,7 +124,8 @@ class PatchIntegral {
   /// Add what is inside the region of a triangle through which some segments pass, in pieces of
   /// about one size.
   void add_inside(const NodeTriangle& t, const std::vector<int>& segments) {
-    if ((segments.empty() && t.is_even()) || t.area() <= least_area_) {
+    const bool is_small = t.area() <= least_area_ || t.elements() <= kLeastElements;
+    if ((segments.empty() && t.is_even()) || is_small) {
       if (region_.contains(mixed(t.a, t.b, t.c, 1.0 / 3, 1.0 / 3).uv)) add(t);
       return;
     }

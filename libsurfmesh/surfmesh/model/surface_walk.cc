@@ -62,8 +62,16 @@ std::vector<char> smooth_contours(const Model& model, const std::vector<int>& cu
 
 SurfaceWalk::SurfaceWalk(const Model& model, std::vector<char> may_cross)
     : model_(model), may_cross_(std::move(may_cross)), borders_(model.patches.size()) {
+  const auto is_open = [this](const LoopEntry& entry) {
+    return may_cross_[static_cast<std::size_t>(entry.contour)] != 0;
+  };
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
-    for (const PatchLoop& loop : model.patches[p].loops) {
+    const std::vector<PatchLoop>& loops = model.patches[p].loops;
+    borders_[p].is_closed = std::none_of(loops.begin(), loops.end(), [&](const PatchLoop& loop) {
+      return std::any_of(loop.begin(), loop.end(), is_open);
+    });
+    if (borders_[p].is_closed) continue;
+    for (const PatchLoop& loop : loops) {
       for (const LoopEntry& entry : loop) add_use(entry, borders_[p]);
     }
     borders_[p].sort_into_cells();
@@ -202,6 +210,7 @@ std::optional<WalkEnd> SurfaceWalk::go(const SurfacePlace& from, Uv step) const 
   WalkEnd end{from, {}};
   for (int crossings = 0; crossings <= kMostCrossings; ++crossings) {
     const Border& border = borders_[static_cast<std::size_t>(end.place.patch)];
+    if (border.is_closed) return {};
     const Crossing crossing = first_crossing(border, end.place.uv, step);
     if (!crossing.piece) {
       end.place.uv = end.place.uv + step;

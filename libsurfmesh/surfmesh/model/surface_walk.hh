@@ -53,12 +53,12 @@ class SurfaceWalk {
   /// must outlive this.
   ///
   /// Cost     a few evaluations a contour use that is straight in (u,v), up to a thousand for
-  ///          others
+  ///          others; none in patches whose contours may not be crossed
   SurfaceWalk(const Model& model, std::vector<char> may_cross);
 
   /// Walk a step in the parameters of the patch of a place.
   ///
-  /// Returns  nothing where a contour that may not be crossed is in the way, the surface has no
+  /// Returns  nothing in a patch none of whose contours may be crossed, and where a contour that may not be crossed is in the way, the surface has no
   ///          tangent plane at a crossing, or contours are crossed more than 16 times
   /// Cost     20 ns within a patch, two evaluations of first order a crossing
   std::optional<WalkEnd> go(const SurfacePlace& from, Uv step) const;
@@ -73,6 +73,7 @@ class SurfaceWalk {
 
   /// The pieces of a patch in the cells of a grid over their bounding box.
   struct Border {
+    bool is_closed = false;  ///< no contour may be crossed; it has no pieces then
     std::vector<Piece> pieces;
     Uv lower{0, 0}, upper{1, 1};
     std::size_t columns = 1, rows = 1;

@@ -26,6 +26,9 @@ namespace {
 /// which on it is told. Around small sources there are always some.
 constexpr double kShareUnfollowed = 0.5;
 
+/// Share of the triangles allowed below which a first look at the sizes is enough.
+constexpr double kClearlyBelow = 0.01;
+
 /// The patches that a source names: one, or in space any number.
 template <class Source>
 std::vector<int> patches_of(const Source& source) {
@@ -135,8 +138,10 @@ void refuse_hopeless_sizes(const Model& model, const Sources& sources, const Res
                            const RunContext& context) {
   const auto most = static_cast<double>(context.max_elements());
   if (most_triangles(model, sizing.bounds.hmin) <= most) return;
-  const CoarseEstimate estimate =
-      estimate_coarsely(model, sources_by_patch(sources, sizing, model.patches.size()), sizing);
+  const auto of_patches = sources_by_patch(sources, sizing, model.patches.size());
+  const CoarseEstimate first = estimate_coarsely(model, of_patches, sizing, CoarseLook::First);
+  if (first.likely.triangles() <= kClearlyBelow * most) return;
+  const CoarseEstimate estimate = estimate_coarsely(model, of_patches, sizing);
   if (is_surely_above(estimate.least, context)) {
     throw_too_many(estimate.likely, sizing.bounds.hmax, context);
   }
