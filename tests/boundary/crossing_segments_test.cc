@@ -37,6 +37,12 @@ TEST(CrossingSegments, AreThoseThatTouch) {
   EXPECT_EQ(crossing_segments({kSquare, inside}).size(), 2u);
 }
 
+TEST(CrossingSegments, AreNotThoseWithACommonEnd) {
+  EXPECT_TRUE(crossing_segments({kSquare, {{0, 0}, {0.4, 0.8}, {0.8, 0.4}}}).empty());
+  // Along each other from the common end on, they are.
+  EXPECT_FALSE(crossing_segments({kSquare, {{0, 0}, {0.4, 0.8}, {0.5, 0}}}).empty());
+}
+
 TEST(CrossingSegments, OfTwoCirclesAreTwoASide) {
   // The corners of the inner one reach beyond the middles of the outer one's sides.
   const auto found = crossing_segments({circle(1, 6), circle(0.95, 6, std::numbers::pi / 6)});

@@ -506,9 +506,9 @@ TEST(LoadModel, NamesTheFileOfACageThatCannotBeSubdivided) {
 }
 
 TEST(LoadModel, RefusesUnknownEndings) {
-  EXPECT_EQ(fault("a.step"),
-            "invalid input: a.step: the ending of a cage is .obj or .off, that of a model file "
-            ".json");
+  EXPECT_EQ(fault("a.stl"),
+            "invalid input: a.stl: the ending of a cage is .obj or .off, that of a CAD file .step, "
+            ".stp, .iges, .igs or .brep, that of a model file .json");
 }
 
 }  // namespace

@@ -47,6 +47,9 @@ const std::map<std::string_view, Case> kCases = {
        {"hmax", "100%"}}}},
     {"across", {"off", "knob.obj"}},
     {"curvature_from", {"differences"}},
+    {"segments_per_circle", {"30"}},
+    {"shares_of", {"part", "pipes.json", {{"hmax", "4%"}}}},
+    {"sew", {"1e-5", "wave.json"}},
     {"nodes", {"100"}},
     {"precision", {"0.5", "wave.json"}},
     {"control", {"grid", "wave.json"}},
@@ -87,7 +90,8 @@ std::string outcome(const Case& example, const Settings& settings) {
                                                    .weld = asked.weld,
                                                    .orient = asked.orient,
                                                    .crease_angle = asked.crease_angle},
-                                         .joining = asked.joining});
+                                         .joining = asked.joining,
+                                         .cad = {.sew = asked.sew}});
     for (const auto& [name, value] : settings) set_option(input.options, name, value);
     write_mesh(mesh_model(input.model, input.sources, input.options), folder / "a.obj");
   });

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "support/errors.hh"
+#include "support/models.hh"
 
 namespace surfmesh {
 namespace {
@@ -27,6 +28,27 @@ TEST(ResolvedSizing, TurnsTheFactorOffBesideASag) {
   EXPECT_EQ(resolve({}, 1).curvature, 0.25);
   EXPECT_EQ(resolve({.sag = Length::units(0.1)}, 1).curvature, 0);
   EXPECT_EQ(resolve({.curvature = 0.2, .sag = Length::units(0.1)}, 1).curvature, 0.2);
+}
+
+TEST(ResolvedSizing, TakesSegmentsOfACircleForAFactor) {
+  // The chord of a hexagon in the unit circle is 1.
+  EXPECT_DOUBLE_EQ(resolve({.segments_per_circle = 6}, 1).curvature, 1);
+  EXPECT_DOUBLE_EQ(resolve({.curvature = 0.1, .segments_per_circle = 6}, 1).curvature, 1);
+  EXPECT_DOUBLE_EQ(resolve({.segments_per_circle = 6}, 1).bounds.hmin, 1e-5);
+  EXPECT_DOUBLE_EQ(resolve({.segments_per_circle = 6, .hmin = Length::share(0.01)}, 1).bounds.hmin,
+                   0.01);
+}
+
+TEST(ResolvedSizing, MayReferToThePartsOfAModel) {
+  const Model model =
+      testing::model_of({testing::rectangle(0, 0, 3, 4), testing::rectangle(10, 0, 16, 8)});
+  const ResolvedSizing resolved =
+      resolve({.hmin = Length::share(0.01), .shares_of = SharesOf::Part}, model);
+  ASSERT_EQ(resolved.part_bounds.size(), 2U);
+  EXPECT_DOUBLE_EQ(resolved.part_bounds[0].hmin, 0.05);
+  EXPECT_DOUBLE_EQ(resolved.part_bounds[1].hmin, 0.1);
+  EXPECT_DOUBLE_EQ(resolved.bounds.hmin, 0.05);
+  EXPECT_TRUE(resolve({}, model).part_bounds.empty());
 }
 
 TEST(ResolvedSizing, OfOneLengthEverywhereHasNoOtherSizes) {

@@ -88,6 +88,14 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return test_name(test) + (*test.param.options ? "_mended" : ""); });
 
 INSTANTIATE_TEST_SUITE_P(
+    Cad, MeshedCases,
+    ::testing::Values(SharedCase{"cad/pinch.json", kDisc, "vertices that are taken apart"},
+                      SharedCase{"cad/flatcorner.json", kDisc, "", "--sag 0.05%"},
+                      SharedCase{"cad/micro.json", kDisc,
+                                 "contours that are shorter than the tolerance are left out: 1"}),
+    test_name);
+
+INSTANTIATE_TEST_SUITE_P(
     Field, MeshedCases,
     ::testing::Values(SharedCase{"field/big-domain-boundary/ocean.json", kDisc},
                       SharedCase{"field/bore-across-seam/off_seam.json", kPlateWithTwoHoles},

@@ -76,6 +76,7 @@ void PatchRegion::fill_cells() {
       }
     }
   }
+  judge_empty_cells();
 }
 
 PatchRegion::CellRange PatchRegion::cells_of(std::initializer_list<Uv> points) const {
@@ -91,9 +92,32 @@ PatchRegion::CellRange PatchRegion::cells_of(std::initializer_list<Uv> points) c
           index(v0.v, domain_.v0, domain_.v1), index(v1.v, domain_.v0, domain_.v1)};
 }
 
+/// A cell without segments is inside or outside as a whole, and so are most of the points asked
+/// for.
+void PatchRegion::judge_empty_cells() {
+  is_inside_.assign(cells_.size(), 0);
+  for (std::size_t row = 0; row < side_; ++row) {
+    for (std::size_t column = 0; column < side_; ++column) {
+      if (!cell(column, row).empty()) continue;
+      const double s = (static_cast<double>(column) + 0.5) / static_cast<double>(side_);
+      const double t = (static_cast<double>(row) + 0.5) / static_cast<double>(side_);
+      is_inside_[row * side_ + column] =
+          is_left_of_odd({column, column, row, row}, domain_.at(s, t));
+    }
+  }
+}
+
 bool PatchRegion::contains(Uv uv) const {
   if (is_whole_) return true;
   const CellRange own = cells_of({uv});
+  if (cell(own.first_column, own.first_row).empty()) {
+    return is_inside_[own.first_row * side_ + own.first_column] != 0;
+  }
+  return is_left_of_odd(own, uv);
+}
+
+/// True if the ray from a point of a cell to greater u meets an odd number of segments.
+bool PatchRegion::is_left_of_odd(const CellRange& own, Uv uv) const {
   bool is_inside = false;
   for (std::size_t column = own.first_column; column < side_; ++column) {
     for (const int i : cell(column, own.first_row)) {

@@ -35,7 +35,8 @@ class PatchRegion {
   double area() const { return area_; }
 
   /// True if a point is inside.
-  /// Cost     the segments beside it in the direction of u: O(√n) for n segments spread evenly
+  /// Cost     O(1) away from segments; else those beside it in the direction of u: O(√n) for n
+  ///          segments spread evenly
   bool contains(Uv uv) const;
 
   /// The segments that may pass through a triangle, among all or among those of a list.
@@ -50,6 +51,8 @@ class PatchRegion {
   };
 
   void fill_cells();
+  void judge_empty_cells();
+  bool is_left_of_odd(const CellRange& own, Uv uv) const;
   CellRange cells_of(std::initializer_list<Uv> points) const;
   const std::vector<int>& cell(std::size_t column, std::size_t row) const {
     return cells_[row * side_ + column];
@@ -63,6 +66,7 @@ class PatchRegion {
   std::size_t side_ = 1;  ///< cells along each side of a grid over the domain
   /// Segments by cells, rows along u; one that is in several of them is in all their lists.
   std::vector<std::vector<int>> cells_;
+  std::vector<char> is_inside_;  ///< by cell; of those without segments
 };
 
 }  // namespace surfmesh
