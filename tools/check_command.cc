@@ -57,7 +57,7 @@ void CheckCommand::add_to(CLI::App& app) {
   command->footer(kFooter);
   command->add_option("MESH", mesh_, "mesh to check: " + mesh_endings())->required()->type_name("");
   CLI::Option* model =
-      command->add_option("--model", model_, "what it is a mesh of: cage or model file")
+      command->add_option("--model", model_, "what it is a mesh of: cage, CAD file or model file")
           ->type_name("INPUT");
   using enum OptionGroup;
   std::vector<CLI::Option*> of_model = add_flags(*command, named_, std::array{Sizes, Cages});

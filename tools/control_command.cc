@@ -40,11 +40,14 @@ std::vector<ControlPicture> pictures_of(const Model& model, const ControlSpaces&
 
 void ControlCommand::add_to(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "control", "Write the control meshes of a cage or a model file, to look at the sizes.");
+      "control",
+      "Write the control meshes of a cage, a CAD file or a model file, to look at the sizes.");
   command->footer(kFooter);
   command
-      ->add_option("INPUT", input_,
-                   fmt::format("control cage ({}) or model file (.json)", cage_endings()))
+      ->add_option(
+          "INPUT", input_,
+          fmt::format("control cage ({}), CAD file (.step, .igs, .brep) or model file (.json)",
+                      cage_endings()))
       ->required()
       ->type_name("");
   command->add_option("-o,--output", output_, "file to write: .vtu or .obj")

@@ -168,8 +168,8 @@ int tell_failure(const std::exception& error, Progress& progress) {
 }
 
 void MeshCommand::add_to(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("mesh", "Mesh a control cage or a model file with triangles or quads.");
+  CLI::App* command = app.add_subcommand(
+      "mesh", "Mesh a control cage, a CAD file or a model file with triangles or quads.");
   command->footer(kFooter);
   add_files(*command);
   using enum OptionGroup;
@@ -180,8 +180,10 @@ void MeshCommand::add_to(CLI::App& app) {
 
 void MeshCommand::add_files(CLI::App& command) {
   command
-      .add_option("INPUT", input_,
-                  fmt::format("control cage ({}) or model file (.json)", cage_endings()))
+      .add_option(
+          "INPUT", input_,
+          fmt::format("control cage ({}), CAD file (.step, .igs, .brep) or model file (.json)",
+                      cage_endings()))
       ->required()
       ->type_name("");
   command

@@ -39,6 +39,7 @@ int exit_status(const CLI::App& app, const CLI::ParseError& error) {
 constexpr const char* kFooter =
     "Examples:\n"
     "  surfmesh mesh cage.obj -o mesh.om        mesh the limit surface of a cage\n"
+    "  surfmesh mesh part.step -o mesh.obj      mesh a part of a CAD program\n"
     "  surfmesh mesh model.json -o mesh.obj     mesh what a model file describes\n"
     "  surfmesh check mesh.om --model cage.obj  tell how good the mesh is\n"
     "  surfmesh convert mesh.om mesh.ply        write it in another format\n"

@@ -16,6 +16,7 @@
 #include "surfmesh/formats/read_mesh.hh"
 #include "surfmesh/formats/write_mesh.hh"
 #include "surfmesh/geometry/callable_surface.hh"
+#include "surfmesh/model/finish_model.hh"
 #include "surfmesh/model/join_sides.hh"
 #include "surfmesh/nurbs/nurbs_curve.hh"
 #include "surfmesh/nurbs/split_at_creases.hh"

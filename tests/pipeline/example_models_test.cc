@@ -287,7 +287,7 @@ TEST(Schema, TellsTheOptionsAsTheirTableDoes) {
 TEST(Schema, HasTheKeysThatTheReaderKnows) {
   const nlohmann::json properties = schema()["properties"];
   for (const char* key :
-       {"constants", "patches", "cages", "contours", "sources", "sizing", "options", "$schema"}) {
+       {"constants", "patches", "cages", "cad", "contours", "sources", "sizing", "options", "$schema"}) {
     EXPECT_TRUE(properties.contains(key)) << key;
   }
   for (const std::string_view name : option_names()) {

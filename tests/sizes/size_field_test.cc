@@ -106,7 +106,7 @@ TEST(SizeField, IsClampedBeforeItsStretchIsLimited) {
 TEST(SizeField, GrowsWithTheModel) {
   const auto base = std::make_shared<test::Torus>(3, 1, Domain{0, 2 * pi, 0, 2 * pi});
   const test::Placed large(base, 1e6, Vec3(1, 2, 3));
-  const Sizing sizing{0.25, Length::share(0.001), Length::share(0.2), 2, 0};
+  const Sizing sizing{.curvature = 0.25, .stretch = 2, .grade = 0};
   const SizeField field(*base, resolve(sizing, 8), {}), grown(large, resolve(sizing, 8e6), {});
   expect_near(grown.at({1, 2}).size, scaled(field.at({1, 2}).size, 1e6), 1e-9);
 }

@@ -27,6 +27,12 @@ std::vector<std::string> command_lines(const std::string& document) {
 using Readme = Program;
 
 /// In order and in one folder: a line may use what those before it wrote.
+#ifdef SURFMESH_HAS_CAD
+constexpr bool kReadsCad = true;
+#else
+constexpr bool kReadsCad = false;
+#endif
+
 TEST_F(Readme, HasCommandLinesThatWork) {
   std::filesystem::create_directory_symlink(std::filesystem::path(SURFMESH_SOURCE_DIR) / "models",
                                             folder_ / "models");
@@ -34,6 +40,7 @@ TEST_F(Readme, HasCommandLinesThatWork) {
     const std::vector<std::string> lines = command_lines(document);
     EXPECT_GE(lines.size(), 8u);
     for (const std::string& line : lines) {
+      if (!kReadsCad && line.find(".step") != line.npos) continue;
       EXPECT_EQ(shell("'" SURFMESH_PROGRAM "'" + line.substr(8)), 0) << line << '\n' << err_;
     }
   }

@@ -14,9 +14,8 @@ namespace surfmesh {
 /// - ends of curves that are one corner of a patch meet exactly (pin_ends.hh);
 /// - loops that touch in a corner are in the form that meshing expects (touching_loops.hh);
 /// - Contour::is_degenerate, also of contours with one vertex and no extent that are not marked;
-/// - ContourUse::is_same_speed: whether points of equal t are the same, to 1e-7 of the diagonal or
-/// a
-///   tenth of the contour's tolerance;
+/// - ContourUse::is_same_speed: whether points of equal t are the same, to 1e-7 of the diagonal
+///   or a tenth of the contour's tolerance;
 /// - Contour::is_smooth (contour_smoothness.hh);
 /// - Model::box and Model::diagonal, unless the box is set.
 ///

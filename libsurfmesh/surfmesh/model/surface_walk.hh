@@ -58,8 +58,9 @@ class SurfaceWalk {
 
   /// Walk a step in the parameters of the patch of a place.
   ///
-  /// Returns  nothing in a patch none of whose contours may be crossed, and where a contour that may not be crossed is in the way, the surface has no
-  ///          tangent plane at a crossing, or contours are crossed more than 16 times
+  /// Returns  nothing in a patch none of whose contours may be crossed, and where a contour that
+  ///          may not be crossed is in the way, the surface has no tangent plane at a crossing, or
+  ///          contours are crossed more than 16 times
   /// Cost     20 ns within a patch, two evaluations of first order a crossing
   std::optional<WalkEnd> go(const SurfacePlace& from, Uv step) const;
 

@@ -41,9 +41,12 @@ PatchKind read_patch_kind(const JsonNode& node) {
   node.fail("must be faces, blocks or auto");
 }
 
-/// A length above 0, true for the usual one, or false.
+/// A length, true or "on" for the usual one; 0, false or "off" for none.
 Length read_on_or_length(const JsonNode& node, const LengthRange& range) {
-  if (!node.json().is_boolean()) return read_length(node);
+  const Json& json = node.json();
+  if (json == 0 || json == "off") return Length();
+  if (json == "on") return Length::share(range.on);
+  if (!json.is_boolean()) return read_length(node);
   return node.boolean() ? Length::share(range.on) : Length();
 }
 

@@ -236,6 +236,7 @@ void read_along_contours(const JsonNode& node, ModelFile& model) {
     model.along_contours.push_back({-1, contour.text(), wish, contour.pointer()});
   };
   if (!along.json().is_array()) return add(along);
+  if (along.json().empty()) along.fail("must not be empty");
   for (const JsonNode& contour : along.elements()) add(contour);
 }
 

@@ -5,9 +5,19 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <string>
+
+#include "surfmesh/model/loop_checks.hh"
+#include "surfmesh/model/loop_region.hh"
 
 namespace surfmesh {
 namespace {
+
+/// Samples along each curve of the border of a trimmed patch.
+constexpr int kBorderSamples = 32;
+
+/// Share of its domain from which on a patch counts as whole.
+constexpr double kWholeShare = 1 - 1e-9;
 
 /// The search ends when a step is below this share of the domain.
 constexpr double kSmallestStep = 1e-12;
@@ -174,6 +184,28 @@ struct SurfaceSearch::Candidates {
   }
 };
 
+namespace {
+
+/// The loops of a patch that cut something off its domain; none if they do not.
+std::vector<LoopCurves> trimming_loops(const Model& model, int patch) {
+  std::vector<LoopCurves> loops;
+  for (const PatchLoop& loop : model.patch(patch).loops) {
+    LoopCurves& curves = loops.emplace_back();
+    for (const LoopEntry& entry : loop) {
+      const ContourUse& use = model.use(entry);
+      curves.push_back({model.contour(entry).name, use.curve, use.is_forward, {}});
+    }
+  }
+  if (loops.size() != 1) return loops;
+  const Domain domain = model.surface(patch).domain();
+  const double area = (domain.u1 - domain.u0) * (domain.v1 - domain.v0) *
+                      (domain.shape == Domain::Shape::Triangle ? 0.5 : 1.0);
+  const bool is_whole = std::abs(0.5 * signed_area(loops.front())) >= kWholeShare * area;
+  return is_whole ? std::vector<LoopCurves>() : loops;
+}
+
+}  // namespace
+
 SurfaceSearch::SurfaceSearch(const Model& model) : model_(model), beside_(model.patches.size()) {
   for (const Contour& contour : model.contours) {
     for (const ContourUse& own : contour.uses) {
@@ -194,6 +226,9 @@ SurfaceSearch::SurfaceSearch(const Model& model) : model_(model), beside_(model.
 
 void SurfaceSearch::add_samples(int patch, int count) {
   const Surface& surface = model_.surface(patch);
+  const std::vector<LoopCurves> loops = trimming_loops(model_, patch);
+  const LoopRegions regions(loops);
+  if (!loops.empty()) add_border(patch);
   const bool is_triangle = surface.domain().shape == Domain::Shape::Triangle;
   const CellCount cells = surface.cells();
   const int columns = count * cells.u, rows = count * cells.v;
@@ -202,7 +237,23 @@ void SurfaceSearch::add_samples(int patch, int count) {
       if (is_triangle && i + j > count) continue;
       const Uv uv =
           surface.from_cells({static_cast<double>(i) / count, static_cast<double>(j) / count});
+      if (!loops.empty() && !regions.is_in_material(uv)) continue;
       samples_.push_back({surface.evaluate(uv, Order::Position).point, uv, patch});
+    }
+  }
+}
+
+/// Narrow parts of a trimmed patch may have no sample inside.
+void SurfaceSearch::add_border(int patch) {
+  const Surface& surface = model_.surface(patch);
+  const Domain domain = surface.domain();
+  for (const PatchLoop& loop : model_.patch(patch).loops) {
+    for (const LoopEntry& entry : loop) {
+      const Curve& curve = *model_.use(entry).curve;
+      for (int i = 0; i < kBorderSamples; ++i) {
+        const Uv uv = domain.clamp(curve.evaluate(static_cast<double>(i) / kBorderSamples));
+        samples_.push_back({surface.evaluate(uv, Order::Position).point, uv, patch});
+      }
     }
   }
 }

@@ -44,7 +44,7 @@ class SurfaceSearch {
 
   /// The nearest point on `patches`, or on all patches if that is empty.
   ///
-  /// Trimmed patches count with their whole domain, holes included.
+  /// The search begins inside of trimmed patches, but may end beyond their border.
   /// Error    may be only a local minimum, where two points of a patch are nearly equally far from
   ///          the point, compared with the distance of the samples
   NearPoint nearest(const Vec3& point, const std::vector<int>& patches = {}) const;
@@ -70,6 +70,7 @@ class SurfaceSearch {
   };
   struct Candidates;
 
+  void add_border(int patch);
   void add_samples(int patch, int count);
   NearPoint descend(const Sample& from, const Vec3& point) const;
   void sort_tree(std::size_t first, std::size_t end, int axis);
