@@ -44,10 +44,8 @@ void ControlCommand::add_to(CLI::App& app) {
       "Write the control meshes of a cage, a CAD file or a model file, to look at the sizes.");
   command->footer(kFooter);
   command
-      ->add_option(
-          "INPUT", input_,
-          fmt::format("control cage ({}), CAD file (.step, .igs, .brep) or model file (.json)",
-                      cage_endings()))
+      ->add_option("INPUT", input_,
+                   "cage (.obj, .off), CAD file (.step, .igs, .brep), model file (.json)")
       ->required()
       ->type_name("");
   command->add_option("-o,--output", output_, "file to write: .vtu or .obj")

@@ -180,10 +180,8 @@ void MeshCommand::add_to(CLI::App& app) {
 
 void MeshCommand::add_files(CLI::App& command) {
   command
-      .add_option(
-          "INPUT", input_,
-          fmt::format("control cage ({}), CAD file (.step, .igs, .brep) or model file (.json)",
-                      cage_endings()))
+      .add_option("INPUT", input_,
+                  "cage (.obj, .off), CAD file (.step, .igs, .brep), model file (.json)")
       ->required()
       ->type_name("");
   command

@@ -72,16 +72,14 @@ TEST(FinishModel, MeasuresGapsBetweenUses) {
 TEST(FinishModel, RefusesAPatchWithoutSurface) {
   Model model = two_squares(true);
   model.patch(0).surface = nullptr;
-  EXPECT_NE(error_of([&] { finish(model); }).find("patch p0 has no surface"),
-            std::string::npos);
+  EXPECT_NE(error_of([&] { finish(model); }).find("patch p0 has no surface"), std::string::npos);
 }
 
 TEST(Check, AllowsGapsWithinTheTolerances) {
   Model model = two_squares(true);
   finish(model);
   model.contour(1).uses[0].curve = std::make_shared<SegmentCurve>(Uv{0, 0}, Uv{1, 1e-4});
-  EXPECT_NE(error_of([&] { check(model); }).find("the loop does not close"),
-            std::string::npos);
+  EXPECT_NE(error_of([&] { check(model); }).find("the loop does not close"), std::string::npos);
   model.contour(1).tolerance = 2e-4;
   EXPECT_NO_THROW(check(model));
   EXPECT_EQ(greatest_tolerance(model), 2e-4);

@@ -52,7 +52,7 @@ TEST(JoinedUses, AreThoseWithTheMaterialOfASolidBetweenThem) {
   // The outside of a patch that is not reversed is where angles are smaller: material is between
   // 0° and 90°, and between 180° and 270°.
   const auto joined = joined_uses(fan({0, 90, 180, 270}, {false, true, false, true}, 3))[0];
-  EXPECT_EQ(joined, (std::vector<UsePair>{{2, 3}, {0, 1}}));
+  EXPECT_EQ(joined, (std::vector<UsePair>{{0, 1}, {2, 3}}));
 }
 
 TEST(JoinedUses, AreNoneWhereMaterialAndAirDoNotAlternate) {

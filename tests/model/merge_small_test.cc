@@ -16,6 +16,8 @@ namespace {
 using testing::HandMade;
 using testing::rectangle;
 
+constexpr double kLeast = 1e-6;
+
 /// A square of side 10 with a short side in the middle of its lower one.
 Model square_with_short_side(double length) {
   HandMade made;
@@ -28,7 +30,7 @@ Model square_with_short_side(double length) {
 
 TEST(MergeSmallParts, LeavesOutContoursBelowTheTolerance) {
   Model model = square_with_short_side(1e-8);
-  merge_small_parts(model);
+  merge_small_parts(model, kLeast);
   EXPECT_EQ(model.contours.size(), 5U);
   EXPECT_EQ(model.patch(0).loops.front().size(), 5U);
   EXPECT_EQ(model.contour(0).end, model.contour(1).start);
@@ -41,7 +43,7 @@ TEST(MergeSmallParts, LeavesOutContoursBelowTheTolerance) {
 
 TEST(MergeSmallParts, LeavesLongerOnes) {
   Model model = square_with_short_side(1e-4);
-  merge_small_parts(model);
+  merge_small_parts(model, kLeast);
   EXPECT_EQ(model.contours.size(), 6U);
   EXPECT_TRUE(model.notices.empty());
 }
@@ -49,7 +51,7 @@ TEST(MergeSmallParts, LeavesLongerOnes) {
 TEST(MergeSmallParts, TakesTheToleranceOfAContour) {
   Model model = square_with_short_side(1e-4);
   model.contour(1).tolerance = 2e-4;
-  merge_small_parts(model);
+  merge_small_parts(model, kLeast);
   EXPECT_EQ(model.contours.size(), 5U);
 }
 
@@ -86,7 +88,7 @@ Model squares_beside_sliver() {
 
 TEST(MergeSmallParts, LeavesOutPatchesWithoutWidth) {
   Model model = squares_beside_sliver();
-  merge_small_parts(model);
+  merge_small_parts(model, kLeast);
   ASSERT_EQ(model.patches.size(), 2U);
   EXPECT_EQ(model.patch(1).name, "p2");
   EXPECT_EQ(model.groups[0].patches, (std::vector<int>{0, 1}));

@@ -120,7 +120,8 @@ TEST(TouchingLoops, AreMeshedAsOneDisc) {
   EXPECT_GT(result.report.quality.min, 0.5);
   // The hole has no triangles: area of the square less that of the triangle.
   double area = 0;
-  for (const FaceHandle fh : result.mesh.faces()) area += result.mesh.calc_sector_area(result.mesh.halfedge_handle(fh));
+  for (const FaceHandle fh : result.mesh.faces())
+    area += result.mesh.calc_sector_area(result.mesh.halfedge_handle(fh));
   EXPECT_NEAR(area, 96, 1e-10);
 }
 

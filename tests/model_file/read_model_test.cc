@@ -348,7 +348,7 @@ TEST(ReadModelFaults, OfUnknownKeysWithASuggestion) {
 }
 
 TEST(ReadModelFaults, OfMissingKeys) {
-  EXPECT_EQ(fault("{}"), " a model needs patches or cages");
+  EXPECT_EQ(fault("{}"), " a model needs patches, cages or cad");
   EXPECT_EQ(fault(R"({"patches": []})"), " /patches: the model has no patches");
   EXPECT_EQ(fault(R"({"patches": [{}]})"), " /patches/0/name: this key is missing");
   EXPECT_EQ(fault(R"({"patches": [{"name": "p"}]})"), " /patches/0/surface: this key is missing");
@@ -468,7 +468,7 @@ TEST(ReadModelFaults, OfSourcesOfGroups) {
     return fault(model("", "\"sources\": [{" + keys + "}]"));
   };
   EXPECT_EQ(group(R"("size": 1)"),
-            " /sources/0: a source needs one of near, inside, field, everywhere, group");
+            " /sources/0: a source needs one of near, along, inside, field, everywhere, group");
   EXPECT_EQ(group(R"("group": "a", "size": 0)"), " /sources/0/size: must be above 0");
   EXPECT_EQ(group(R"("group": "a")"), " /sources/0/size: this key is missing");
   EXPECT_EQ(group(R"("group": "a", "size": 1, "radius": 2)"),
@@ -480,7 +480,7 @@ TEST(ReadModelFaults, OfSourcesAtTheWrongLevel) {
     return fault(model("", "\"sources\": [{" + keys + ", \"size\": 1}]"));
   };
   EXPECT_EQ(of_model(R"("at": [0, 0])"), " /sources/0/at: at belongs in the sources of a patch");
-  EXPECT_EQ(of_model(R"("along": [[0, 0], [1, 1]], "size": 1)"),
+  EXPECT_EQ(of_model(R"("along": [[0, 0], [1, 1]])"),
             " /sources/0/along/0: must be the name of a contour; points in (u,v) belong in the "
             "sources of a patch");
   EXPECT_EQ(of_model(R"("table": "t.csv")"),
@@ -527,7 +527,7 @@ TEST(ReadModelFaults, OfFiles) {
   write_text(folder / "a.json", "{}");
   const std::string path = (folder / "a.json").string();
   EXPECT_EQ(error_of([&] { read_model(path); }),
-            "invalid input: " + path + ": a model needs patches or cages");
+            "invalid input: " + path + ": a model needs patches, cages or cad");
 }
 
 TEST(SharedModels, AreRead) {

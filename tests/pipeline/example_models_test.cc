@@ -286,8 +286,8 @@ TEST(Schema, TellsTheOptionsAsTheirTableDoes) {
 
 TEST(Schema, HasTheKeysThatTheReaderKnows) {
   const nlohmann::json properties = schema()["properties"];
-  for (const char* key :
-       {"constants", "patches", "cages", "cad", "contours", "sources", "sizing", "options", "$schema"}) {
+  for (const char* key : {"constants", "patches", "cages", "cad", "contours", "sources", "sizing",
+                          "options", "$schema"}) {
     EXPECT_TRUE(properties.contains(key)) << key;
   }
   for (const std::string_view name : option_names()) {

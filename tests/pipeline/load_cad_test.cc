@@ -13,7 +13,6 @@
 namespace surfmesh {
 namespace {
 
-
 /// A square and what the reader was asked for.
 LoadOptions with_reader(std::optional<Length>* sew = nullptr) {
   LoadOptions options;

@@ -48,7 +48,7 @@ const std::map<std::string_view, Case> kCases = {
     {"across", {"off", "knob.obj"}},
     {"curvature_from", {"differences"}},
     {"segments_per_circle", {"30"}},
-    {"shares_of", {"part", "pipes.json", {{"hmax", "4%"}}}},
+    {"shares_of", {"part", "knob_on_plate.json", {{"hmax", "3%"}}}},
     {"sew", {"1e-5", "wave.json"}},
     {"nodes", {"100"}},
     {"precision", {"0.5", "wave.json"}},

@@ -27,7 +27,7 @@ class Across {
         context_(context),
         is_dissolved_(std::move(is_dissolved)),
         orientation_(orient_patches(model)),
-        walk_(model, is_dissolved_),
+        walk_(model, is_dissolved_, Walks::FromOpenPatches),
         singular_points_(singular_points_of(model)),
         input_{result, model, fields, walk_, orientation_.is_turned, singular_points_, {}} {}
 

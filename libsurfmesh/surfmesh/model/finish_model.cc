@@ -28,6 +28,9 @@ constexpr int kPartIntervals = 8;
 constexpr double kSameSpeedGap = 1e-7;
 constexpr double kShareOfTolerance = 0.1;
 
+/// Share of the diagonal below which a length is none: a tenth of the gaps that loops may have.
+constexpr double kLeastLength = 1e-7;
+
 /// Contours without extent are smaller than this share of the diagonal.
 constexpr double kPointExtent = 1e-9;
 
@@ -124,7 +127,7 @@ void finish(Model& model) {
   }
   set_box(model);
   set_positions(model);
-  merge_small_parts(model);
+  merge_small_parts(model, kLeastLength * model.diagonal);
   pin_ends(model);
   separate_touching_loops(model);
   for (Contour& contour : model.contours) compare_uses(model, contour);

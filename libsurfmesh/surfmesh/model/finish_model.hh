@@ -10,7 +10,8 @@ namespace surfmesh {
 /// The caller gives vertices, contours with their uses, and patches with surfaces and loops. This
 /// sets what follows from them:
 /// - positions of vertices that are unset: the first end of a contour there;
-/// - contours and patches below the tolerance are left out (merge_small.hh);
+/// - contours and patches below 1e-7 of the diagonal, or below their tolerance, are left out
+///   (merge_small.hh);
 /// - ends of curves that are one corner of a patch meet exactly (pin_ends.hh);
 /// - loops that touch in a corner are in the form that meshing expects (touching_loops.hh);
 /// - Contour::is_degenerate, also of contours with one vertex and no extent that are not marked;

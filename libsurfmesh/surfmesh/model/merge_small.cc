@@ -19,18 +19,11 @@
 namespace surfmesh {
 namespace {
 
-/// Share of the diagonal below which a length is none: a tenth of the gaps that loops may have.
-constexpr double kLeastLength = 1e-7;
-
 /// Share of the width of a domain below which a side is a point in (u,v).
 constexpr double kLeastShare = 1e-6;
 
 /// Intervals of each part of a contour.
 constexpr int kPartIntervals = 8;
-
-double least_length(const Model& model, const Contour& contour) {
-  return std::max(kLeastLength * model.diagonal, contour.tolerance);
-}
 
 /// True if a contour is no longer than `most`.
 bool is_short(const Model& model, const Contour& contour, double most) {
@@ -67,8 +60,11 @@ void renumber(const std::vector<int>& number, int Notice::*index, Notices& notic
 /// Leaves out short contours.
 class ContourMerger {
  public:
-  explicit ContourMerger(Model& model)
-      : model_(model), vertices_(model.vertices.size()), is_out_(model.contours.size(), 0) {}
+  ContourMerger(Model& model, double least)
+      : model_(model),
+        least_(least),
+        vertices_(model.vertices.size()),
+        is_out_(model.contours.size(), 0) {}
 
   void run() {
     for (std::size_t c = 0; c < model_.contours.size(); ++c) {
@@ -97,7 +93,7 @@ class ContourMerger {
     const Contour& contour = model_.contour(c);
     if (contour.uses.empty()) return false;
     if (contour.is_degenerate && !is_point_in_parameters(model_, contour)) return false;
-    if (!is_short(model_, contour, least_length(model_, contour))) return false;
+    if (!is_short(model_, contour, std::max(least_, contour.tolerance))) return false;
     // Something is to be left of each loop.
     for (const ContourUse& use : contour.uses) {
       for (const PatchLoop& loop : model_.patch(use).loops) {
@@ -155,6 +151,7 @@ class ContourMerger {
   }
 
   Model& model_;
+  double least_;  ///< length, model units
   DisjointSets vertices_;
   std::vector<char> is_out_;  ///< by contour
   std::size_t count_ = 0;
@@ -163,7 +160,7 @@ class ContourMerger {
 /// Leaves out patches without width.
 class SliverMerger {
  public:
-  explicit SliverMerger(Model& model) : model_(model) {}
+  SliverMerger(Model& model, double least) : model_(model), least_(least) {}
 
   void run() {
     std::vector<char> is_out(model_.patches.size(), 0);
@@ -192,7 +189,7 @@ class SliverMerger {
     if (a.contour == b.contour) return false;
     const Contour &one = model_.contour(a), &other = model_.contour(b);
     if (one.is_degenerate || other.is_degenerate || one.start == one.end) return false;
-    const double most = std::max(least_length(model_, one), least_length(model_, other));
+    const double most = std::max({least_, one.tolerance, other.tolerance});
     const ContourUse& use = model_.use(b);
     const bool is_opposed = model_.use(a).is_forward == use.is_forward;
     for (const double t : divided_parts(one.breaks, kPartIntervals)) {
@@ -208,7 +205,7 @@ class SliverMerger {
   void unite(int patch, int kept, int given) {
     Contour &to = model_.contour(kept), &from = model_.contour(given);
     const bool is_turned = to.start != from.start;
-    to.tolerance = std::max({to.tolerance, from.tolerance, least_length(model_, from)});
+    to.tolerance = std::max({to.tolerance, from.tolerance, least_});
     std::vector<int> kept_as(to.uses.size(), -1), given_as(from.uses.size(), -1);
     std::vector<ContourUse> uses;
     for (std::size_t u = 0; u < to.uses.size(); ++u) {
@@ -277,13 +274,14 @@ class SliverMerger {
   }
 
   Model& model_;
+  double least_;  ///< width, model units
 };
 
 }  // namespace
 
-void merge_small_parts(Model& model) {
-  ContourMerger(model).run();
-  SliverMerger(model).run();
+void merge_small_parts(Model& model, double least) {
+  ContourMerger(model, least).run();
+  SliverMerger(model, least).run();
 }
 
 }  // namespace surfmesh

@@ -60,16 +60,17 @@ std::vector<char> smooth_contours(const Model& model, const std::vector<int>& cu
   return is_smooth;
 }
 
-SurfaceWalk::SurfaceWalk(const Model& model, std::vector<char> may_cross)
+SurfaceWalk::SurfaceWalk(const Model& model, std::vector<char> may_cross, Walks walks)
     : model_(model), may_cross_(std::move(may_cross)), borders_(model.patches.size()) {
   const auto is_open = [this](const LoopEntry& entry) {
     return may_cross_[static_cast<std::size_t>(entry.contour)] != 0;
   };
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
     const std::vector<PatchLoop>& loops = model.patches[p].loops;
-    borders_[p].is_closed = std::none_of(loops.begin(), loops.end(), [&](const PatchLoop& loop) {
-      return std::any_of(loop.begin(), loop.end(), is_open);
-    });
+    borders_[p].is_closed = walks == Walks::FromOpenPatches &&
+                            std::none_of(loops.begin(), loops.end(), [&](const PatchLoop& loop) {
+                              return std::any_of(loop.begin(), loop.end(), is_open);
+                            });
     if (borders_[p].is_closed) continue;
     for (const PatchLoop& loop : loops) {
       for (const LoopEntry& entry : loop) add_use(entry, borders_[p]);

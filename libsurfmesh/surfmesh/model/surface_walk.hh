@@ -42,6 +42,12 @@ struct WalkEnd {
 /// agree, and along which the mesh is not cut. By contour, 1 for such.
 std::vector<char> smooth_contours(const Model& model, const std::vector<int>& cut_contours);
 
+/// Where walks begin.
+enum class Walks {
+  Everywhere,
+  FromOpenPatches  ///< only in patches that can be left, or go() returns nothing
+};
+
 /// Goes over the surface of a model in straight lines, from patch to patch.
 ///
 /// A line is straight in the parameters of a patch. Where it leaves the domain of the patch through
@@ -53,13 +59,14 @@ class SurfaceWalk {
   /// must outlive this.
   ///
   /// Cost     a few evaluations a contour use that is straight in (u,v), up to a thousand for
-  ///          others; none in patches whose contours may not be crossed
-  SurfaceWalk(const Model& model, std::vector<char> may_cross);
+  ///          others; none in patches that are not open,
+  ///          if walks begin in open ones only
+  SurfaceWalk(const Model& model, std::vector<char> may_cross, Walks walks = Walks::Everywhere);
 
   /// Walk a step in the parameters of the patch of a place.
   ///
-  /// Returns  nothing in a patch none of whose contours may be crossed, and where a contour that
-  ///          may not be crossed is in the way, the surface has no tangent plane at a crossing, or
+  /// Returns  nothing where a contour that may not be crossed is in the way, the surface has no
+  /// tangent plane at a crossing, or
   ///          contours are crossed more than 16 times
   /// Cost     20 ns within a patch, two evaluations of first order a crossing
   std::optional<WalkEnd> go(const SurfacePlace& from, Uv step) const;

@@ -99,8 +99,7 @@ constexpr OptionGroup kCages = OptionGroup::Cages;
 constexpr auto kTable = std::to_array<Option>({
     {kSizes, true, "", "share of the radius of curvature; off with size, by default with sag",
      kCurvature},
-    {kSizes, true, "segments",
-     "segments of a full circle, in place of curvature; small holes included",
+    {kSizes, true, "segments", "segments of a full circle, in place of curvature",
      number(
          ranges::kSegmentsPerCircle,
          [](auto& o) -> auto& { return o.sizing.segments_per_circle; })},
@@ -121,7 +120,7 @@ constexpr auto kTable = std::to_array<Option>({
     {kSizes, true, "", "greatest ratio of the two sizes from curvature",
      number(
          ranges::kStretch, [](auto& o) -> auto& { return o.sizing.stretch; })},
-    {kSizes, true, "", "the least size at a point in all directions",
+    {kSizes, false, "", "the least size at a point in all directions",
      number(
          ranges::kIsotropic, [](auto& o) -> auto& { return o.sizing.isotropic; })},
     {kSizes, true, "", "growth of sizes: by at most its logarithm per unit of length",
@@ -208,7 +207,7 @@ constexpr auto kTable = std::to_array<Option>({
      kJoining},
     {kCages, false, kLengthUnit,
      "distance within which free edges of CAD faces become one; 0 is off", kSew},
-    {kCages, true, "", "faces of a cage turned to agree with their neighbours", kOrient},
+    {kCages, false, "", "faces of a cage turned to agree with their neighbours", kOrient},
     {kCages, true, "degrees", "creases of a cage where its faces meet at more than this angle",
      kCreaseAngle},
     {kMeshing, true, "", "quads in place of triangles, square in the metric",

@@ -84,7 +84,9 @@ class BoxTriangulation {
 
   void constrain(std::size_t from, std::size_t to) {
     const VertexHandle a = vertices_[from], b = vertices_[to];
-    if (is_touching_ && is_constrained(a, b)) throw_touching(delaunay_.uv(a));
+    if (is_touching_ && is_constrained(a, b)) {
+      throw_touching(delaunay_.uv(std::count(vertices_.begin(), vertices_.end(), a) > 1 ? a : b));
+    }
     delaunay_.insert_constraint(a, b);
     // A chain of edges passes through a node that is not of this segment.
     if (delaunay_.find_halfedge(a, b).is_valid()) return;
