@@ -44,9 +44,9 @@ class MeshProgram : public Program {
 TEST_F(MeshProgram, HelpsWithDefaultsAndAnExample) {
   EXPECT_EQ(run("mesh --help"), 0);
   for (const char* text :
-       {"--curvature", "0.25",      "--hmin",         "0.1%",        "--hmax",         "20%",
-        "--stretch",   "--grade",   "--size",         "--isotropic", "--crease-angle", "--scheme",
-        "--patches",   "--threads", "--max-elements", "--report",    "--quiet",        "--set",
+       {"--curvature", "0.25",      "--hmin",         "0.1%",     "--hmax",         "20%",
+        "--stretch",   "--grade",   "--size",         "--sag",    "--crease-angle", "--scheme",
+        "--patches",   "--threads", "--max-elements", "--report", "--quiet",        "--set",
         "Examples:",   "--help-all"}) {
     EXPECT_NE(out_.find(text), std::string::npos) << text;
   }

@@ -107,8 +107,9 @@ class BoxTriangulation {
       std::array<int, 3> triangle{};
       std::size_t k = 0;
       for (const HalfedgeHandle heh : delaunay_.mesh().fh_range(FaceHandle(static_cast<int>(f)))) {
-        const int node = node_of[index(delaunay_.mesh().from_vertex_handle(heh))];
-        triangle[k++] = node == kSeveral ? node_of_sector(heh) : node;
+        const PolyMesh& mesh = delaunay_.mesh();
+        const int node = node_of[index(mesh.to_vertex_handle(heh))];
+        triangle[k++] = node == kSeveral ? node_of_sector(mesh.next_halfedge_handle(heh)) : node;
       }
       triangles.push_back(triangle);
     }
