@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "surfmesh/core/error.hh"
@@ -39,11 +40,14 @@ std::vector<std::string> own_arguments() {
 /// Start the same command in the program that is linked with OpenCASCADE, in place of this one.
 [[noreturn]] void go_on_in_cad_program() {
   std::vector<std::string> arguments = own_arguments();
+  if (arguments.empty())
+    throw Error(ErrorCode::Io, "/proc, which has the command line, is not there");
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
+  std::error_code ignored;
   const std::filesystem::path program =
-      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "surfmesh-cad";
+      std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "surfmesh-cad";
   execv(program.c_str(), pointers.data());
   throw Error(ErrorCode::Io, fmt::format("{}, which reads CAD files, cannot be started: {}",
                                          program.string(), std::strerror(errno)));

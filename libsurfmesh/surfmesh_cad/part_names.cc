@@ -95,6 +95,7 @@ class Assembly {
 
   void add_leaf(const TDF_Label& part, const TopLoc_Location& location, const std::string& colour) {
     const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(part).Moved(location);
+    if (shape.IsNull()) return;  // a product without a shape
     BRep_Builder().Add(all_, shape);
     FaceFacts facts;
     facts.part = static_cast<int>(cad_.parts.size());
@@ -112,7 +113,8 @@ class Assembly {
     XCAFDoc_ShapeTool::GetSubShapes(part, inner);
     std::multimap<int, TDF_Label> by_kind;
     for (const TDF_Label& label : inner) {
-      by_kind.emplace(XCAFDoc_ShapeTool::GetShape(label).ShapeType(), label);
+      const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
+      if (!shape.IsNull()) by_kind.emplace(shape.ShapeType(), label);
     }
     for (const auto& [kind, label] : by_kind) add_facts(label, location);
   }

@@ -27,6 +27,10 @@ constexpr double kLeastEdge = 1e-7;
 /// for what lies between its points.
 constexpr int kIntervals = 8;
 
+/// But to no more than this share of the diagonal: a vertex of a large tolerance is no reason to
+/// lose what lies elsewhere.
+constexpr double kMostMerged = 1e-5;
+
 /// Edges are merged to a distance somewhat above the longest of them.
 constexpr double kSlack = 2;
 
@@ -121,7 +125,8 @@ void merge_small_edges(CadShape& cad) {
   const double least = kLeastEdge * rough_diagonal(cad.shape);
   const SmallEdges before = small_edges(cad.shape, least);
   if (before.count == 0) return;
-  const double distance = std::max(least, kSlack * before.longest);
+  const double most = kMostMerged * rough_diagonal(cad.shape);
+  const double distance = std::min(std::max(least, kSlack * before.longest), most);
   const Handle(ShapeBuild_ReShape) changes = new ShapeBuild_ReShape;
   const TopoDS_Shape result = merged(cad.shape, distance, changes);
   if (!is_as_good(result, cad.shape)) return;

@@ -75,6 +75,25 @@ TEST(FinishModel, RefusesAPatchWithoutSurface) {
   EXPECT_NE(error_of([&] { finish(model); }).find("patch p0 has no surface"), std::string::npos);
 }
 
+TEST(FinishModel, RefusesWhatDoesNotExist) {
+  const auto error_with = [](auto change) {
+    Model model = two_squares(true);
+    change(model);
+    return error_of([&] { finish(model); });
+  };
+  EXPECT_NE(
+      error_with([](Model& m) { m.contour(0).end = 9; }).find("its end vertices do not exist"),
+      std::string::npos);
+  EXPECT_NE(error_with([](Model& m) { m.contour(0).uses[0].patch = -1; }).find("a use names patch"),
+            std::string::npos);
+  EXPECT_NE(error_with([](Model& m) { m.contour(0).uses[0].curve = nullptr; }).find("no curve"),
+            std::string::npos);
+  EXPECT_NE(error_with([](Model& m) {
+              m.patch(0).loops[0][0].contour = 99;
+            }).find("a loop names contour 99"),
+            std::string::npos);
+}
+
 TEST(Check, AllowsGapsWithinTheTolerances) {
   Model model = two_squares(true);
   finish(model);

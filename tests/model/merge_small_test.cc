@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "model/hand_made.hh"
 #include "support/notices.hh"
@@ -30,7 +31,7 @@ Model square_with_short_side(double length) {
 
 TEST(MergeSmallParts, LeavesOutContoursBelowTheTolerance) {
   Model model = square_with_short_side(1e-8);
-  merge_small_parts(model, kLeast);
+  merge_short_contours(model, kLeast);
   EXPECT_EQ(model.contours.size(), 5U);
   EXPECT_EQ(model.patch(0).loops.front().size(), 5U);
   EXPECT_EQ(model.contour(0).end, model.contour(1).start);
@@ -43,7 +44,7 @@ TEST(MergeSmallParts, LeavesOutContoursBelowTheTolerance) {
 
 TEST(MergeSmallParts, LeavesLongerOnes) {
   Model model = square_with_short_side(1e-4);
-  merge_small_parts(model, kLeast);
+  merge_short_contours(model, kLeast);
   EXPECT_EQ(model.contours.size(), 6U);
   EXPECT_TRUE(model.notices.empty());
 }
@@ -51,8 +52,36 @@ TEST(MergeSmallParts, LeavesLongerOnes) {
 TEST(MergeSmallParts, TakesTheToleranceOfAContour) {
   Model model = square_with_short_side(1e-4);
   model.contour(1).tolerance = 2e-4;
-  merge_small_parts(model, kLeast);
+  merge_short_contours(model, kLeast);
   EXPECT_EQ(model.contours.size(), 5U);
+}
+
+TEST(MergeSmallParts, LeavesRowsThatAreLongerTogether) {
+  HandMade made;
+  const int patch = made.add_patch(rectangle(0, 0, 10, 10));
+  made.add_loop(patch,
+                made.corners_at(
+                    {{0, 0}, {5, 0}, {5 + 6e-7, 0}, {5 + 1.2e-6, 0}, {10, 0}, {10, 10}, {0, 10}}));
+  made.model.diagonal = 14;
+  merge_short_contours(made.model, kLeast);
+  EXPECT_EQ(made.model.contours.size(), 6U);
+}
+
+TEST(MergeSmallParts, LeavesPoles) {
+  HandMade made;
+  const int patch = made.add_patch(testing::sphere());
+  const double pi = std::numbers::pi;
+  const int south = made.add_vertex({0, 0, -1}), north = made.add_vertex({0, 0, 1});
+  const int low = made.add_contour(south, south), side = made.add_contour(south, north);
+  const int high = made.add_contour(north, north);
+  made.model.patch(patch).loops = {{made.add_use(low, patch, {0, -pi / 2}, {2 * pi, -pi / 2}),
+                                    made.add_use(side, patch, {2 * pi, -pi / 2}, {2 * pi, pi / 2}),
+                                    made.add_use(high, patch, {2 * pi, pi / 2}, {0, pi / 2}),
+                                    made.add_use(side, patch, {0, -pi / 2}, {0, pi / 2}, false)}};
+  finish(made.model);
+  EXPECT_EQ(made.model.contours.size(), 3U);
+  EXPECT_TRUE(made.model.contour(0).is_degenerate);
+  EXPECT_TRUE(mesh_model(made.model).report.mesh.is_closed);
 }
 
 TEST(MergeSmallParts, GivesAMeshWithoutFlatTriangles) {
@@ -88,7 +117,7 @@ Model squares_beside_sliver() {
 
 TEST(MergeSmallParts, LeavesOutPatchesWithoutWidth) {
   Model model = squares_beside_sliver();
-  merge_small_parts(model, kLeast);
+  merge_slivers(model, kLeast);
   ASSERT_EQ(model.patches.size(), 2U);
   EXPECT_EQ(model.patch(1).name, "p2");
   EXPECT_EQ(model.groups[0].patches, (std::vector<int>{0, 1}));

@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <numbers>
 
+#include "model/hand_made.hh"
 #include "support/errors.hh"
 #include "support/expect_valid.hh"
 #include "support/models.hh"
 #include "support/notices.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/geometry/callable_surface.hh"
+#include "surfmesh/model/finish_model.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 #include "surfmesh/pipeline/set_option.hh"
@@ -414,6 +416,36 @@ TEST(ReachSag, GivesTheSameMeshTwice) {
   ASSERT_EQ(a.mesh.n_vertices(), b.mesh.n_vertices());
   EXPECT_EQ(a.report.sag.reached, b.report.sag.reached);
   EXPECT_EQ(a.report.edges, b.report.edges);
+}
+
+/// Two squares side by side, the second one higher by a gap.
+Model squares_apart(double gap, double tolerance) {
+  testing::HandMade made;
+  std::vector<int> vertices;
+  for (const Uv uv : {Uv{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 0}, {2, 1}}) {
+    vertices.push_back(made.add_vertex({uv.u, uv.v, uv.u > 1 ? gap : 0}));
+  }
+  const int left = made.add_patch(testing::rectangle(0, 0, 1, 1));
+  const int right = made.add_patch(std::make_shared<test::PlanePatch>(
+      Vec3(0, 0, gap), Vec3::UnitX(), Vec3::UnitY(), Domain{1, 2, 0, 1}));
+  made.add_loop(left, {{0, {0, 0}}, {1, {1, 0}}, {2, {1, 1}}, {3, {0, 1}}});
+  made.model.patch(right).loops = {{made.add_use(made.add_contour(1, 4), right, {1, 0}, {2, 0}),
+                                    made.add_use(made.add_contour(4, 5), right, {2, 0}, {2, 1}),
+                                    made.add_use(made.add_contour(5, 2), right, {2, 1}, {1, 1}),
+                                    made.add_use(1, right, {1, 0}, {1, 1}, false)}};
+  for (Contour& contour : made.model.contours) contour.tolerance = tolerance;
+  finish(made.model);
+  return made.model;
+}
+
+TEST(ReachSag, AsksForNoLessThanTheGapsOfTheModel) {
+  const MeshResult result = mesh_with_sag(squares_apart(1e-3, 1.1e-3), 1e-4);
+  EXPECT_DOUBLE_EQ(result.report.tolerance, 1.1e-3);
+  EXPECT_DOUBLE_EQ(*result.report.sag.asked, 2.2e-3);
+  EXPECT_LE(*result.report.sag.reached, 2.2e-3);
+  ASSERT_EQ(result.report.notices.size(), 1U);
+  EXPECT_EQ(result.report.notices[0].kind, NoticeKind::LooseFit);
+  EXPECT_EQ(result.report.notices[0].severity, Severity::Shortfall);
 }
 
 }  // namespace

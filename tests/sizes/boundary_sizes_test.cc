@@ -5,12 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/hand_made.hh"
 #include "support/errors.hh"
 #include "support/models.hh"
 #include "support/waves.hh"
 #include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/geometry/curve_polyline.hh"
 #include "surfmesh/geometry/parts.hh"
+#include "surfmesh/model/finish_model.hh"
 #include "surfmesh/model/join_sides.hh"
 #include "surfmesh/sizes/boundary_pieces.hh"
 #include "surfmesh/sizes/features.hh"
@@ -336,6 +338,30 @@ TEST(ModelSources, NeedARadiusNearAPlaceWithoutGradation) {
   sources.near[0].wish.radius = testing::units(0.1);
   EXPECT_EQ(error_of([&] { model_sources(model, sources, resolve(own, model.diagonal)); }),
             "no error");
+}
+
+/// A square of side 10, and a round hole in it that touches its lower side in a corner of both.
+Model square_with_touching_hole() {
+  testing::HandMade made;
+  const int patch = made.add_patch(testing::rectangle(0, 0, 10, 10));
+  const auto corners = made.corners_at({{0, 0}, {5, 0}, {10, 0}, {10, 10}, {0, 10}});
+  made.add_loop(patch, corners);
+  const int hole = made.add_contour(corners[1].first, corners[1].first);
+  made.model.contour(hole).uses.push_back(
+      {patch, std::make_shared<CallableCurve>([](double t) {
+         const double angle = -2 * std::numbers::pi * t - std::numbers::pi / 2;
+         return t == 0 || t == 1 ? Uv{5, 0} : Uv{5 + 2 * std::cos(angle), 2 + 2 * std::sin(angle)};
+       })});
+  made.model.patch(patch).loops.push_back({{hole, 0}});
+  finish(made.model);
+  return made.model;
+}
+
+TEST(ProximitySizes, AreNoneInACusp) {
+  const Sizing sizing{.hmin = Length::units(0.001), .hmax = Length::units(0.5)};
+  const Model model = square_with_touching_hole();
+  const auto sizes = proximity_sizes(model, resolve(sizing, model.diagonal));
+  EXPECT_TRUE(sizes.at(0).empty());
 }
 
 }  // namespace

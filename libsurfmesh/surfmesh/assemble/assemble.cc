@@ -217,9 +217,10 @@ struct FaceSoup {
 };
 
 /// Glue sides on contours where more than two patches meet, as joined_uses has their patches.
-void join_shared_sides(const Model& model, FaceSoup& soup) {
+void join_shared_sides(const Model& model, const std::vector<int>& cut_contours, FaceSoup& soup) {
   if (soup.shared.empty()) return;
-  const auto joined = joined_uses(model);
+  auto joined = joined_uses(model);
+  for (const int c : cut_contours) joined[static_cast<std::size_t>(c)].clear();
   std::map<std::tuple<int, int, std::array<int, 2>>, int> side_of;
   for (const SharedSide& shared : soup.shared) {
     side_of[{shared.contour, shared.patch, shared.vertices}] = shared.side;
@@ -387,7 +388,7 @@ AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<Co
     first_faces.push_back(soup.faces.size());
     soup.add(faces.back(), static_cast<int>(p));
   }
-  join_shared_sides(model, soup);
+  join_shared_sides(model, orientation.cut_contours, soup);
   drop_unused(points, soup.faces);
   context.throw_if_cancelled();
 

@@ -11,8 +11,14 @@ SharedVertices::SharedVertices(const PolyMesh& mesh) : count_(mesh.n_vertices())
   numbers_.assign(mesh.n_vertices(), -1);
   is_first_.assign(mesh.n_vertices(), 0);
   int next = 0;
+  const auto is_first = [&](VertexHandle vh) {
+    // One that was added later, or whose original is gone, is its own.
+    const VertexHandle original(mesh.property(original_of, vh));
+    return original == vh || !original.is_valid() || !mesh.is_valid_handle(original) ||
+           mesh.property(original_of, original) != original.idx();
+  };
   for (const VertexHandle vh : mesh.vertices()) {
-    if (mesh.property(original_of, vh) != vh.idx()) continue;
+    if (!is_first(vh)) continue;
     is_first_[index(vh)] = 1;
     numbers_[index(vh)] = next++;
   }

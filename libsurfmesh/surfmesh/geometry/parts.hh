@@ -7,8 +7,8 @@
 
 namespace surfmesh {
 
-/// The parts of [0,1] between `breaks`, which are ascending and inside it. Each part may hold as
-/// much detail as another whole: sample every part.
+// The parts of [0,1] between `breaks`, which are ascending and inside it. Each part may hold as
+// much detail as another whole: sample every part.
 
 /// Breaks that make `count` equal parts.
 std::vector<double> even_breaks(int count);

@@ -65,7 +65,9 @@ class FileWriter {
 void check_finite(const OpenMesh::Vec3d& point, VertexHandle vh);
 
 /// Write the positions of all vertices but copies (shared_vertices.hh). Each starts a new line,
-/// with a word in front ("v") or none. Throws   Geometry for a position that is not finite
+/// with a word in front ("v") or none.
+///
+/// Throws   Geometry for a position that is not finite
 void write_points(const PolyMesh& mesh, std::string_view first_word, FileWriter& writer);
 
 }  // namespace surfmesh

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "surfmesh/core/error.hh"
 #include "surfmesh/geometry/parts.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
 #include "surfmesh/model/contour_smoothness.hh"
@@ -104,6 +103,7 @@ Eigen::AlignedBox3d sampled_box(const Surface& surface) {
 }
 
 double gap_of(const Model& model, const Contour& contour) {
+  if (contour.uses.empty()) return 0;
   const ContourUse& first = contour.uses.front();
   const std::vector<double> parameters = divided_parts(contour.breaks, kPartIntervals);
   double gap = 0;
@@ -122,12 +122,11 @@ double gap_of(const Model& model, const Contour& contour) {
 }
 
 void finish(Model& model) {
-  for (const Patch& patch : model.patches) {
-    if (!patch.surface) throw Error(ErrorCode::InvalidInput, label(patch) + " has no surface");
-  }
+  check_indices(model);
   set_box(model);
   set_positions(model);
-  merge_small_parts(model, kLeastLength * model.diagonal);
+  merge_short_contours(model, kLeastLength * model.diagonal);
+  merge_slivers(model, kLeastLength * model.diagonal);
   pin_ends(model);
   separate_touching_loops(model);
   for (Contour& contour : model.contours) compare_uses(model, contour);

@@ -172,7 +172,7 @@ Model model_from_patches(const std::vector<PatchInput>& patches,
     if (patch.loops.empty()) result.loops.push_back(whole_loop(patch.name, chains));
   }
   trim_patches(model, {patches, contours, chains, lengths.join});
-  merge_small_parts(model, std::min(lengths.join, kJoiningShare * model.diagonal));
+  merge_short_contours(model, std::min(lengths.join, kJoiningShare * model.diagonal));
   pin_ends(model);
   separate_touching_loops(model);
   check_breaks(patches, model);

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "surfmesh/geometry/project_to_curve.hh"
@@ -53,18 +54,23 @@ class Leaves {
     near_ = model.point(first, kPlace);
     tangent_ = (model.point(first, kPlace + kStep) - near_).normalized();
     for (std::size_t use = 0; use < contour.uses.size(); ++use) add(static_cast<int>(use));
+    has_order_ = std::all_of(leaves_.begin(), leaves_.end(),
+                             [](const Leaf& leaf) { return std::isfinite(leaf.angle); });
+    if (!has_order_) return;
     std::sort(leaves_.begin(), leaves_.end(),
               [](const Leaf& a, const Leaf& b) { return a.angle < b.angle; });
   }
 
   /// None if material and air do not alternate.
   std::vector<UsePair> pairs() const {
+    if (!has_order_) return {};
     std::vector<UsePair> pairs;
     const std::size_t n = leaves_.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Leaf &here = leaves_[i], &next = leaves_[(i + 1) % n];
       if (here.has_material_ahead == next.has_material_ahead) return {};
-      if (i + 1 < n && next.angle - here.angle < kLeastAngle) return {};
+      const double whole = i + 1 < n ? 0 : 2 * std::numbers::pi;
+      if (!(next.angle + whole - here.angle >= kLeastAngle)) return {};
       if (here.has_material_ahead) pairs.push_back({here.use, next.use});
     }
     return pairs;
@@ -95,6 +101,7 @@ class Leaves {
   Vec3 near_, tangent_;
   Vec3 axis_;  ///< from which angles are measured
   std::vector<Leaf> leaves_;
+  bool has_order_ = false;  ///< false at a point without tangent planes
 };
 
 }  // namespace

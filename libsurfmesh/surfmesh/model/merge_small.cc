@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,18 +26,18 @@ constexpr double kLeastShare = 1e-6;
 /// Intervals of each part of a contour.
 constexpr int kPartIntervals = 8;
 
-/// True if a contour is no longer than `most`.
-bool is_short(const Model& model, const Contour& contour, double most) {
+/// The length of a contour that is no longer than `most`.
+std::optional<double> short_length(const Model& model, const Contour& contour, double most) {
   const ContourUse& use = contour.uses.front();
   double length = 0;
   Vec3 last = model.point(use, 0);
   for (const double t : divided_parts(contour.breaks, kPartIntervals)) {
     const Vec3 next = model.point(use, t);
     length += (next - last).norm();
-    if (length > most) return false;
+    if (length > most) return std::nullopt;
     last = next;
   }
-  return true;
+  return length;
 }
 
 /// False for poles, which have a length in (u,v).
@@ -64,6 +65,7 @@ class ContourMerger {
       : model_(model),
         least_(least),
         vertices_(model.vertices.size()),
+        reach_(model.vertices.size(), 0),
         is_out_(model.contours.size(), 0) {}
 
   void run() {
@@ -71,9 +73,7 @@ class ContourMerger {
       if (!is_mergeable(static_cast<int>(c))) continue;
       is_out_[c] = 1;
       ++count_;
-      const Contour& contour = model_.contours[c];
-      vertices_.unite(static_cast<std::size_t>(contour.start),
-                      static_cast<std::size_t>(contour.end));
+      unite_ends(model_.contours[c]);
     }
     if (count_ == 0) return;
     tell();
@@ -87,13 +87,29 @@ class ContourMerger {
   }
 
  private:
+  /// How far what has become one vertex with the ends of a contour reaches.
+  double reach_of(const Contour& contour) {
+    const std::size_t a = vertices_.find(static_cast<std::size_t>(contour.start));
+    const std::size_t b = vertices_.find(static_cast<std::size_t>(contour.end));
+    return reach_[a] + (a == b ? 0 : reach_[b]);
+  }
+
+  void unite_ends(const Contour& contour) {
+    const double length = short_length(model_, contour, std::numeric_limits<double>::max()).value();
+    const double reach = reach_of(contour) + length;
+    vertices_.unite(static_cast<std::size_t>(contour.start), static_cast<std::size_t>(contour.end));
+    reach_[vertices_.find(static_cast<std::size_t>(contour.start))] = reach;
+  }
+
   bool is_out(int contour) const { return is_out_[static_cast<std::size_t>(contour)] != 0; }
 
   bool is_mergeable(int c) {
     const Contour& contour = model_.contour(c);
     if (contour.uses.empty()) return false;
-    if (contour.is_degenerate && !is_point_in_parameters(model_, contour)) return false;
-    if (!is_short(model_, contour, std::max(least_, contour.tolerance))) return false;
+    if (contour.start == contour.end && !is_point_in_parameters(model_, contour)) return false;
+    const double most = std::max(least_, contour.tolerance);
+    const auto length = short_length(model_, contour, most);
+    if (!length || reach_of(contour) + *length > most) return false;
     // Something is to be left of each loop.
     for (const ContourUse& use : contour.uses) {
       for (const PatchLoop& loop : model_.patch(use).loops) {
@@ -153,7 +169,8 @@ class ContourMerger {
   Model& model_;
   double least_;  ///< length, model units
   DisjointSets vertices_;
-  std::vector<char> is_out_;  ///< by contour
+  std::vector<double> reach_;  ///< of what has become one vertex, by the first of them
+  std::vector<char> is_out_;   ///< by contour
   std::size_t count_ = 0;
 };
 
@@ -171,6 +188,7 @@ class SliverMerger {
       const PatchLoop loop = model_.patches[p].loops.front();
       if (count == 0) first = model_.patches[p].name;
       unite(static_cast<int>(p), loop[0].contour, loop[1].contour);
+      model_.patches[p].loops.clear();
       is_out[p] = 1;
       ++count;
     }
@@ -205,7 +223,8 @@ class SliverMerger {
   void unite(int patch, int kept, int given) {
     Contour &to = model_.contour(kept), &from = model_.contour(given);
     const bool is_turned = to.start != from.start;
-    to.tolerance = std::max({to.tolerance, from.tolerance, least_});
+    to.tolerance = std::max(to.tolerance, from.tolerance) + least_;  // several add up
+    to.is_named |= from.is_named;
     std::vector<int> kept_as(to.uses.size(), -1), given_as(from.uses.size(), -1);
     std::vector<ContourUse> uses;
     for (std::size_t u = 0; u < to.uses.size(); ++u) {
@@ -221,9 +240,10 @@ class SliverMerger {
         use.curve = std::make_shared<CurvePart<Curve>>(use.curve, 1, 0);
         use.is_forward = !use.is_forward;
       }
-      use.is_same_speed = uses.empty();
       uses.push_back(std::move(use));
     }
+    for (ContourUse& use : uses) use.is_same_speed = false;
+    if (!uses.empty()) uses.front().is_same_speed = true;
     to.uses = std::move(uses);
     from.uses.clear();
     for_each_entry([&](LoopEntry& entry) {
@@ -279,9 +299,8 @@ class SliverMerger {
 
 }  // namespace
 
-void merge_small_parts(Model& model, double least) {
-  ContourMerger(model, least).run();
-  SliverMerger(model, least).run();
-}
+void merge_short_contours(Model& model, double least) { ContourMerger(model, least).run(); }
+
+void merge_slivers(Model& model, double least) { SliverMerger(model, least).run(); }
 
 }  // namespace surfmesh

@@ -63,9 +63,6 @@ Vec3 end_point(const Model& model, const ContourUse& use, bool at_end) {
 
 void check_loop(const Model& model, std::size_t patch_index, const PatchLoop& loop) {
   const Patch& patch = model.patches[patch_index];
-  if (loop.empty()) {
-    throw Error(ErrorCode::InvalidInput, fmt::format("patch {}: a loop is empty", patch.name));
-  }
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const LoopEntry& next = loop[(i + 1) % loop.size()];
     const Vec3 end = end_point(model, use_of(model, patch_index, loop[i]), true);
@@ -174,10 +171,7 @@ double allowed_gap(const Model& model, const Contour& before, const Contour& aft
   return std::max(kLoopGap * model.diagonal, tolerance);
 }
 
-void check(const Model& model) {
-  if (model.patches.empty()) throw Error(ErrorCode::InvalidInput, "the model has no patches");
-  check_extent(model.diagonal);
-  check_distance(model);
+void check_indices(const Model& model) {
   for (const Contour& contour : model.contours) {
     if (!is_index(contour.start, model.vertices.size()) ||
         !is_index(contour.end, model.vertices.size())) {
@@ -202,7 +196,22 @@ void check(const Model& model) {
     if (patch.loops.empty()) {
       throw Error(ErrorCode::InvalidInput, fmt::format("patch {} has no loop", patch.name));
     }
-    for (const PatchLoop& loop : patch.loops) check_loop(model, p, loop);
+    for (const PatchLoop& loop : patch.loops) {
+      if (loop.empty()) {
+        throw Error(ErrorCode::InvalidInput, fmt::format("patch {}: a loop is empty", patch.name));
+      }
+      for (const LoopEntry& entry : loop) use_of(model, p, entry);
+    }
+  }
+}
+
+void check(const Model& model) {
+  if (model.patches.empty()) throw Error(ErrorCode::InvalidInput, "the model has no patches");
+  check_extent(model.diagonal);
+  check_distance(model);
+  check_indices(model);
+  for (std::size_t p = 0; p < model.patches.size(); ++p) {
+    for (const PatchLoop& loop : model.patches[p].loops) check_loop(model, p, loop);
   }
 }
 

@@ -162,6 +162,11 @@ double allowed_gap(const Model& model, const Contour& before, const Contour& aft
 /// The greatest tolerance of contours and vertices, model units; 0 if none has one.
 double greatest_tolerance(const Model& model);
 
+/// Check that all indices are valid, and that patches and uses have surfaces and curves.
+///
+/// Throws   InvalidInput, naming the patch or the contour
+void check_indices(const Model& model);
+
 /// Check that indices are valid, that the diagonal is between 1e-70 and 1e70 and no less than 1e-11
 /// of the distance from the origin, and that all loops close in space, to 1e-6 of the diagonal or
 /// the tolerances of the model, if those are greater.

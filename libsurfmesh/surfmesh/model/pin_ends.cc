@@ -15,6 +15,9 @@ namespace {
 /// Shares of the domain by which (u,v) of one corner differ that do not follow each other.
 constexpr double kRounding = 1e-9;
 
+/// Share of the domain by which ends that follow each other may be apart.
+constexpr double kMostMove = 0.02;
+
 /// A curve whose ends are moved.
 class PinnedCurve : public Curve {
  public:
@@ -99,10 +102,17 @@ class PatchPins {
         const double gap = (point(ends_[end]) - point(ends_[next])).norm();
         const double allowed = allowed_gap(model_, model_.contour(ends_[end].entry),
                                            model_.contour(ends_[next].entry));
-        if (gap <= allowed) corners.unite(end, next);
+        if (gap <= allowed && are_near(ends_[end].uv, ends_[next].uv)) corners.unite(end, next);
       }
       first += 2 * loop.size();
     }
+  }
+
+  /// False across a seam or a pole whose side is missing.
+  bool are_near(Uv a, Uv b) const {
+    const Domain domain = model_.surface(patch_).domain();
+    return std::abs(a.u - b.u) <= kMostMove * (domain.u1 - domain.u0) &&
+           std::abs(a.v - b.v) <= kMostMove * (domain.v1 - domain.v0);
   }
 
   void unite_equal(DisjointSets& corners) const {

@@ -59,15 +59,13 @@ class SurfaceWalk {
   /// must outlive this.
   ///
   /// Cost     a few evaluations a contour use that is straight in (u,v), up to a thousand for
-  ///          others; none in patches that are not open,
-  ///          if walks begin in open ones only
+  ///          others; none in patches that are not open, if walks begin in open ones only
   SurfaceWalk(const Model& model, std::vector<char> may_cross, Walks walks = Walks::Everywhere);
 
   /// Walk a step in the parameters of the patch of a place.
   ///
   /// Returns  nothing where a contour that may not be crossed is in the way, the surface has no
-  /// tangent plane at a crossing, or
-  ///          contours are crossed more than 16 times
+  ///          tangent plane at a crossing, or contours are crossed more than 16 times
   /// Cost     20 ns within a patch, two evaluations of first order a crossing
   std::optional<WalkEnd> go(const SurfacePlace& from, Uv step) const;
 

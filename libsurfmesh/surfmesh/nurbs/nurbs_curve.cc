@@ -27,7 +27,7 @@ void check_range(const FullKnots& knots, const CurveRange& range) {
   const bool is_within =
       knots.period > 0 ? range.to - range.from <= knots.period + rounding
                        : range.from >= knots.from() - rounding && range.to <= knots.to() + rounding;
-  if (is_within && range.from < range.to) return;
+  if (is_within && range.to - range.from > 2 * rounding) return;
   throw Error(ErrorCode::InvalidInput,
               fmt::format("the range from {} to {} is not one of the knots, which reach from {} to "
                           "{}",

@@ -37,6 +37,10 @@ const NurbsNet& checked(const NurbsNet& net) {
 /// Check that a range lies within the knots, or is no longer than their period.
 void check_range(const FullKnots& knots, double from, double to, std::string_view parameter) {
   const double rounding = knots.rounding();
+  if (!(to - from > 2 * rounding)) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("the domain in {} has no width: from {} to {}", parameter, from, to));
+  }
   if (knots.period > 0) {
     if (to - from <= knots.period + rounding) return;
     throw Error(ErrorCode::InvalidInput,

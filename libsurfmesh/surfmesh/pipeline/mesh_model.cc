@@ -45,9 +45,6 @@
 namespace surfmesh {
 namespace {
 
-/// The least sag, in gaps between surfaces that meet.
-constexpr double kSagsOfGap = 2;
-
 /// Meshes of up to so many quads are made in two ways.
 constexpr std::size_t kMostQuadsMadeTwice = 1000;
 
@@ -425,23 +422,26 @@ void work_with_control(const Model& model, const Sources& sources, const Resolve
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The sag is not to ask for less than surfaces are apart where they meet, and the mesh near there
-/// be off both of them.
-void raise_sag(const Model& model, ResolvedSizing& sizing, Notices& notices) {
-  const double least = kSagsOfGap * greatest_tolerance(model);
-  if (sizing.sag == 0 || sizing.sag >= least) return;
-  notices.push_back(shortfall(
+/// Tell where the sag is less than the gaps of the model allow, so that another one is kept.
+void tell_raised_sag(const Model& model, const Sizing& sizing, Report& report) {
+  const double asked = sizing.sag ? sizing.sag->in_units(model.diagonal) : 0;
+  const double least = least_sag(model);
+  if (asked == 0 || asked >= least) return;
+  const auto worst = std::max_element(
+      model.contours.begin(), model.contours.end(),
+      [](const Contour& a, const Contour& b) { return a.tolerance < b.tolerance; });
+  report.notices.push_back(shortfall(
       NoticeKind::LooseFit,
-      fmt::format("sag = {:.6g} is less than the surfaces of the model allow, which are up to "
-                  "{:.3g} apart where they meet; {:.6g} is kept in its place",
-                  sizing.sag, least / kSagsOfGap, least)));
-  sizing.sag = least;
+      fmt::format(
+          "sag = {:.6g} is less than the surfaces of the model allow, which are apart where "
+          "they meet, most at contour {}; {:.6g} is kept in its place",
+          asked, worst == model.contours.end() ? "" : worst->name, least)));
 }
 
 /// Mesh the model once or until the sag is reached.
 void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOptions& options,
                    const RunContext& context, MeshResult& result) {
-  ResolvedSizing sizing = resolve(options.sizing, model);
+  const ResolvedSizing sizing = resolve(options.sizing, model);
   if (sizing.sag == 0) {
     work_with_control(model, sources, sizing, options, context, result.report,
                       [&](ControlSpaces control) {
@@ -449,8 +449,6 @@ void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOpt
                       });
     return;
   }
-  Notices notices;
-  raise_sag(model, sizing, notices);
   const detail::CountedModel counted(model);
   detail::PatchCache cache(model.patches.size());
   const auto mesh_with = [&](ControlSpaces control, double corrected_sag,
@@ -464,7 +462,7 @@ void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOpt
   result =
       detail::reach_sag({counted.model(), sources, sizing, options.control, context}, mesh_with);
   result.report.sag.evaluations = counted.evaluations();
-  append(std::move(notices), result.report.notices);
+  tell_raised_sag(model, options.sizing, result.report);
 }
 
 /// The normals of the surface, if they are wanted in the file.

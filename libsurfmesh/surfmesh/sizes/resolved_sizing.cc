@@ -13,6 +13,9 @@
 namespace surfmesh {
 namespace {
 
+/// The least sag, in gaps between surfaces that meet.
+constexpr double kSagsOfGap = 2;
+
 SizeBounds resolve_bounds(const Sizing& sizing, double diagonal) {
   if (sizing.size) {
     const double size = sizing.size->in_units(diagonal);
@@ -61,13 +64,18 @@ ResolvedSizing resolve(const Sizing& sizing, double diagonal) {
           .part_bounds = {}};
 }
 
+double least_sag(const Model& model) { return kSagsOfGap * greatest_tolerance(model); }
+
 ResolvedSizing resolve(const Sizing& sizing, const Model& model) {
   ResolvedSizing resolved = resolve(sizing, model.diagonal);
+  if (resolved.sag > 0) resolved.sag = std::max(resolved.sag, least_sag(model));
   if (sizing.shares_of == SharesOf::Model || sizing.size) return resolved;
   SizeBounds& all = resolved.bounds;
   for (const double diagonal : part_diagonals(model)) {
     SizeBounds own = resolve_bounds(sizing, diagonal);
     own.diagonal = model.diagonal;
+    own.hmax = std::min(own.hmax, all.hmax);  // parts are sampled untrimmed
+    own.hmin = std::min(own.hmin, own.hmax);
     all.hmin = std::min(all.hmin, own.hmin);
     resolved.part_bounds.push_back(own);
   }

@@ -36,8 +36,12 @@ struct ResolvedSizing {
 /// Throws   InvalidOption naming the option, its value and its range
 ResolvedSizing resolve(const Sizing& sizing, double diagonal);
 
-/// The same for a model, also where shares refer to its parts (SharesOf::Part): the bounds are then
-/// those of all parts together.
+/// The least sag that the mesh of a model can have: twice the greatest tolerance, for where
+/// surfaces that meet are apart, the mesh is off one of them.
+double least_sag(const Model& model);
+
+/// The same for a model, with no sag below that, and where shares refer to its parts
+/// (SharesOf::Part): the bounds are then those of all parts together.
 ///
 /// Cost     with SharesOf::Part that of part_diagonals, else nothing
 /// Throws   as above
