@@ -103,6 +103,10 @@ TEST(LoadCad, RefusesWhatDoesNotFit) {
   EXPECT_NE(fault(folder, R"({"cad": [{"file": "a.step"}, {"file": "b.step"}]})")
                 .find("/cad/0: several CAD files need names"),
             std::string::npos);
+  EXPECT_NE(fault(folder, R"({"cad": [{"file": "a.step"}], "patches": [{"name": "face1",
+                              "surface": {"z": "1"}, "domain": {"u": [0, 1], "v": [0, 1]}}]})")
+                .find("/cad/0: a CAD file beside patches or cages needs a name"),
+            std::string::npos);
   EXPECT_NE(fault(folder, R"({"cad": [{"file": "a.step"}],
                               "sources": [{"along": "edge9", "size": 1}]})")
                 .find("edge9 is no contour or side of the model, did you mean edge"),

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include "support/errors.hh"
@@ -31,9 +32,9 @@ TEST(ResolvedSizing, TurnsTheFactorOffBesideASag) {
 }
 
 TEST(ResolvedSizing, TakesSegmentsOfACircleForAFactor) {
-  // The chord of a hexagon in the unit circle is 1.
-  EXPECT_DOUBLE_EQ(resolve({.segments_per_circle = 6}, 1).curvature, 1);
-  EXPECT_DOUBLE_EQ(resolve({.curvature = 0.1, .segments_per_circle = 6}, 1).curvature, 1);
+  const double arc = std::numbers::pi / 3;
+  EXPECT_DOUBLE_EQ(resolve({.segments_per_circle = 6}, 1).curvature, arc);
+  EXPECT_DOUBLE_EQ(resolve({.curvature = 0.1, .segments_per_circle = 6}, 1).curvature, arc);
   EXPECT_DOUBLE_EQ(resolve({.segments_per_circle = 6}, 1).bounds.hmin, 1e-5);
   EXPECT_DOUBLE_EQ(resolve({.segments_per_circle = 6, .hmin = Length::share(0.01)}, 1).bounds.hmin,
                    0.01);

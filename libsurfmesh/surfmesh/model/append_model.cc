@@ -22,7 +22,7 @@ void warn_of_open_sides(const Model& model, const Model& added, Notices& notices
   notices.push_back(
       warning(NoticeKind::UnjoinedSides,
               fmt::format("{} run along each other without being joined, as they belong to "
-                          "different cages, or to a "
+                          "different cages or CAD files, or to a "
                           "cage and formulas: {} and {}{}",
                           counted(pairs.size(), "pair of contours", "pairs of contours"),
                           pairs[0].a, pairs[0].b, pairs.size() > 1 ? ", ..." : "")));

@@ -306,6 +306,11 @@ std::set<std::size_t> append_cad_files(const ModelFile& file, const std::string&
                                        ModelInput& result) {
   std::set<std::size_t> whole_files;
   for (const CadFileInput& input : file.cad) {
+    if (input.name.empty() && !result.model.patches.empty()) {
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("{}: {}: a CAD file beside patches or cages needs a name", name,
+                              input.origin));
+    }
     CadOptions options = given.cad;
     if (!options.sew) options.sew = input.sew;
     if (!options.sew) options.sew = result.options.sew;

@@ -39,6 +39,9 @@ Notices unused_sizes(const PipelineOptions& options) {
        {ranges::kCurvature.name, ranges::kSegmentsPerCircle.name, ranges::kSag.name,
         ranges::kHmin.name, ranges::kHmax.name, ranges::kSharesOf.name, ranges::kStretch.name,
         ranges::kGrade.name, ranges::kProximity.name}) {
+    // Segments of a circle change what curvature and hmin are by default.
+    const bool is_segments = name == ranges::kSegmentsPerCircle.name;
+    defaults.sizing.segments_per_circle = is_segments ? 0 : options.sizing.segments_per_circle;
     if (get_option(options, name) == get_option(defaults, name)) continue;
     notices.push_back(without_effect(name, "beside size"));
   }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <functional>
 #include <memory>
 #include <numbers>
@@ -61,9 +60,9 @@ struct Sizing {
   /// Greatest permitted distance between mesh and surface, above 0; unset is off.
   std::optional<Length> sag = {};
 
-  /// The effective factor: the length of a chord of the unit circle for so many segments.
+  /// The effective factor: the length of an arc of the unit circle for so many segments.
   double curvature_factor() const {
-    if (segments_per_circle > 0) return 2 * std::sin(std::numbers::pi / segments_per_circle);
+    if (segments_per_circle > 0) return 2 * std::numbers::pi / segments_per_circle;
     return curvature.value_or(sag || size ? 0 : 0.25);
   }
 
