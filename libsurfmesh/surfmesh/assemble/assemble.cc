@@ -354,11 +354,11 @@ Notices notices_of(const Model& model, const Separation& separation) {
   }
   if (const std::vector<int> touched = touched_vertices(model); !touched.empty()) {
     const Vec3& first = model.position(touched.front());
-    notices.push_back(warning(NoticeKind::SplitVertices,
-                              fmt::format("vertices that are taken apart, as patches meet there in "
-                                          "nothing but a point or an edge: {}, the "
-                                          "first at {}",
-                                          touched.size(), point_text(first))));
+    notices.push_back(warning(
+        NoticeKind::SplitVertices,
+        fmt::format("vertices that are taken apart, as patches meet there in a point only: {}, the "
+                    "first at {}",
+                    touched.size(), point_text(first))));
     notices.back().point = first;
   }
   return notices;
