@@ -16,6 +16,7 @@
 #include "surfmesh/formula/formula_curve.hh"
 #include "surfmesh/formula/formula_surface.hh"
 #include "surfmesh/model/loop_region.hh"
+#include "surfmesh/model/patch_loops.hh"
 #include "surfmesh/model/patch_sides.hh"
 
 namespace surfmesh {
@@ -140,23 +141,11 @@ std::string infinity_advice(const FormulaBreak& found) {
                   infinity_advice(found)));
 }
 
-/// The loops of a patch.
-std::vector<LoopCurves> loops_of(const Model& model, int patch) {
-  std::vector<LoopCurves> result;
-  for (const PatchLoop& loop : model.patch(patch).loops) {
-    LoopCurves& curves = result.emplace_back();
-    for (const LoopEntry& entry : loop) {
-      const ContourUse& use = model.use(entry);
-      curves.push_back({model.contour(entry).name, use.curve, use.is_forward, {}});
-    }
-  }
-  return result;
-}
-
 /// The part of a patch's domain inside its loops.
 class Material {
  public:
-  Material(const Model& model, int patch) : curves_(loops_of(model, patch)), regions_(curves_) {}
+  Material(const Model& model, int patch)
+      : curves_(loop_curves(model, model.patch(patch))), regions_(curves_) {}
   Material(const Material&) = delete;
   Material& operator=(const Material&) = delete;
 

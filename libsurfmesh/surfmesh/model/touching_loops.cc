@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "surfmesh/model/loop_checks.hh"
+#include "surfmesh/model/patch_loops.hh"
 
 namespace surfmesh {
 namespace {
@@ -28,15 +28,8 @@ struct CornerEnd {
   double angle = 0;         ///< in which the curve leaves the corner
 };
 
-LoopCurve run_of(const Model& model, const LoopEntry& entry) {
-  const ContourUse& use = model.use(entry);
-  return {model.contour(entry).name, use.curve, use.is_forward, {}};
-}
-
 bool is_counter_clockwise(const Model& model, const PatchLoop& loop) {
-  LoopCurves curves;
-  for (const LoopEntry& entry : loop) curves.push_back(run_of(model, entry));
-  return signed_area(curves) > 0;
+  return signed_area(loop_curves(model, loop)) > 0;
 }
 
 /// Brings the loops of one patch in order.
@@ -67,7 +60,7 @@ class LoopSeparator {
     std::map<Corner, std::vector<CornerEnd>> corners;
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       for (const bool is_leaving : {true, false}) {
-        const Uv uv = run_of(model_, entries_[i]).at(is_leaving ? 0 : 1);
+        const Uv uv = loop_curve(model_, entries_[i]).at(is_leaving ? 0 : 1);
         const Contour& contour = model_.contour(entries_[i]);
         const bool is_start = model_.use(entries_[i]).is_forward == is_leaving;
         corners[{is_start ? contour.start : contour.end, uv.u, uv.v}].push_back({i, is_leaving});
@@ -99,7 +92,7 @@ class LoopSeparator {
 
   /// From the corner, at a share of the way along an end.
   Uv step_along(const CornerEnd& end, double share) const {
-    const LoopCurve run = run_of(model_, entries_[end.entry]);
+    const LoopCurve run = loop_curve(model_, entries_[end.entry]);
     return scaled(end.is_leaving ? run.at(share) - run.at(0) : run.at(1 - share) - run.at(1));
   }
 

@@ -561,6 +561,7 @@ Report estimate_mesh(const Model& model, const Sources& sources, const PipelineO
       work_with_control(model, sources, sizing, options, context, report, estimate);
     });
   });
+  tell_raised_sag(model, options.sizing, report);
   report.mesh.patches = model.patches.size();
   report.patches = measure_patches(PolyMesh(), mesh_names(model));
   return report;

@@ -5,10 +5,9 @@
 #include <array>
 #include <cmath>
 #include <set>
-#include <string>
 
-#include "surfmesh/model/loop_checks.hh"
 #include "surfmesh/model/loop_region.hh"
+#include "surfmesh/model/patch_loops.hh"
 
 namespace surfmesh {
 namespace {
@@ -188,14 +187,7 @@ namespace {
 
 /// The loops of a patch that cut something off its domain; none if they do not.
 std::vector<LoopCurves> trimming_loops(const Model& model, int patch) {
-  std::vector<LoopCurves> loops;
-  for (const PatchLoop& loop : model.patch(patch).loops) {
-    LoopCurves& curves = loops.emplace_back();
-    for (const LoopEntry& entry : loop) {
-      const ContourUse& use = model.use(entry);
-      curves.push_back({model.contour(entry).name, use.curve, use.is_forward, {}});
-    }
-  }
+  std::vector<LoopCurves> loops = loop_curves(model, model.patch(patch));
   if (loops.size() != 1) return loops;
   const Domain domain = model.surface(patch).domain();
   const double area = (domain.u1 - domain.u0) * (domain.v1 - domain.v0) *
