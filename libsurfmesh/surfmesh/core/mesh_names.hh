@@ -16,10 +16,11 @@ struct Group {
   friend bool operator==(const Group&, const Group&) = default;
 };
 
-/// What the patches of a mesh are called, and the groups they belong to.
+/// What the patches and contours of a mesh are called, and the groups of patches.
 struct MeshNames {
-  std::vector<std::string> patches;  ///< by patch; empty, or not there, for no name
-  std::vector<Group> groups;         ///< a patch may be in any number of them
+  std::vector<std::string> patches;        ///< by patch; empty, or not there, for no name
+  std::vector<Group> groups;               ///< a patch may be in any number of them
+  std::vector<std::string> contours = {};  ///< by contour; empty, or not there, for no name
 
   friend bool operator==(const MeshNames&, const MeshNames&) = default;
 };

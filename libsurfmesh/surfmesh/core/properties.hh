@@ -64,6 +64,10 @@ inline constexpr PropertyKey<HalfedgeHandle, int> corner_beyond{"surf:beyond", "
 /// which the face goes around counter-clockwise. Made on wish.
 inline constexpr PropertyKey<HalfedgeHandle, Normal> corner_normal{"surf:normal", "assemble"};
 
+/// Distance between a face of the result and the surface, both ways, in model units. Only of runs
+/// that were asked for a sag.
+inline constexpr PropertyKey<FaceHandle, double> face_sag{"surf:sag", "pipeline"};
+
 /// The vertex of which a vertex of the result is a copy, where a half-edge mesh cannot have one
 /// vertex for all patches (at contours of three and more); its own number for others. Only where
 /// there are such copies. Formats of indexed vertices write the original.

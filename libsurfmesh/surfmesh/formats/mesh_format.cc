@@ -109,6 +109,7 @@ std::vector<std::string> lost_properties(const PolyMesh& mesh, const OutputOptio
   }
   if (has(mesh, keys::corner_metric)) lost.push_back("the metric of the corners");
   if (has_contours(mesh)) lost.push_back("the contours of the edges");
+  if (has(mesh, keys::face_sag)) lost.push_back("the sag of the faces");
   if (has(mesh, keys::vertex_uv)) lost.push_back("the parameters (u,v) of the vertices");
   if (has(mesh, keys::vertex_size)) lost.push_back("the sizes of the vertices");
   if (has(mesh, keys::vertex_metric)) lost.push_back("the metric of the vertices");

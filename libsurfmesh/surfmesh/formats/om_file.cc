@@ -230,6 +230,10 @@ class NamesReader {
         if (group.patches.back() < 0) scanner_.fail("a patch of a group is negative");
       }
     }
+    if (scanner_.rest() == 0) return names;  // of versions without names of contours
+    for (std::size_t count = take_count(); count > 0; --count) {
+      names.contours.push_back(take_text());
+    }
     return names;
   }
 
@@ -267,6 +271,9 @@ std::string names_value(const MeshNames& names) {
     append_count(group.patches.size(), bytes);
     for (const int patch : group.patches) append_count(static_cast<std::uint32_t>(patch), bytes);
   }
+  if (names.contours.empty()) return bytes;
+  append_count(names.contours.size(), bytes);
+  for (const std::string& name : names.contours) append_text(name, bytes);
   return bytes;
 }
 

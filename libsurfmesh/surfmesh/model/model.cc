@@ -144,6 +144,7 @@ std::vector<int> find_group(const Model& model, std::string_view name) {
 MeshNames mesh_names(const Model& model) {
   MeshNames names;
   for (const Patch& patch : model.patches) names.patches.push_back(patch.name);
+  for (const Contour& contour : model.contours) names.contours.push_back(contour.name);
   for (const Group& group : model.groups) {
     const auto same = std::find_if(names.groups.begin(), names.groups.end(),
                                    [&](const Group& other) { return other.name == group.name; });

@@ -38,27 +38,6 @@ constexpr double kContourTolerance = 1e-6;
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-/// True if every corner has its (u,v) and every face its patch.
-bool has_parameters(const PolyMesh& mesh) {
-  const auto uv_of = find(mesh, keys::corner_uv);
-  if (!uv_of.is_valid() || !find(mesh, keys::face_patch).is_valid()) return false;
-  const auto corners = mesh.halfedges();
-  return std::all_of(corners.begin(), corners.end(), [&](HalfedgeHandle heh) {
-    const Uv uv = mesh.property(uv_of, heh);
-    return mesh.is_boundary(heh) || (std::isfinite(uv.u) && std::isfinite(uv.v));
-  });
-}
-
-/// True if every corner has a metric.
-bool has_metric(const PolyMesh& mesh) {
-  const auto metric_of = find(mesh, keys::corner_metric);
-  if (!metric_of.is_valid()) return false;
-  const auto corners = mesh.halfedges();
-  return std::all_of(corners.begin(), corners.end(), [&](HalfedgeHandle heh) {
-    return mesh.is_boundary(heh) || std::isfinite(mesh.property(metric_of, heh).m11);
-  });
-}
-
 MetricFit measure_metric(const PolyMesh& mesh) {
   return {measure_edges(mesh), measure_quality(mesh), measure_quads(mesh)};
 }

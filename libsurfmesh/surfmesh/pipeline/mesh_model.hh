@@ -16,7 +16,7 @@ namespace surfmesh {
 
 struct MeshResult {
   PolyMesh mesh;
-  MeshNames names;  ///< of the patches of the mesh, and their groups
+  MeshNames names;  ///< of the patches and contours of the mesh, and groups of patches
   Report report;
 };
 
@@ -29,7 +29,7 @@ struct MeshResult {
 /// observer is not owned and may be null; any thread calls it, one at a time.
 ///
 /// Writes   of the result: surf:patch (face), surf:contour (edge), surf:uv, surf:metric (halfedge),
-///          and surf:normal (halfedge) if it is asked for
+///          surf:normal (halfedge) if it is asked for, surf:sag (face) if a sag is
 /// Cost     about 2 µs per triangle. Sizes that ask for more than max_elements are refused before
 ///          the mesh is begun, mostly within milliseconds
 /// Throws   InvalidOption, InvalidInput, Geometry, Limit, Cancelled

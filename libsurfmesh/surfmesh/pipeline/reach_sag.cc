@@ -196,6 +196,7 @@ class SagLoop {
     now_.report.sag.reached = sag_.max;
     if (!is_better()) return;
     best_ = now_;
+    best_.mesh.property(attach(best_.mesh, keys::face_sag)).data_vector() = sag_.of_faces;
     worst_face_ = worst_face();
     worst_at_ = sag_.max_at;
     worst_contour_ = sag_.max_contour;

@@ -70,9 +70,13 @@ std::array<double, 4> sines_in_space(const PolyMesh& mesh, const QuadCorners& co
   return sines;
 }
 
+double least(const std::array<double, 4>& sines) {
+  return *std::min_element(sines.begin(), sines.end());
+}
+
 void measure(const detail::ResultCorners& values, const QuadCorners& corners, Quad& quad) {
   const std::array<double, 4> in_space = sines_in_space(values.mesh, corners);
-  quad.in_space = *std::min_element(in_space.begin(), in_space.end());
+  quad.in_space = least(in_space);
   quad.area_uv = 0.5 * cross(values.uv(corners[2]) - values.uv(corners[0]),
                              values.uv(corners[3]) - values.uv(corners[1]));
   for (std::size_t k = 0; k < 4; ++k) {
@@ -156,6 +160,20 @@ double irregular_share(const PolyMesh& mesh) {
 }
 
 }  // namespace
+
+std::vector<double> quad_jacobians(const PolyMesh& mesh) {
+  const std::vector<Quad> quads = measure_all(mesh);
+  const std::vector<double> jacobians = jacobians_of(quads);
+  std::vector<double> of_faces(mesh.n_faces(), kUnset);
+  for (std::size_t i = 0; i < quads.size(); ++i) {
+    of_faces[static_cast<std::size_t>(quads[i].face)] = jacobians[i];
+  }
+  return of_faces;
+}
+
+double quad_space_jacobian(const PolyMesh& mesh, FaceHandle quad) {
+  return least(sines_in_space(mesh, quad_sides(mesh, mesh.halfedge_handle(quad))));
+}
 
 QuadStatistics measure_quads(const PolyMesh& mesh) {
   const std::vector<Quad> quads = measure_all(mesh);

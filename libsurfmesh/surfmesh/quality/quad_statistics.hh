@@ -32,6 +32,16 @@ struct QuadStatistics {
   friend bool operator==(const QuadStatistics&, const QuadStatistics&) = default;
 };
 
+/// The scaled Jacobian in the metric of each quad of a result mesh, by the index of its face, as
+/// measure_quads takes it; NaN for other faces.
+///
+/// Reads    as measure_quads
+/// Throws   as measure_quads
+std::vector<double> quad_jacobians(const PolyMesh& mesh);
+
+/// The scaled Jacobian in space of a quad, against the normal of its diagonals.
+double quad_space_jacobian(const PolyMesh& mesh, FaceHandle quad);
+
 /// Measure the quads of a result mesh, each corner in the metric there. A corner that is straight
 /// in (u,v) is measured in space: on a ring around a pole it is not straight there.
 ///

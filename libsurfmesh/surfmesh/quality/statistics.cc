@@ -99,18 +99,6 @@ std::vector<Triangle> measure_triangles(const PolyMesh& mesh) {
   return triangles;
 }
 
-/// By the index of the edge.
-std::vector<double> metric_lengths(const PolyMesh& mesh) {
-  const Corners corners(mesh);
-  std::vector<double> lengths(mesh.n_edges());
-  share_ranges(lengths.size(), [&](std::size_t first, std::size_t end) {
-    for (std::size_t e = first; e < end; ++e) {
-      lengths[e] = metric_length(corners, EdgeHandle(static_cast<int>(e)));
-    }
-  });
-  return lengths;
-}
-
 /// By patch; empty where no face has one.
 std::vector<double> least_of_patches(const std::vector<Triangle>& triangles) {
   int most = -1;
@@ -135,6 +123,46 @@ void turn_back(std::vector<Triangle>& triangles) {
 }
 
 }  // namespace
+
+bool has_parameters(const PolyMesh& mesh) {
+  const auto uv_of = find(mesh, keys::corner_uv);
+  if (!uv_of.is_valid() || !find(mesh, keys::face_patch).is_valid()) return false;
+  const auto corners = mesh.halfedges();
+  return std::all_of(corners.begin(), corners.end(), [&](HalfedgeHandle heh) {
+    const Uv uv = mesh.property(uv_of, heh);
+    return mesh.is_boundary(heh) || (std::isfinite(uv.u) && std::isfinite(uv.v));
+  });
+}
+
+bool has_metric(const PolyMesh& mesh) {
+  const auto metric_of = find(mesh, keys::corner_metric);
+  if (!metric_of.is_valid()) return false;
+  const auto corners = mesh.halfedges();
+  return std::all_of(corners.begin(), corners.end(), [&](HalfedgeHandle heh) {
+    return mesh.is_boundary(heh) || std::isfinite(mesh.property(metric_of, heh).m11);
+  });
+}
+
+std::vector<double> metric_lengths(const PolyMesh& mesh) {
+  const Corners corners(mesh);
+  std::vector<double> lengths(mesh.n_edges());
+  share_ranges(lengths.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t e = first; e < end; ++e) {
+      lengths[e] = metric_length(corners, EdgeHandle(static_cast<int>(e)));
+    }
+  });
+  return lengths;
+}
+
+std::vector<double> triangle_qualities(const PolyMesh& mesh) {
+  std::vector<Triangle> triangles = measure_triangles(mesh);
+  turn_back(triangles);
+  std::vector<double> of_faces(mesh.n_faces(), kUnset);
+  for (const Triangle& triangle : triangles) {
+    of_faces[static_cast<std::size_t>(triangle.face)] = triangle.quality;
+  }
+  return of_faces;
+}
 
 EdgeStatistics measure_edges(const PolyMesh& mesh) {
   const std::vector<double> lengths = metric_lengths(mesh);

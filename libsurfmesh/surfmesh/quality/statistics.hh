@@ -45,6 +45,29 @@ struct QualityStatistics {
   friend bool operator==(const QualityStatistics&, const QualityStatistics&) = default;
 };
 
+/// True if each corner has its (u,v), and each face its patch.
+///
+/// Reads    surf:uv (halfedge), surf:patch (face), both optional
+bool has_parameters(const PolyMesh& mesh);
+
+/// True if each corner has a metric.
+///
+/// Reads    surf:metric (halfedge; optional)
+bool has_metric(const PolyMesh& mesh);
+
+/// The metric length of each edge of a result mesh, by its index, as measure_edges takes it.
+///
+/// Reads    surf:uv, surf:metric (halfedge)
+/// Throws   as measure_edges
+std::vector<double> metric_lengths(const PolyMesh& mesh);
+
+/// The metric quality of each triangle of a result mesh, by the index of its face, as
+/// measure_quality takes it; NaN for other faces.
+///
+/// Reads    as measure_quality
+/// Throws   as measure_quality
+std::vector<double> triangle_qualities(const PolyMesh& mesh);
+
 /// Measure every edge of a result mesh once.
 ///
 /// The length is edge_length of the lengths in the metrics of the two corners in one face, in the
