@@ -26,10 +26,10 @@ surfmesh_add_building_test(PublicHeaders.CompileAlone "package;long"
   ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target all_verify_interface_header_sets)
 
 # The tests of these stages again, under the address and undefined-behaviour sanitizers. Those of the
-# second list have the label nightly.
-set(sanitized core io geometry formula model metric quality delaunay boundary refine improve patch_mesh
-    quad patch control assemble across formats)
-set(sanitized_nightly cage sizes sampling estimate model_file cad)
+# second list have the label nightly: they take longer to build and to run.
+set(sanitized core io geometry formula metric quality delaunay boundary patch_mesh control formats)
+set(sanitized_nightly model cage refine improve quad patch sizes sampling estimate assemble across
+    model_file cad)
 get_property(stages GLOBAL PROPERTY surfmesh_test_stages)
 
 # surfmesh_add_sanitized_tests(<name of the fixture> <labels> <stages...>)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Build everything in build/release and run the tests. Exit status 0 if all of them pass.
 # --all adds those that take long: the library as part of another project, each public header alone,
-# and most stages under the address and undefined-behaviour sanitizers. It also installs the programs
+# and small stages under the address and undefined-behaviour sanitizers. It also installs the programs
 # by which written files are judged, and OpenCASCADE, by which CAD files are read. It is meant to take
 # 45 minutes at most on two cores; --nightly adds the rest.
 set -euo pipefail
