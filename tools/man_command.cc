@@ -31,7 +31,8 @@ void ManCommand::add_to(CLI::App& app) {
       command->add_option("COMMAND", command_, "the command; without it, the page of surfmesh")
           ->type_name("COMMAND")
           ->check([this](const std::string& name) {
-            return program_->get_subcommand_no_throw(name) ? "" : "there is no command " + name;
+            return find_command(*program_, name) ? std::string()
+                                                 : fmt::format("there is no command {}", name);
           });
   command->add_option("--folder", folder_, "write all pages into this folder")
       ->type_name("FOLDER")
@@ -57,7 +58,7 @@ int ManCommand::run() const {
     if (!folder_.empty()) {
       write_all();
     } else {
-      print(man_page(command_.empty() ? *program_ : *program_->get_subcommand_no_throw(command_)));
+      print(man_page(command_.empty() ? *program_ : *find_command(*program_, command_)));
     }
     return kDone;
   } catch (const std::exception& error) {

@@ -118,8 +118,9 @@ std::string names_of(const OptionFacts& facts) {
     text += bold(name);
   }
   if (!facts.placeholder.empty() && facts.use != ValueUse::None) {
-    const bool may_stand_alone = facts.use == ValueUse::MayStandAlone;
-    text += fmt::format(may_stand_alone ? " [{}]" : " {}", italic(facts.placeholder));
+    const std::string value = italic(facts.placeholder);
+    text += facts.use == ValueUse::MayStandAlone ? fmt::format(" [{}]", value)
+                                                 : fmt::format(" {}", value);
   }
   return text;
 }
@@ -142,7 +143,8 @@ void add_synopsis(const CLI::App& app, Page& page) {
   std::string text = fmt::format("{} {} [{}]", bold(app.get_parent()->get_name()),
                                  bold(app.get_name()), italic("OPTIONS"));
   for (const OptionFacts& place : place_facts(app)) {
-    text += fmt::format(place.is_required ? " {}" : " [{}]", italic(place.names.front()));
+    const std::string shown = italic(place.names.front());
+    text += place.is_required ? fmt::format(" {}", shown) : fmt::format(" [{}]", shown);
   }
   page.raw(text);
 }

@@ -141,4 +141,12 @@ std::vector<const CLI::App*> commands_of(const CLI::App& program) {
   return program.get_subcommands([](const CLI::App*) { return true; });
 }
 
+const CLI::App* find_command(const CLI::App& program, const std::string& name) {
+  const auto commands = commands_of(program);
+  const auto found = std::find_if(commands.begin(), commands.end(), [&](const CLI::App* command) {
+    return command->get_name() == name;
+  });
+  return found == commands.end() ? nullptr : *found;
+}
+
 }  // namespace surfmesh

@@ -36,4 +36,7 @@ std::vector<OptionFacts> place_facts(const CLI::App& command);
 /// The commands of the program, in the order of its help.
 std::vector<const CLI::App*> commands_of(const CLI::App& program);
 
+/// The command of this name, null if there is none.
+const CLI::App* find_command(const CLI::App& program, const std::string& name);
+
 }  // namespace surfmesh

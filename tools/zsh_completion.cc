@@ -22,7 +22,7 @@ std::string escaped(std::string_view text, std::string_view letters) {
 }
 
 /// In single quotes of the shell.
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
   return '\'' + CLI::detail::find_and_replace(text, "'", "'\\''") + '\'';
 }
 
@@ -69,7 +69,7 @@ std::string option_specs(const OptionFacts& facts) {
     spec += fmt::format("[{}]", escaped(facts.text, "[]:\\"));
     if (facts.use == ValueUse::MayStandAlone) spec += ':';
     if (facts.use != ValueUse::None) spec += value_spec(facts);
-    text += fmt::format("        {} \\\n", quoted(spec));
+    text += fmt::format("        {} \\\n", in_quotes(spec));
   }
   return text;
 }
@@ -82,7 +82,7 @@ std::string arguments_of(const CLI::App& command) {
     OptionFacts named = facts;
     named.placeholder = facts.names.front();
     text += fmt::format("        {} \\\n",
-                        quoted(fmt::format("{}:{}", ++place, value_spec(named).substr(1))));
+                        in_quotes(fmt::format("{}:{}", ++place, value_spec(named).substr(1))));
   }
   return text + "        && return\n";
 }
@@ -95,7 +95,8 @@ std::string zsh_completion(const CLI::App& program) {
   for (const CLI::App* command : commands_of(program)) {
     const std::string& word = command->get_name();
     descriptions += fmt::format(
-        "    {}\n", quoted(fmt::format("{}:{}", word, escaped(command->get_description(), ":\\"))));
+        "    {}\n",
+        in_quotes(fmt::format("{}:{}", word, escaped(command->get_description(), ":\\"))));
     cases +=
         fmt::format("    {})\n      _arguments \\\n{}      ;;\n", word, arguments_of(*command));
   }

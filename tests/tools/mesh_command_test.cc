@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -248,18 +249,48 @@ TEST_F(MeshProgram, PrintsNoProgressWhereThereIsNoTerminal) {
   EXPECT_NE(out_.find("triangles"), std::string::npos);
 }
 
-TEST_F(MeshProgram, ShowsStagesAndPatchesOnATerminal) {
-  if (shell("script -qec true /dev/null") != 0) GTEST_SKIP() << "no program script";
-  const std::string line = "mesh " + own_model("torus.obj") + " -o out.obj --patches faces";
-  EXPECT_EQ(shell("script -qec \"" SURFMESH_PROGRAM " " + line + "\" /dev/null"), 0) << out_;
-  for (const char* text : {"control 48/48", "boundary 0/", "mesh 0/48", "mesh 48/48", "assemble"}) {
-    EXPECT_NE(out_.find(text), std::string::npos) << text << " in " << out_;
+TEST_F(MeshProgram, PrintsAShortTableOrALongOne) {
+  EXPECT_EQ(mesh("knob.obj"), 0);
+  EXPECT_LE(std::count(out_.begin(), out_.end(), '\n'), 20);
+  for (const char* text : {"quality of triangles", "metric length of edges", "0.9 to 1 ",
+                           "below 0.3", "time ", "notices   none"}) {
+    EXPECT_NE(out_.find(text), std::string::npos) << text;
   }
+  EXPECT_EQ(out_.find("stage"), std::string::npos);
+  for (const char* flag : {"-v", "--verbose"}) {
+    EXPECT_EQ(mesh("knob.obj", std::string("--hmax 5% ") + flag), 0);
+    for (const char* text :
+         {"stage ", "worst of 6 patches", "hmax         5%  command line", "0.595 to 0.707"}) {
+      EXPECT_NE(out_.find(text), std::string::npos) << text << " in " << out_;
+    }
+  }
+}
+
+TEST_F(MeshProgram, TellsEveryNoticeWithVerbose) {
+  std::string patches;
+  for (int i = 0; i < 6; ++i) {
+    patches += fmt::format(R"({}{{"name": "p{}", "surface": {{"z": "{}"}},
+        "domain": {{"u": [0, 1], "v": [0, 1]}}}})",
+                           i ? "," : "", i, i);
+  }
+  std::string sources;
+  for (int i = 0; i < 6; ++i) {
+    sources += fmt::format(R"({}{{"group": "p{}", "size": {}}})", i ? "," : "", i, 7 + i);
+  }
+  write_text(folder_ / "a.json", fmt::format(R"({{"patches": [{}], "sources": [{}],
+      "sizing": {{"hmax": 1}}}})",
+                                             patches, sources));
+  const auto count_lines = [this](const std::string& options) {
+    EXPECT_EQ(run("mesh a.json -o a.obj " + options), 0) << err_;
+    return std::count(err_.begin(), err_.end(), '\n');
+  };
+  EXPECT_EQ(count_lines(""), 4);
+  EXPECT_EQ(count_lines("-v"), 6);
 }
 
 TEST_F(MeshProgram, EstimatesInADryRun) {
   EXPECT_EQ(run("mesh '" + own_model("wave.json") + "' --dry-run --report report.json"), 0) << err_;
-  EXPECT_NE(out_.find("estimate about 1.45e+04 triangles"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("estimate  about 1.45e+04 triangles"), std::string::npos) << out_;
   EXPECT_NEAR(report()["estimated_elements"].get<double>(), 14500, 100);
   EXPECT_EQ(folder_.count(), 1);
   for (const char* figure : {"mesh", "edges", "quality", "diagonal", "triangles_per_second"}) {

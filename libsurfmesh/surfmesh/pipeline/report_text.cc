@@ -35,10 +35,10 @@ std::string irregular_text(const QuadStatistics& quads) {
 
 void add_mesh(const Report& report, TextTable& table) {
   const Report::Mesh& mesh = report.mesh;
-  table.add("mesh", fmt::format("{} vertices, {}, {}; {}, Euler characteristic {}{}", mesh.vertices,
-                                faces_text(mesh), counted(mesh.patches, "patch", "patches"),
-                                mesh.is_closed ? "closed" : "open", mesh.euler,
-                                irregular_text(report.quads)));
+  table.add("mesh", fmt::format("{} vertices, {}, {}", mesh.vertices, faces_text(mesh),
+                                counted(mesh.patches, "patch", "patches")));
+  table.add("", fmt::format("{}, Euler characteristic {}{}", mesh.is_closed ? "closed" : "open",
+                            mesh.euler, irregular_text(report.quads)));
 }
 
 bool has_mostly_quads(const Report& report) { return report.quads.count > report.quality.count; }
@@ -68,7 +68,7 @@ void add_places(const Report& report, TextTable& table) {
     add_worst("worst", "triangle: ", quality.min, report.worst, table);
   }
   add_worst("worst", "quad: ", quads.min_jacobian, report.worst_quad, table);
-  add_worst("", "in space, ", quads.min_space_jacobian, report.worst_quad_in_space, table);
+  add_worst("", "in space: ", quads.min_space_jacobian, report.worst_quad_in_space, table);
   if (has_mostly_quads(report) && quality.count > 0) {
     add_worst("", "triangle: ", quality.min, report.worst, table);
   }
@@ -100,7 +100,7 @@ void add_time(const Report& report, TextTable& table) {
 }
 
 void add_speed(const Report& report, TextTable& table) {
-  table.add("", fmt::format("{:.0f} {} a second in all, {:.0f} without control space and files",
+  table.add("", fmt::format("{:.0f} {} a second, {:.0f} without control space and files",
                             report.triangles_per_second_in_all(),
                             report.mesh.quads > 0 ? "quads" : "triangles",
                             report.triangles_per_second()));
@@ -155,10 +155,9 @@ void add_patches(const Report& report, TextTable& table) {
                     groups_of(*patch)});
   }
   table.add_blank();
-  table.add_rows(
-      {fmt::format("patch ({} of {}, the worst first)", rows.size(), report.patches.size()),
-       "triangles", "quads", "area", "quality", "Jacobian", "groups"},
-      rows);
+  table.add_rows({fmt::format("worst of {}", counted(report.patches.size(), "patch", "patches")),
+                  "triangles", "quads", "area", "quality", "Jacobian", "groups"},
+                 rows);
 }
 
 void add_long_control(const Report::Control& control, TextTable& table) {

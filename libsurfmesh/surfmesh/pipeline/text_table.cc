@@ -24,7 +24,7 @@ constexpr std::size_t kHistogramWidth = kLabelWidth + kCountWidth + 1 + kShareWi
 constexpr std::size_t kGap = kTextWidth - 2 * kHistogramWidth;
 
 /// Longer names are cut in tables, which would be too wide.
-constexpr std::size_t kLongestCell = 32;
+constexpr std::size_t kLongestCell = 20;
 
 constexpr std::array kQualityLimits = {-1.0, 0.0, 0.3, 0.6, 0.8, 0.9};
 constexpr std::array kLengthLimits = {0.0, 0.5, kShortestUnit, 1.0, kLongestUnit, 2.0};
