@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* kFooter =
     "In a .vtu file points hold uv, the two sizes, the size tensor and the radii; faces the\n"
-    "patch and the class of interpolation. ParaView shows the tensors with its filter Tensor "
+    "  patch and the class of interpolation. ParaView shows the tensors with its filter Tensor "
     "Glyph.\n"
     "Example:\n  surfmesh control wave.json -o wave.vtu --nodes 2500 --interpolation auto\n";
 

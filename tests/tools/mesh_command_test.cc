@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -267,25 +266,15 @@ TEST_F(MeshProgram, PrintsAShortTableOrALongOne) {
 }
 
 TEST_F(MeshProgram, TellsEveryNoticeWithVerbose) {
-  std::string patches;
-  for (int i = 0; i < 6; ++i) {
-    patches += fmt::format(R"({}{{"name": "p{}", "surface": {{"z": "{}"}},
-        "domain": {{"u": [0, 1], "v": [0, 1]}}}})",
-                           i ? "," : "", i, i);
-  }
-  std::string sources;
-  for (int i = 0; i < 6; ++i) {
-    sources += fmt::format(R"({}{{"group": "p{}", "size": {}}})", i ? "," : "", i, 7 + i);
-  }
-  write_text(folder_ / "a.json", fmt::format(R"({{"patches": [{}], "sources": [{}],
-      "sizing": {{"hmax": 1}}}})",
-                                             patches, sources));
-  const auto count_lines = [this](const std::string& options) {
-    EXPECT_EQ(run("mesh a.json -o a.obj " + options), 0) << err_;
-    return std::count(err_.begin(), err_.end(), '\n');
-  };
-  EXPECT_EQ(count_lines(""), 4);
-  EXPECT_EQ(count_lines("-v"), 6);
+  const std::string unused =
+      "--quads on --placement circumcentre --conformity 0.5 --smoothing laplace --sweeps 3 "
+      "--repairs 2";
+  EXPECT_EQ(mesh("cube.obj", unused), 0);
+  EXPECT_TRUE(err_.ends_with("smoothing has no effect on quads; and 2 more like these\n")) << err_;
+  EXPECT_TRUE(says("notices   5 warnings\n")) << out_;
+  EXPECT_EQ(mesh("cube.obj", unused + " -v"), 0);
+  EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 5);
+  EXPECT_TRUE(err_.ends_with("repairs has no effect on quads\n")) << err_;
 }
 
 TEST_F(MeshProgram, EstimatesInADryRun) {

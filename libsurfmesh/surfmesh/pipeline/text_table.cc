@@ -76,7 +76,6 @@ std::string row_text(const HistogramRow& row, std::size_t total, int digits) {
 
 std::vector<std::string> lines_of(const HistogramText& histogram, const TextStyle& style) {
   std::vector<std::string> lines;
-  if (histogram.rows.empty()) return lines;
   for (const std::string& heading : histogram.heading) lines.push_back(heading);
   std::size_t most = 0;
   for (const HistogramRow& row : histogram.rows) most = std::max(most, row.count);
@@ -213,7 +212,7 @@ void TextTable::add_histograms(const HistogramText& left, const HistogramText& r
     add_pair(i < first.size() ? first[i] : none, i < second.size() ? second[i] : none);
   }
   const auto share = [](const HistogramText& histogram) {
-    if (histogram.rows.empty() || histogram.share.label.empty()) return std::string();
+    if (histogram.share.label.empty()) return std::string();
     return row_text(histogram.share, histogram.total, 2);
   };
   add_pair(share(left), share(right));

@@ -62,7 +62,7 @@ class TextTable {
 
   void add_blank() { text_ += '\n'; }
 
-  /// Two histograms side by side, or one alone where the other has no rows.
+  /// Two histograms side by side, or one alone where the other is empty.
   void add_histograms(const HistogramText& left, const HistogramText& right);
 
   /// Rows below a heading: the first column to the left, all others to the right.
