@@ -147,8 +147,7 @@ void add_judge(const MeshCheck& check, TextTable& table) {
 
 /// In the metric that judges the mesh, or in space where there is none.
 void add_histograms(const MeshCheck& check, TextTable& table) {
-  const bool is_by_fit = check.fit && !check.fit->is_by_stored_metric;
-  const MetricFit* fit = is_by_fit ? &check.fit->sizes : check.stored ? &*check.stored : nullptr;
+  const MetricFit* fit = check.fit ? &check.fit->sizes : check.stored ? &*check.stored : nullptr;
   if (check.shape.angles.empty()) return;
   if (!fit || table.style().is_long) add_shape_histograms(check.shape, table);
   if (!fit) return;
