@@ -13,6 +13,7 @@
 #include <system_error>
 #include <vector>
 
+#include "signals.hh"
 #include "surfmesh/core/error.hh"
 #endif
 #ifdef SURFMESH_READS_CAD
@@ -48,6 +49,7 @@ std::vector<std::string> own_arguments() {
   std::error_code ignored;
   const std::filesystem::path program =
       std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "surfmesh-cad";
+  wipe_terminal();
   execv(program.c_str(), pointers.data());
   throw Error(ErrorCode::Io, fmt::format("{}, which reads CAD files, cannot be started: {}",
                                          program.string(), std::strerror(errno)));

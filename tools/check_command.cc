@@ -66,14 +66,17 @@ void CheckCommand::add_to(CLI::App& app) {
   for (const char* name : {"--scheme", "--set"}) of_model.push_back(command->get_option(name));
   for (CLI::Option* option : of_model) option->needs(model);
   command->add_flag("--json", is_json_, "print JSON text");
+  add_verbose(*command, is_verbose_, "print all tables, and every warning");
 }
 
 MeshCheck CheckCommand::measure(Progress& progress) const {
   ModelInput input;
   Settings settings = named_;
   settings.insert(settings.end(), set_.begin(), set_.end());
+  progress.progress("read", 0, 1);
   if (!model_.empty()) input = read_model_with(model_, scheme_, settings, progress);
   throw_if_signalled();
+  progress.progress("check", 0, 1);
   MeshCheck check = check_mesh(read_mesh_arrays(mesh_), &progress);
   check.mesh = mesh_;
   check.model = model_;
@@ -81,6 +84,7 @@ MeshCheck CheckCommand::measure(Progress& progress) const {
   MeshFile mesh = read_mesh(mesh_);
   check.stored = measure_stored_metric(mesh.mesh);
   if (model_.empty()) return check;
+  progress.progress("compare", 0, 1);
   append(input.model.notices, check.notices);
   check.patch_names = mesh_names(input.model).patches;
   add_fit(check, measure_fit(mesh, input, judged_by(settings), &progress));
@@ -90,8 +94,9 @@ MeshCheck CheckCommand::measure(Progress& progress) const {
 int CheckCommand::check(Progress& progress) const {
   check_mesh_ending(mesh_);
   const MeshCheck check = measure(progress);
-  print(is_json_ ? to_json(check) : to_text(check));
-  print_notices(check.notices);
+  progress.clear();
+  print(is_json_ ? to_json(check) : to_text(check, text_style(is_verbose_)));
+  print_notices(check.notices, is_verbose_);
   for (const MeshFault& fault : check.faults) {
     tell(fmt::format("surfmesh: fault: {}: {}, the first: {}\n", fault.kind, fault.count,
                      fault.places.front()));
@@ -101,7 +106,7 @@ int CheckCommand::check(Progress& progress) const {
 
 int CheckCommand::run() const {
   catch_signals();
-  Progress progress(false);
+  Progress progress(is_terminal(), kCheckStages);
   try {
     return check(progress);
   } catch (const std::exception& error) {

@@ -30,6 +30,7 @@ class CheckCommand {
   Settings set_;       ///< by --set, which beats them
   Scheme scheme_ = Scheme::Auto;
   bool is_json_ = false;
+  bool is_verbose_ = false;
 };
 
 }  // namespace surfmesh

@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* kFooter =
     "In a .vtu file points hold uv, the two sizes, the size tensor and the radii; faces the\n"
-    "patch and the class of interpolation. ParaView shows the tensors with its filter Tensor "
+    "  patch and the class of interpolation. ParaView shows the tensors with its filter Tensor "
     "Glyph.\n"
     "Example:\n  surfmesh control wave.json -o wave.vtu --nodes 2500 --interpolation auto\n";
 
@@ -34,6 +34,21 @@ std::vector<ControlPicture> pictures_of(const Model& model, const ControlSpaces&
         {model.patches[p].name, &control.spaces[p]->mesh(), model.patches[p].surface.get()});
   }
   return pictures;
+}
+
+/// What was written, and in the long form a line for each patch.
+std::string summary_of(const std::vector<ControlPicture>& pictures, const std::string& path,
+                       bool is_verbose) {
+  std::size_t nodes = 0, faces = 0;
+  std::string patches;
+  for (const ControlPicture& picture : pictures) {
+    nodes += picture.mesh->n_vertices();
+    faces += picture.mesh->n_faces();
+    if (!is_verbose) continue;
+    patches += fmt::format("{:>10} nodes {:>10} faces  {}\n", picture.mesh->n_vertices(),
+                           picture.mesh->n_faces(), picture.patch);
+  }
+  return fmt::format("{}: {} nodes, {} faces\n{}", path, nodes, faces, patches);
 }
 
 }  // namespace
@@ -52,6 +67,7 @@ void ControlCommand::add_to(CLI::App& app) {
       ->required()
       ->type_name("FILE");
   command->add_flag("--quiet", is_quiet_, "print warnings and errors only");
+  add_verbose(*command, is_verbose_, "print the nodes of each patch, and every warning");
   using enum OptionGroup;
   add_flags(*command, named_, std::array{Sizes, ControlSpace, Cages});
   add_scheme(*command, scheme_);
@@ -64,6 +80,7 @@ int ControlCommand::write_control_meshes(Progress& progress) const {
   check_not_overwritten(std::array{std::filesystem::path(input_)}, output_);
   Settings settings = named_;
   settings.insert(settings.end(), set_.begin(), set_.end());
+  progress.progress("read", 0, 1);
   ModelInput input = load_model(input_, load_options(scheme_, settings), &progress);
   check_not_overwritten(input.files, output_);
   for (const auto& [name, value] : settings) set_option(input.options, name, value);
@@ -79,25 +96,19 @@ int ControlCommand::write_control_meshes(Progress& progress) const {
   Notices notices = input.model.notices;
   append(control.notices, notices);
   int status = has_shortfall(notices) ? kFellShort : kDone;
+  progress.progress("write", 0, 1);
   Outputs outputs;
   write_control(pictures, outputs.add(output_));
   outputs.commit(status);
   progress.clear();
-  std::size_t nodes = 0, faces = 0;
-  for (const ControlPicture& picture : pictures) {
-    nodes += picture.mesh->n_vertices();
-    faces += picture.mesh->n_faces();
-  }
-  if (!is_quiet_) {
-    status = print_summary(fmt::format("{}: {} nodes, {} faces\n", output_, nodes, faces), status);
-  }
-  print_notices(notices);
+  if (!is_quiet_) status = print_summary(summary_of(pictures, output_, is_verbose_), status);
+  print_notices(notices, is_verbose_);
   return status;
 }
 
 int ControlCommand::run() const {
   catch_signals();
-  Progress progress(!is_quiet_ && is_terminal());
+  Progress progress(!is_quiet_ && is_terminal(), kControlStages);
   try {
     return write_control_meshes(progress);
   } catch (const std::exception& error) {

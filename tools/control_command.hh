@@ -27,6 +27,7 @@ class ControlCommand {
   Settings set_;    ///< by --set, which beats them
   Scheme scheme_ = Scheme::Auto;
   bool is_quiet_ = false;
+  bool is_verbose_ = false;
 };
 
 }  // namespace surfmesh

@@ -9,9 +9,11 @@
 #include "mesh_command.hh"
 #include "output_paths.hh"
 #include "outputs.hh"
+#include "settings.hh"
 #include "standard_output.hh"
 #include "surfmesh/formats/read_mesh.hh"
 #include "surfmesh/formats/write_mesh.hh"
+#include "surfmesh/quality/patch_measures.hh"
 
 namespace surfmesh {
 namespace {
@@ -21,6 +23,18 @@ constexpr const char* kFooter =
     "PATCH`.\n"
     "What the format of OUT cannot hold is told in warnings.\n"
     "Example:\n  surfmesh convert knob.om knob.ply\n";
+
+/// What was written, and in the long form a line for each patch.
+std::string summary_of(const MeshFile& file, const std::string& path, bool is_verbose) {
+  std::string text =
+      fmt::format("{}: {} vertices, {} faces\n", path, file.mesh.n_vertices(), file.mesh.n_faces());
+  if (!is_verbose) return text;
+  for (const PatchMeasure& patch : measure_patches(file.mesh, file.names)) {
+    text += fmt::format("{:>10} faces, area {:<11.4g} {}\n",
+                        patch.triangles + patch.quads + patch.polygons, patch.area, patch.name);
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -40,6 +54,7 @@ void ConvertCommand::add_to(CLI::App& app) {
                                 corner_value_endings()));
   command->add_flag("--uv", options_.uv, "write the parameters (u,v) of the corners, likewise");
   command->add_flag("--quiet", is_quiet_, "print warnings and errors only");
+  add_verbose(*command, is_verbose_, "print the faces of each patch, and every warning");
 }
 
 int ConvertCommand::convert() const {
@@ -52,12 +67,10 @@ int ConvertCommand::convert() const {
   outputs.commit(kDone);
   int status = kDone;
   if (!is_quiet_) {
-    status = print_summary(fmt::format("{}: {} vertices, {} faces\n", output_,
-                                       file.mesh.n_vertices(), file.mesh.n_faces()),
-                           status);
+    status = print_summary(summary_of(file, output_, is_verbose_), status);
   }
-  print_notices(file.notices);
-  print_notices(unused_options(file.mesh, output_, options_));
+  print_notices(file.notices, is_verbose_);
+  print_notices(unused_options(file.mesh, output_, options_), is_verbose_);
   for (const std::string& unread : file.unread) {
     tell(fmt::format("surfmesh: warning: the {} of {} are left out\n", unread, input_));
   }

@@ -24,6 +24,7 @@ class ConvertCommand {
   std::string output_;
   OutputOptions options_;
   bool is_quiet_ = false;
+  bool is_verbose_ = false;
 };
 
 }  // namespace surfmesh

@@ -2,6 +2,7 @@
 #include "mesh_command.hh"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <array>
 #include <chrono>
@@ -55,12 +56,14 @@ class MeshRun {
 
   void read(const std::string& path, Progress& progress) {
     const double start = processor_seconds();
+    progress.progress("read", 0, 1);
     input_ = load_model(path, load_options_, &progress);
     given_ = options_of_file(input_.options, input_.model);
     for (const auto& [name, value] : settings_) {
       set_option(input_.options, name, value);
       add_given({name, value, OptionOrigin::CommandLine}, given_);
     }
+    if (input_.options.sizing.sag) progress.expect_passes();
     read_seconds_ = processor_seconds() - start;
     throw_if_signalled();
   }
@@ -152,8 +155,16 @@ class MeshRun {
 
 }  // namespace
 
-void print_notices(const Notices& notices) {
-  for (const std::string& line : lines_of(notices)) tell(fmt::format("surfmesh: {}\n", line));
+void print_notices(const Notices& notices, bool is_verbose) {
+  const auto print_lines = [](const Notices& some) {
+    for (const std::string& line : lines_of(some)) tell(fmt::format("surfmesh: {}\n", line));
+  };
+  if (!is_verbose) return print_lines(notices);
+  for (const Notice& notice : notices) print_lines({notice});
+}
+
+TextStyle text_style(bool is_verbose) {
+  return {.is_long = is_verbose, .has_unicode = shows_unicode(STDOUT_FILENO)};
 }
 
 int tell_failure(const std::exception& error, Progress& progress) {
@@ -194,6 +205,7 @@ void MeshCommand::add_files(CLI::App& command) {
   });
   command.add_option("--report", report_, "write the report as JSON")->type_name("FILE.json");
   command.add_flag("--quiet", is_quiet_, "print warnings and errors only");
+  add_verbose(command, is_verbose_, "print all tables, and every warning");
 }
 
 /// Print what the run has made. Returns the exit status.
@@ -202,7 +214,7 @@ int MeshCommand::finish(const Report& report, const std::string& summary,
   progress.clear();
   int status = status_of(report);
   if (!is_quiet_) status = print_summary(summary, status);
-  print_notices(report.notices);
+  print_notices(report.notices, is_verbose_);
   return status;
 }
 
@@ -210,7 +222,8 @@ int MeshCommand::run() const {
   catch_signals();
   Settings settings = named_;
   settings.insert(settings.end(), set_.begin(), set_.end());
-  Progress progress(!is_quiet_ && is_terminal());
+  Progress progress(!is_quiet_ && is_terminal(),
+                    is_dry_run_ ? std::span<const StageWeight>(kControlStages) : kMeshStages);
   try {
     const std::string output = is_dry_run_ ? std::string() : output_;
     check_paths(input_, output, report_);
@@ -220,11 +233,12 @@ int MeshCommand::run() const {
     if (is_dry_run_) {
       Report report = run.estimate(input_, progress);
       run.write(report, report_);
-      return finish(report, estimate_text(report), progress);
+      return finish(report, estimate_text(report, text_style(is_verbose_)), progress);
     }
     MeshResult result = run.mesh(input_, progress);
+    progress.progress("write", 0, 1);
     run.write(result, output_, report_);
-    return finish(result.report, to_text(result.report), progress);
+    return finish(result.report, to_text(result.report, text_style(is_verbose_)), progress);
   } catch (const std::exception& error) {
     return tell_failure(error, progress);
   }

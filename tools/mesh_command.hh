@@ -12,6 +12,7 @@
 #include "surfmesh/cage/cage.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/notice.hh"
+#include "surfmesh/pipeline/text_style.hh"
 
 namespace surfmesh {
 
@@ -21,8 +22,11 @@ struct Report;
 /// Returns an exit status.
 int tell_failure(const std::exception& error, Progress& progress);
 
-/// Print notices on stderr, the first few of each kind.
-void print_notices(const Notices& notices);
+/// Print notices on stderr, the first few of each kind or all of them.
+void print_notices(const Notices& notices, bool is_verbose = false);
+
+/// How a summary is printed on stdout: with block characters only on a terminal that has them.
+TextStyle text_style(bool is_verbose);
 
 /// `surfmesh mesh`: read a cage or a model file, mesh it, write the mesh and the report.
 class MeshCommand {
@@ -44,6 +48,7 @@ class MeshCommand {
   Settings set_;        ///< by --set, which beats them
   Scheme scheme_ = Scheme::Auto;
   bool is_quiet_ = false;
+  bool is_verbose_ = false;
   bool is_dry_run_ = false;
 };
 

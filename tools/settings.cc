@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <set>
@@ -29,8 +30,11 @@ class HelpFormatter : public CLI::Formatter {
 
   std::string make_help(const CLI::App* app, std::string name,
                         CLI::AppFormatMode mode) const override {
-    return CLI::detail::find_and_replace(CLI::Formatter::make_help(app, name, mode), "\n\n\n",
-                                         "\n\n");
+    std::string text = CLI::Formatter::make_help(app, name, mode);
+    // Groups of which nothing is shown leave blank lines, as many as there are.
+    for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;)
+      text.erase(at, 1);
+    return text.ends_with("\n\n") ? text.substr(0, text.size() - 1) : text;
   }
 
   std::string make_group(std::string group, bool is_positional,
@@ -166,6 +170,31 @@ void add_help_all(CLI::App& command, const std::shared_ptr<HelpFormatter>& forma
 }
 
 }  // namespace
+
+const Option* table_option(const CLI::Option& flag) {
+  for (const Option& option : option_table()) {
+    const std::string name = flag_of(option).substr(2);
+    const auto& names = flag.get_lnames();
+    if (std::find(names.begin(), names.end(), name) != names.end()) return &option;
+  }
+  return nullptr;
+}
+
+std::string long_text(const CLI::Option& flag) {
+  const Option* option = table_option(flag);
+  std::string text = option ? long_text(*option) : flag.get_description();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+bool may_stand_alone(const CLI::Option& flag) {
+  const Option* option = table_option(flag);
+  return option && may_stand_alone(*option);
+}
+
+void add_verbose(CLI::App& command, bool& is_verbose, const std::string& text) {
+  command.add_flag("-v,--verbose", is_verbose, text);
+}
 
 std::string fault_of(const std::string& name, const std::string& value) {
   try {

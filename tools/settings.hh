@@ -26,6 +26,18 @@ std::string fault_of(const std::string& name, const std::string& value);
 std::vector<CLI::Option*> add_flags(CLI::App& command, Settings& settings,
                                     std::span<const OptionGroup> groups);
 
+/// The option of the table that a flag sets, null for other flags.
+const Option* table_option(const CLI::Option& flag);
+
+/// What a flag is, in one line, with unit and range: as --help-all has it.
+std::string long_text(const CLI::Option& flag);
+
+/// True for flags that have a value, and are on without one.
+bool may_stand_alone(const CLI::Option& flag);
+
+/// Add -v, --verbose to a command, with its text in the help.
+void add_verbose(CLI::App& command, bool& is_verbose, const std::string& text);
+
 /// The arguments of a command line, with "=on" at switches, and at lengths that may be on, before
 /// an option, a file or nothing.
 std::vector<std::string> with_switch_values(std::vector<std::string> arguments);

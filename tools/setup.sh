@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Install what the build needs, if anything is missing (Debian 12). Needs root only then.
-# --readers adds other programs that read meshes, by which tests judge the files that are written:
-# half a minute and 450 MB. Those tests are skipped without them, so it is no error if they cannot
+# --readers adds programs that read what surfmesh writes, meshes, completions and manual pages:
+# half a minute and 450 MB. Tests that need them are skipped without, so it is no error if they cannot
 # be installed.
 # --cad adds OpenCASCADE, by which surfmesh reads STEP, IGES and BREP files: 40 MB to load, 250 MB
 # installed. Both may be given.
@@ -16,7 +16,7 @@ readers=()
 
 for argument in "$@"; do
   case "$argument" in
-    --readers) readers=(python3-meshio python3-vtk9 gmsh admesh) ;;
+    --readers) readers=(python3-meshio python3-vtk9 gmsh admesh zsh man-db mandoc) ;;
     # The second only because CMake files of the first name what is in it.
     --cad) required+=(libocct-data-exchange-dev libocct-modeling-algorithms-dev) ;;
     *)

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
+#include <cstring>
 #include <ctime>
 #include <string_view>
 
@@ -21,7 +22,7 @@ namespace {
 constexpr long kGraceNanoseconds = 250'000'000;
 
 /// More than any command writes at once.
-constexpr std::size_t kMostTemporaries = 4;
+constexpr std::size_t kMostTemporaries = 16;
 
 constexpr int kNotDone = -1;
 
@@ -31,6 +32,7 @@ std::atomic<bool> is_committing = false;
 std::atomic<int> status_when_done = kNotDone;
 std::array<std::atomic<const char*>, kMostTemporaries> temporaries = {};
 std::atomic<timer_t> timer = {};
+std::atomic<const char*> terminal_wipe = nullptr;
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
               std::atomic<const char*>::is_always_lock_free &&
               std::atomic<timer_t>::is_always_lock_free);
@@ -43,6 +45,7 @@ void start_timer() {
 
 void end_at_once() {
   if (is_committing) return start_timer();
+  wipe_terminal();
   if (status_when_done != kNotDone) _exit(status_when_done);
   for (const auto& temporary : temporaries) {
     if (const char* path = temporary) unlink(path);
@@ -119,6 +122,14 @@ void commit_against_signals(int status, const std::function<void()>& commit) {
   }
   status_when_done = status;
   is_committing = false;
+}
+
+void set_terminal_wipe(const char* text) { terminal_wipe = text; }
+
+void wipe_terminal() {
+  const char* text = terminal_wipe.exchange(nullptr);
+  if (!text) return;
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, text, std::strlen(text));
 }
 
 RemovedOnSignal::RemovedOnSignal(const std::filesystem::path& path) : path_(path.string()) {

@@ -24,7 +24,9 @@ endfunction()
 
 # Models and documents lie where distributions expect them; models are to be meshed.
 function(check_installed_files)
-  foreach(file IN ITEMS share/surfmesh/models/README.md share/surfmesh/models/surfmesh.schema.json
+  foreach(file IN ITEMS share/man/man1/surfmesh.1 share/man/man1/surfmesh-mesh.1
+                        share/bash-completion/completions/surfmesh share/zsh/site-functions/_surfmesh
+                        share/surfmesh/models/README.md share/surfmesh/models/surfmesh.schema.json
                         share/surfmesh/models/torus.obj share/doc/surfmesh/README.md
                         share/doc/surfmesh/LICENSE share/doc/surfmesh/libsurfmesh/LIBRARY.md
                         share/doc/surfmesh/libsurfmesh/REFERENCE.md

@@ -266,15 +266,62 @@ TEST(CheckMeshJson, HoldsTheFit) {
   EXPECT_EQ(json["angles"]["max"], 90);
 }
 
-TEST(CheckMeshText, TellsFaultsAndTheFit) {
+MeshCheck checked_grid() {
   MeshFile mesh = grid_on_patches();
   MeshCheck check = check_mesh({mesh_arrays(mesh.mesh), {}, {}});
   add_fit(check, measure_fit(mesh, two_rectangles(1)));
-  const std::string text = to_text(check);
-  for (const char* part : {"9 vertices, 16 edges, 8 triangles", "open: 8 boundary edges in 1 loops",
-                           "by the (u,v) of the mesh", "faults    none"}) {
+  return check;
+}
+
+TEST(CheckMeshText, TellsFaultsAndTheFit) {
+  const std::string text = to_text(checked_grid());
+  for (const char* part :
+       {"9 vertices, 16 edges, 8 triangles", "open: 8 boundary edges in 1 loops",
+        "by the (u,v) of the mesh", "faults    none\n          no faces pass through each other"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
   }
+}
+
+TEST(CheckMeshText, HasTheHistogramsOfAReport) {
+  const MeshCheck check = checked_grid();
+  const std::string text = to_text(check);
+  const std::string heading =
+      "\nquality of triangles                     metric length of edges (1 is wanted)\n";
+  EXPECT_NE(text.find(heading), std::string::npos) << text;
+  EXPECT_EQ(text.find("angles of corners"), std::string::npos);
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 25);
+  const std::string all = to_text(check, {.is_long = true});
+  EXPECT_NE(all.find(heading), std::string::npos);
+  EXPECT_NE(all.find("\n80 to 90 "), all.find("90 to 100 ")) << all;
+  EXPECT_NE(all.find("\nshape of triangles in space              angles of corners (degrees)\n"),
+            std::string::npos)
+      << all;
+}
+
+TEST(CheckMeshText, ShowsShapesAndAnglesWithoutAMetric) {
+  const MeshCheck check = check_mesh({mesh_arrays(grid_on_patches().mesh), {}, {}});
+  const std::string text = to_text(check);
+  EXPECT_NE(text.find("least 0.866, mean 0.866                  least 45.00, greatest 90.00\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("30 to 60            16  66.7 % ########\n"), std::string::npos) << text;
+  for (const char c : text) EXPECT_GT(c, 0);
+}
+
+TEST(CheckMeshText, ShowsThatASagIsNotReached) {
+  MeshCheck check = checked_grid();
+  check.fit->sag = 0.5;
+  EXPECT_NE(to_text(check).find("sag       0.5 asked for, kept\n"), std::string::npos);
+  check.fit->distance.max = 0.75;
+  EXPECT_NE(to_text(check).find("sag       0.5 asked for, NOT REACHED\n"), std::string::npos);
+}
+
+TEST(CheckMeshText, TellsMorePlacesInTheLongStyle) {
+  MeshCheck check = checked_grid();
+  check.faults = {{"duplicate_face", 12, {"a", "b", "c", "d", "e"}}};
+  const std::string few = to_text(check), all = to_text(check, {.is_long = true});
+  EXPECT_NE(few.find("            c\n            and 9 more\n"), std::string::npos) << few;
+  EXPECT_NE(all.find("            e\n            and 7 more\n"), std::string::npos) << all;
 }
 
 // A border that is cut off has no face that is far from the surface.

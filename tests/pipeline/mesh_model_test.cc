@@ -335,8 +335,8 @@ class Recorder : public Observer {
 TEST(MeshModelObserver, IsToldOfEveryStage) {
   Recorder recorder;
   mesh_model(testing::torus_of(2), {}, {}, &recorder);
-  EXPECT_EQ(recorder.stages,
-            (std::set<std::string>{"across", "assemble", "boundary", "control", "mesh"}));
+  EXPECT_EQ(recorder.stages, (std::set<std::string>{"across", "assemble", "boundary", "control",
+                                                    "estimate", "mesh"}));
   EXPECT_EQ(recorder.finished, recorder.stages);
 }
 

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/pipeline/report.hh"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "surfmesh/pipeline/set_option.hh"
+#include "surfmesh/pipeline/text_table.hh"
 
 #include "support/notices.hh"
 
@@ -75,12 +80,12 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
             (Keys{"vertices", "triangles", "quads", "patches", "closed", "euler"}));
   EXPECT_EQ(keys_of(json["edges"]),
             (Keys{"count", "mean", "stddev", "min", "max", "unit_fraction", "histogram"}));
-  EXPECT_EQ(keys_of(json["quality"]), (Keys{"min", "mean", "below_0.3", "worst"}));
-  EXPECT_EQ(
-      keys_of(json["quads"]),
-      (Keys{"fraction", "min_scaled_jacobian", "mean_scaled_jacobian",
-            "min_scaled_jacobian_in_space", "mean_scaled_jacobian_in_space", "inverted",
-            "below_0.1", "folded_in_space", "irregular_vertices", "worst", "worst_in_space"}));
+  EXPECT_EQ(keys_of(json["quality"]), (Keys{"min", "mean", "below_0.3", "histogram", "worst"}));
+  EXPECT_EQ(keys_of(json["quads"]),
+            (Keys{"fraction", "min_scaled_jacobian", "mean_scaled_jacobian",
+                  "min_scaled_jacobian_in_space", "mean_scaled_jacobian_in_space", "inverted",
+                  "below_0.1", "folded_in_space", "irregular_vertices", "histogram", "worst",
+                  "worst_in_space"}));
   EXPECT_EQ(keys_of(json["sag"]), (Keys{"asked", "reached", "evaluations"}));
   EXPECT_EQ(keys_of(json["control"]), (Keys{"kind", "nodes", "faces", "precision", "classes",
                                             "queries", "answers", "walks"}));
@@ -173,12 +178,156 @@ TEST(ReportJson, HoldsNamesThatAreNotUtf8) {
   EXPECT_TRUE(Json::accept(to_json(report)));
 }
 
+/// A report of a usual run.
+Report usual() {
+  Report report;
+  report.input = "knob.obj";
+  report.output = "a.om";
+  report.mesh = {3224, 6444, 0, 6, true, 2};
+  report.edges = {9666, 0.997, 0.113, 0.626, 1.567, 0.998, {}};
+  for (int i = -8; i < 8; ++i) {
+    report.edges.histogram.push_back({std::exp2(0.25 * i), std::exp2(0.25 * (i + 1)), 10});
+  }
+  report.quality.count = 6444;
+  report.quality.min = 0.665;
+  report.quality.mean = 0.955;
+  report.quality.histogram = {{-1, 0, 0}};
+  for (int i = 0; i < 10; ++i) {
+    report.quality.histogram.push_back({0.1 * i, 0.1 * (i + 1), i < 8 ? 0U : 3222U});
+  }
+  report.worst = Report::WorstFace{"f0", Vec3(1, 2, 3)};
+  report.diagonal = 4.779;
+  report.lengths = {0.00746, 0.06549, 0.6806};
+  report.seconds[Stage::Refine] = 0.05;
+  report.wall_seconds = 0.04;
+  for (int p = 0; p < 12; ++p) {
+    report.patches.push_back({.name = fmt::format("f{}", p), .triangles = 537, .area = 0.5});
+    report.patches.back().least_quality = 0.9 - 0.01 * p;
+  }
+  return report;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(ReportText, IsATableOfTwentyLines) {
+  EXPECT_EQ(to_text(usual()),
+            "input     knob.obj\n"
+            "output    a.om\n"
+            "mesh      3224 vertices, 6444 triangles, 6 patches\n"
+            "          closed, Euler characteristic 2\n"
+            "\n"
+            "quality of triangles                     metric length of edges (1 is wanted)\n"
+            "least 0.665, mean 0.955                  0.626 to 1.567, mean 0.997, dev. 0.113\n"
+            "0.9 to 1          3222  50.0 % ########  0 to 0.5            40   0.4 % ########\n"
+            "0.8 to 0.9        3222  50.0 % ########  0.5 to 0.707        20   0.2 % ####\n"
+            "0.6 to 0.8           0   0.0 %           0.707 to 1          20   0.2 % ####\n"
+            "0.3 to 0.6           0   0.0 %           1 to 1.41           20   0.2 % ####\n"
+            "0 to 0.3             0   0.0 %           1.41 to 2           20   0.2 % ####\n"
+            "turned over          0   0.0 %           2 to 4              40   0.4 % ########\n"
+            "below 0.3            0  0.00 %           0.707 to 1.41     9647 99.80 %\n"
+            "worst     0.665 in patch f0 at (1, 2, 3)\n"
+            "edges     0.00746 to 0.6806 long, mean 0.06549; the model's diagonal is 4.779\n"
+            "control   cells, 0 nodes, 0 faces\n"
+            "time      0.05 s of processor, 0.04 s by the clock\n"
+            "          128880 triangles a second, 128880 without control space and files\n"
+            "notices   none\n");
+}
+
 TEST(ReportText, IsShort) {
   const std::string text = to_text(example());
-  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 12);
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 20);
   for (const char* key : {"mesh", "edges", "quality", "control", "time", "notices"}) {
     EXPECT_NE(text.find(key), std::string::npos) << key;
   }
+}
+
+TEST(ReportText, FitsAScreenInAllStyles) {
+  Report report = usual();
+  report.quads.count = 20000;
+  report.quads.histogram = report.quality.histogram;
+  report.worst_quad = report.worst_quad_in_space = report.worst;
+  report.sag = {0.01, 0.02, 5};
+  report.notices = example().notices;
+  report.given = {{"hmax", "5%", OptionOrigin::CommandLine}};
+  for (const bool is_long : {false, true}) {
+    for (const bool has_unicode : {false, true}) {
+      const std::string text = to_text(report, {is_long, has_unicode});
+      for (const std::string& line : lines_of(text)) {
+        EXPECT_LE(detail::columns(line), 80u) << line;
+      }
+      const bool is_ascii = std::all_of(text.begin(), text.end(), [](char c) { return c > 0; });
+      EXPECT_EQ(is_ascii, !has_unicode);
+    }
+  }
+  EXPECT_LE(lines_of(to_text(report)).size(), 24u);
+}
+
+TEST(ReportText, ShowsWhatWasNotReached) {
+  Report report = usual();
+  report.sag = {0.01, 0.009, 5};
+  EXPECT_NE(to_text(report).find("sag       0.009 reached, 0.01 asked for\n"), std::string::npos);
+  report.sag.reached = 0.02;
+  report.notices = {warning(NoticeKind::ClampedSizes, "a"), warning(NoticeKind::ClampedSizes, "b"),
+                    shortfall(NoticeKind::SagNotReached, "c"),
+                    shortfall(NoticeKind::SagNotReached, "d")};
+  const std::string text = to_text(report);
+  EXPECT_NE(text.find("sag       0.02, NOT REACHED, 0.01 asked for\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("notices   2 warnings; NOT REACHED: sag_not_reached\n"), std::string::npos)
+      << text;
+}
+
+TEST(ReportText, ShowsQuadsWhereMostFacesAreQuads) {
+  Report report = usual();
+  report.quads.count = 20000;
+  report.quads.min_jacobian = 0.25;
+  report.quads.flat = 8;
+  report.quads.histogram = report.quality.histogram;
+  report.worst_quad = report.worst;
+  const std::string text = to_text(report);
+  EXPECT_NE(text.find("scaled Jacobian of quads  "), std::string::npos) << text;
+  EXPECT_NE(text.find("below 0.1            8  0.04 %"), std::string::npos) << text;
+  EXPECT_NE(text.find("worst     quad: 0.250 in patch f0"), std::string::npos) << text;
+  EXPECT_NE(text.find("          triangle: 0.665 in patch f0"), std::string::npos) << text;
+  EXPECT_EQ(text.find("quality of triangles"), std::string::npos) << text;
+}
+
+TEST(ReportText, HasAllTablesInTheLongStyle) {
+  Report report = usual();
+  report.given = {{"hmax", "5%", OptionOrigin::CommandLine}};
+  report.control.queries[Stage::Refine].triangle = 77;
+  const std::vector<std::string> lines = lines_of(to_text(report, {.is_long = true}));
+  const auto has = [&](const std::string& line) {
+    return std::find(lines.begin(), lines.end(), line) != lines.end();
+  };
+  EXPECT_TRUE(has("refine         0.050  100.0 %                   77"));
+  EXPECT_TRUE(has("option  value          from"));
+  EXPECT_TRUE(has("hmax       5%  command line"));
+  EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+    return line.starts_with("worst of 12 patches  triangles");
+  }));
+  const auto worst = std::find_if(lines.begin(), lines.end(), [](const std::string& line) {
+    return line.starts_with("worst of ");
+  });
+  EXPECT_TRUE((worst + 1)->starts_with("f11 "));
+  EXPECT_TRUE((worst + 10)->starts_with("f2 "));
+  EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+    return line.ends_with("0.595 to 0.707      10   0.1 % ########");
+  }));
+}
+
+TEST(ReportText, TellsAnEstimate) {
+  Report report;
+  report.input = "knob.obj";
+  report.estimated_elements = 14512;
+  report.mesh.patches = 2;
+  EXPECT_EQ(to_text(usual()).find("estimate"), std::string::npos);
+  EXPECT_TRUE(estimate_text(report).starts_with(
+      "input     knob.obj\nestimate  about 1.45e+04 triangles, 2 patches\n"));
 }
 
 }  // namespace

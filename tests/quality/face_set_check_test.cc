@@ -120,6 +120,8 @@ TEST(MeasureShape, KnowsTheAnglesOfASetSquare) {
   EXPECT_NEAR(shape.max_angle, std::numbers::pi / 2, 1e-15);
   EXPECT_NEAR(shape.quality.mean, 4 * root3 * (root3 / 2) / 8, 1e-15);
   EXPECT_NEAR(shape.max_edge, 2, 1e-15);
+  ASSERT_EQ(shape.quality.histogram.size(), 11u);
+  EXPECT_EQ(shape.quality.histogram[8], (HistogramBin{0.7, 0.8, 1}));
   std::size_t sum = 0;
   for (const HistogramBin& bin : shape.angles) sum += bin.count;
   EXPECT_EQ(sum, 3u);
@@ -128,6 +130,7 @@ TEST(MeasureShape, KnowsTheAnglesOfASetSquare) {
 TEST(MeasureShape, LeavesQuadsOutOfTheQuality) {
   const ShapeStatistics shape = measure_shape(set_of(kCorners, kCube));
   EXPECT_EQ(shape.quality.count, 0u);
+  EXPECT_TRUE(shape.quality.histogram.empty());
   EXPECT_NEAR(shape.min_angle, std::numbers::pi / 2, 1e-15);
 }
 

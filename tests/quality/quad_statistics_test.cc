@@ -96,6 +96,9 @@ TEST(QuadStatistics, TakeTheMeanOfTheLeastOfEachQuad) {
   EXPECT_NEAR(s.min_jacobian, std::sqrt(0.5), 1e-14);
   EXPECT_NEAR(s.mean_jacobian, 0.5 * (1 + std::sqrt(0.5)), 1e-14);
   EXPECT_EQ(s.worst_face, 1);
+  ASSERT_EQ(s.histogram.size(), 11u);
+  EXPECT_EQ(s.histogram[8], (HistogramBin{0.7, 0.8, 1}));
+  EXPECT_EQ(s.histogram[10], (HistogramBin{0.9, 1, 1}));
 }
 
 TEST(QuadStatistics, CountInvertedQuads) {
@@ -104,6 +107,7 @@ TEST(QuadStatistics, CountInvertedQuads) {
   EXPECT_LT(s.min_space_jacobian, 0);
   EXPECT_EQ(s.inverted, 1u);
   EXPECT_EQ(s.flat, 1u);
+  EXPECT_EQ(s.histogram.front().count, 1u);
 }
 
 TEST(QuadStatistics, CountFlatQuadsThatAreNotInverted) {

@@ -5,12 +5,14 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "support/meshes.hh"
 #include "support/tensors.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/metric/triangle.hh"
+#include "surfmesh/quality/quality_histogram.hh"
 
 namespace surfmesh {
 namespace {
@@ -167,6 +169,33 @@ TEST(MeasureQuality, CountsPoorTriangles) {
   const QualityStatistics s = measure_quality(plane_grid(3, 3, {400, 0, 1}));
   EXPECT_NEAR(s.mean, 40 * std::numbers::sqrt3 / 802, 1e-14);
   EXPECT_EQ(s.below_0_3, 1);
+}
+
+TEST(MeasureQuality, CountsTrianglesByQuality) {
+  const QualityStatistics s = measure_quality(plane_grid(3, 3, {400, 0, 1}));
+  ASSERT_EQ(s.histogram.size(), 11u);
+  EXPECT_EQ(s.histogram.front(), (HistogramBin{-1, 0, 0}));
+  EXPECT_EQ(s.histogram[1], (HistogramBin{0, 0.1, 18}));
+  EXPECT_EQ(total(s.histogram), s.count);
+}
+
+TEST(QualityHistogram, HasItsLimitsInTheUpperBins) {
+  auto bins = detail::empty_quality_histogram();
+  for (const double quality : {-1.0, -1e-300, 0.0, 0.3, 0.6, 0.7, 1.0, 1 + 1e-15}) {
+    detail::count_quality(quality, bins);
+  }
+  std::vector<std::size_t> counts;
+  for (const HistogramBin& bin : bins) counts.push_back(bin.count);
+  EXPECT_EQ(counts, (std::vector<std::size_t>{2, 1, 0, 0, 1, 0, 0, 1, 1, 0, 2}));
+}
+
+TEST(QualityHistogram, AgreesWithComparisons) {
+  for (int i = 1; i <= 10; ++i) {
+    auto bins = detail::empty_quality_histogram();
+    const double limit = bins[static_cast<std::size_t>(i)].to;
+    detail::count_quality(std::nextafter(limit, 0.0), bins);
+    EXPECT_EQ(bins[static_cast<std::size_t>(i)].count, 1u) << limit;
+  }
 }
 
 TEST(MeasureQuality, NamesTheWorstTriangle) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "support/program.hh"
@@ -204,6 +205,17 @@ TEST_F(CheckProgram, TellsMeshesOfAnotherModel) {
   mesh("wave.json", "--hmax 4 --curvature 0");
   const Json json = check(3, "a.om --model '" + own_model("plate.json") + "'");
   EXPECT_FALSE(json["clean"]);
+}
+
+TEST_F(CheckProgram, PrintsAShortTableOrALongOne) {
+  mesh("knob.obj");
+  EXPECT_EQ(run("check a.om --model '" + own_model("knob.obj") + "'"), 0);
+  EXPECT_LE(std::count(out_.begin(), out_.end(), '\n'), 25);
+  EXPECT_TRUE(says("metric length of edges (1 is wanted)"));
+  EXPECT_FALSE(says("angles of corners"));
+  EXPECT_EQ(run("check a.om --verbose"), 0);
+  EXPECT_TRUE(says("metric length of edges (1 is wanted)"));
+  EXPECT_TRUE(says("angles of corners (degrees)"));
 }
 
 TEST_F(CheckProgram, TellsErrors) {

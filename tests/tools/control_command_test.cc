@@ -26,6 +26,14 @@ TEST_F(ControlProgram, TakesTheOptionsOfControlSpaces) {
   EXPECT_EQ(out_, "a.obj: 100 nodes, 81 faces\n");
 }
 
+TEST_F(ControlProgram, TellsThePatchesWithVerbose) {
+  EXPECT_EQ(run("control '" + own_model("wave.json") + "' -o a.obj --control grid --nodes 100 -v"),
+            0)
+      << err_;
+  EXPECT_TRUE(out_.starts_with("a.obj: 100 nodes, 81 faces\n       100 nodes         81 faces  "))
+      << out_;
+}
+
 TEST_F(ControlProgram, MakesOneMeshForEachPatchOfACage) {
   EXPECT_EQ(run("control '" + own_model("cube.obj") + "' -o a.obj --quiet --patches faces"), 0)
       << err_;

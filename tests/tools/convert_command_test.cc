@@ -21,6 +21,15 @@ TEST_F(ConvertProgram, KeepsWhatBothFormatsHold) {
       "# surfmesh\nv 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\ng left\nf 1 2 3\ng right\nf 1 3 4\n");
 }
 
+TEST_F(ConvertProgram, TellsThePatchesWithVerbose) {
+  write_text(folder_ / "a.obj",
+             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng left\nf 1 2 3\ng right\nf 1 3 4\n");
+  EXPECT_EQ(run("convert a.obj a.ply -v"), 0) << err_;
+  EXPECT_EQ(out_,
+            "a.ply: 4 vertices, 2 faces\n         1 faces, area 0.5         left\n"
+            "         1 faces, area 0.5         right\n");
+}
+
 TEST_F(ConvertProgram, ConvertsBetweenAllFormats) {
   EXPECT_EQ(run("mesh '" + own_model("knob.obj") + "' -o a.om --quiet"), 0) << err_;
   EXPECT_EQ(run("convert a.om b.om"), 0) << err_;

@@ -248,18 +248,38 @@ TEST_F(MeshProgram, PrintsNoProgressWhereThereIsNoTerminal) {
   EXPECT_NE(out_.find("triangles"), std::string::npos);
 }
 
-TEST_F(MeshProgram, ShowsStagesAndPatchesOnATerminal) {
-  if (shell("script -qec true /dev/null") != 0) GTEST_SKIP() << "no program script";
-  const std::string line = "mesh " + own_model("torus.obj") + " -o out.obj --patches faces";
-  EXPECT_EQ(shell("script -qec \"" SURFMESH_PROGRAM " " + line + "\" /dev/null"), 0) << out_;
-  for (const char* text : {"control 48/48", "boundary 0/", "mesh 0/48", "mesh 48/48", "assemble"}) {
-    EXPECT_NE(out_.find(text), std::string::npos) << text << " in " << out_;
+TEST_F(MeshProgram, PrintsAShortTableOrALongOne) {
+  EXPECT_EQ(mesh("knob.obj"), 0);
+  EXPECT_LE(std::count(out_.begin(), out_.end(), '\n'), 20);
+  for (const char* text : {"quality of triangles", "metric length of edges", "0.9 to 1 ",
+                           "below 0.3", "time ", "notices   none"}) {
+    EXPECT_NE(out_.find(text), std::string::npos) << text;
   }
+  EXPECT_EQ(out_.find("stage"), std::string::npos);
+  for (const char* flag : {"-v", "--verbose"}) {
+    EXPECT_EQ(mesh("knob.obj", std::string("--hmax 5% ") + flag), 0);
+    for (const char* text :
+         {"stage ", "worst of 6 patches", "hmax         5%  command line", "0.595 to 0.707"}) {
+      EXPECT_NE(out_.find(text), std::string::npos) << text << " in " << out_;
+    }
+  }
+}
+
+TEST_F(MeshProgram, TellsEveryNoticeWithVerbose) {
+  const std::string unused =
+      "--quads on --placement circumcentre --conformity 0.5 --smoothing laplace --sweeps 3 "
+      "--repairs 2";
+  EXPECT_EQ(mesh("cube.obj", unused), 0);
+  EXPECT_TRUE(err_.ends_with("smoothing has no effect on quads; and 2 more like these\n")) << err_;
+  EXPECT_TRUE(says("notices   5 warnings\n")) << out_;
+  EXPECT_EQ(mesh("cube.obj", unused + " -v"), 0);
+  EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 5);
+  EXPECT_TRUE(err_.ends_with("repairs has no effect on quads\n")) << err_;
 }
 
 TEST_F(MeshProgram, EstimatesInADryRun) {
   EXPECT_EQ(run("mesh '" + own_model("wave.json") + "' --dry-run --report report.json"), 0) << err_;
-  EXPECT_NE(out_.find("estimate about 1.45e+04 triangles"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("estimate  about 1.45e+04 triangles"), std::string::npos) << out_;
   EXPECT_NEAR(report()["estimated_elements"].get<double>(), 14500, 100);
   EXPECT_EQ(folder_.count(), 1);
   for (const char* figure : {"mesh", "edges", "quality", "diagonal", "triangles_per_second"}) {

@@ -9,8 +9,14 @@
 
 namespace surfmesh {
 
+std::span<const std::string_view> cad_endings() {
+  static constexpr std::array<std::string_view, 5> kEndings = {".step", ".stp", ".iges", ".igs",
+                                                               ".brep"};
+  return kEndings;
+}
+
 bool has_cad_ending(const std::filesystem::path& path) {
-  constexpr std::array<std::string_view, 5> endings = {".step", ".stp", ".iges", ".igs", ".brep"};
+  const auto endings = cad_endings();
   return std::find(endings.begin(), endings.end(), lower_case_ending(path)) != endings.end();
 }
 

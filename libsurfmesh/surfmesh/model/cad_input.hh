@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include "surfmesh/core/length.hh"
 #include "surfmesh/model/model.hh"
@@ -28,6 +30,9 @@ inline constexpr LengthRange kSew = {"sew", true, 1e-5};
 /// The library itself has no such reader, for it needs OpenCASCADE. `surfmesh_cad` is a library
 /// that has: hand its `read_cad` to load_model.
 using CadReader = std::function<Model(const std::filesystem::path&, const CadOptions&)>;
+
+/// The endings of CAD files in lower case, with their dots.
+std::span<const std::string_view> cad_endings();
 
 /// True for the ending of a CAD file, in upper or lower case: .step, .stp, .iges, .igs, .brep.
 bool has_cad_ending(const std::filesystem::path& path);

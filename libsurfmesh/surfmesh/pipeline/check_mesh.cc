@@ -8,18 +8,17 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <string_view>
 #include <utility>
 
 #include "surfmesh/across/metric_beyond.hh"
 #include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/control/surface_metric_field.hh"
-#include "surfmesh/core/counted.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/run_context.hh"
 #include "surfmesh/metric/tensor.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/notice_json.hh"
+#include "surfmesh/pipeline/statistics_json.hh"
 #include "surfmesh/quality/contour_distance.hh"
 #include "surfmesh/quality/corners_beyond.hh"
 #include "surfmesh/quality/project_mesh.hh"
@@ -175,18 +174,13 @@ Notice far_notice(const ModelFit& fit) {
   return notice;
 }
 
-Json histogram_json(const std::vector<HistogramBin>& bins) {
-  Json json = Json::array();
-  for (const HistogramBin& bin : bins) {
-    json.push_back({{"from", bin.from}, {"to", bin.to}, {"count", bin.count}});
-  }
-  return json;
-}
-
 /// Null without triangles.
 Json quality_json(const QualityStatistics& quality) {
   if (quality.count == 0) return nullptr;
-  return {{"min", quality.min}, {"mean", quality.mean}, {"below_0.3", quality.below_0_3}};
+  return {{"min", quality.min},
+          {"mean", quality.mean},
+          {"below_0.3", quality.below_0_3},
+          {"histogram", detail::histogram_json(quality.histogram)}};
 }
 
 /// Null without quads.
@@ -195,7 +189,8 @@ Json quads_json(const QuadStatistics& quads) {
   return {{"min_scaled_jacobian", quads.min_jacobian},
           {"mean_scaled_jacobian", quads.mean_jacobian},
           {"min_scaled_jacobian_in_space", quads.min_space_jacobian},
-          {"mean_scaled_jacobian_in_space", quads.mean_space_jacobian}};
+          {"mean_scaled_jacobian_in_space", quads.mean_space_jacobian},
+          {"histogram", detail::histogram_json(quads.histogram)}};
 }
 
 Json notices_json(const MeshCheck& check) {
@@ -218,11 +213,8 @@ Json places_json(const MeshFault& found) {
   return {{"count", found.count}, {"places", found.places}};
 }
 
-/// True if the faces enclose a volume.
-bool has_volume(const FaceSetCheck& faces) { return faces.is_closed && faces.is_oriented; }
-
 Json volume_json(const MeshCheck& check) {
-  return has_volume(check.faces) ? Json(check.extent.volume) : Json();
+  return check.faces.has_volume() ? Json(check.extent.volume) : Json();
 }
 
 Json box_json(const Eigen::AlignedBox3d& box) {
@@ -248,21 +240,11 @@ Json angles_json(const ShapeStatistics& shape) {
           {"max", kDegrees * shape.max_angle},
           {"min_face", shape.min_angle_face},
           {"max_face", shape.max_angle_face},
-          {"histogram", histogram_json(shape.angles)}};
-}
-
-Json edges_json(const EdgeStatistics& edges) {
-  return {{"count", edges.count},
-          {"mean", edges.mean},
-          {"stddev", edges.stddev},
-          {"min", edges.min},
-          {"max", edges.max},
-          {"unit_fraction", edges.unit_fraction},
-          {"histogram", histogram_json(edges.histogram)}};
+          {"histogram", detail::histogram_json(shape.angles)}};
 }
 
 Json metric_json(const MetricFit& fit) {
-  return {{"edges", edges_json(fit.edges)},
+  return {{"edges", detail::edges_json(fit.edges)},
           {"quality", quality_json(fit.quality)},
           {"quads", quads_json(fit.quads)}};
 }
@@ -275,7 +257,7 @@ Json fit_json(const ModelFit& fit) {
           {"stored_metric", fit.is_by_stored_metric},
           {"exact_sizes", fit.is_by_exact_sizes},
           {"other_sizes", fit.has_other_sizes},
-          {"edges", edges_json(fit.sizes.edges)},
+          {"edges", detail::edges_json(fit.sizes.edges)},
           {"quality", quality_json(fit.sizes.quality)},
           {"quads", quads_json(fit.sizes.quads)},
           {"sag", fit.sag ? Json(*fit.sag) : Json(nullptr)},
@@ -287,141 +269,6 @@ Json fit_json(const ModelFit& fit) {
             {"max_at", {distance.max_at.x(), distance.max_at.y(), distance.max_at.z()}},
             {"max_corner", distance.max_corner}}}};
 }
-
-/// Makes the lines of the text.
-class Lines {
- public:
-  void add(std::string_view key, const std::string& value) {
-    text_ += fmt::format("{:<10}{}\n", key, value);
-  }
-
-  void add_faces(const FaceSetCheck& faces) {
-    add("mesh", fmt::format("{} vertices, {} edges, {}, {}, {}", faces.vertices, faces.edges,
-                            counted(faces.triangles, "triangle", "triangles"),
-                            counted(faces.quads, "quad", "quads"),
-                            counted(faces.polygons, "other face", "other faces")));
-    const std::string border = faces.is_closed
-                                   ? "closed"
-                                   : fmt::format("open: {} boundary edges in {} loops",
-                                                 faces.boundary_edges, faces.boundary_loops);
-    add("", fmt::format("{}, {}, {}", border, faces.is_manifold ? "manifold" : "not manifold",
-                        faces.is_oriented ? "oriented" : "not oriented"));
-    add("", fmt::format("{}, Euler characteristic {}",
-                        counted(faces.components, "component", "components"), faces.euler));
-    if (!faces.is_closed) add("", "the first open edge: " + faces.open_edges.places.front());
-  }
-
-  void add_self_intersections(const MeshFault& found) {
-    if (found.count == 0) return add("", "no faces pass through each other");
-    add("warning",
-        fmt::format("pairs of faces that pass through each other: {}, the first:", found.count));
-    add("", "  " + found.places.front());
-  }
-
-  void add_extent(const MeshCheck& check) {
-    const MeshExtent& extent = check.extent;
-    if (extent.box.isEmpty()) return;
-    add("box",
-        fmt::format("from {} to {}", point_text(extent.box.min()), point_text(extent.box.max())));
-    const std::string volume =
-        !has_volume(check.faces) ? ""
-                                 : fmt::format(", volume {:.6g}{}", extent.volume,
-                                               extent.volume < 0 ? ": the faces face inwards" : "");
-    add("area", fmt::format("{:.6g}{}", extent.area, volume));
-  }
-
-  void add_shape(const ShapeStatistics& shape) {
-    add("angles",
-        fmt::format("from {:.2f}° (face {}) to {:.2f}° (face {})", kDegrees * shape.min_angle,
-                    shape.min_angle_face, kDegrees * shape.max_angle, shape.max_angle_face));
-    add("lengths", fmt::format("from {:.4g} to {:.4g}, mean {:.4g}", shape.min_edge, shape.max_edge,
-                               shape.mean_edge));
-    if (shape.quality.count > 0) add("shape", quality_text(shape.quality));
-  }
-
-  void add_metric(const MetricFit& fit) {
-    add("edges", fmt::format("mean {:.3f}, deviation {:.3f}, from {:.3f} to {:.3f}, {:.1f} % in "
-                             "[1/√2, √2]",
-                             fit.edges.mean, fit.edges.stddev, fit.edges.min, fit.edges.max,
-                             100 * fit.edges.unit_fraction));
-    if (fit.quality.count > 0) add("quality", quality_text(fit.quality));
-    if (fit.quads.count == 0) return;
-    add("quads", fmt::format("scaled Jacobian in the metric: mean {:.3f}, least {:.3f}; in space: "
-                             "mean {:.3f}, least {:.3f}",
-                             fit.quads.mean_jacobian, fit.quads.min_jacobian,
-                             fit.quads.mean_space_jacobian, fit.quads.min_space_jacobian));
-  }
-
-  void add_stored(const MetricFit& fit) {
-    add("metric", "that of the mesh, which it was made by");
-    add_metric(fit);
-  }
-
-  void add_fit(const ModelFit& fit) {
-    add("model",
-        fit.is_projected
-            ? "the mesh has no (u,v), nearest points were taken: what it lacks is not measured"
-            : "by the (u,v) of the mesh");
-    if (fit.is_projected) {
-      add("",
-          fmt::format("corners are up to {:.3g} from the surface, which without (u,v) is no fault",
-                      fit.distance.max_corner));
-    }
-    if (fit.corners_beyond > 0) {
-      add("", fmt::format("corners beyond the patch of their face, where its (u,v) go on: {}",
-                          fit.corners_beyond));
-    }
-    if (fit.distance.unjudged > 0) {
-      add("",
-          fmt::format("faces that look turned, but whose side the points found at their corners "
-                      "do not tell: {}",
-                      fit.distance.unjudged));
-    }
-    if (!fit.is_by_stored_metric) add_sizes(fit);
-    add("distance", fmt::format("greatest {:.3g} in face {}{} at {}, mean {:.3g}", fit.distance.max,
-                                fit.distance.max_face,
-                                fit.max_contour.empty() ? "" : " on contour " + fit.max_contour,
-                                point_text(fit.distance.max_at), fit.distance.mean));
-  }
-
-  void add_sizes(const ModelFit& fit) {
-    if (fit.is_by_exact_sizes) {
-      add("metric", "the exact sizes of the model");
-      if (fit.has_other_sizes) {
-        add("",
-            "without grade, corrections of the sag and interpolation of `at`, which make a mesh "
-            "finer by right");
-      }
-    } else {
-      add("metric", "the mesh has none: that of a run on the model, with these options");
-      if (fit.has_other_sizes) {
-        add("", "without corrections of the sag, which make a mesh finer by right");
-      }
-    }
-    add_metric(fit.sizes);
-  }
-
-  void add_faults(const std::vector<MeshFault>& faults) {
-    if (faults.empty()) add("faults", "none");
-    for (const MeshFault& fault : faults) {
-      add("fault", fmt::format("{}: {}", fault.kind, fault.count));
-      for (const std::string& place : fault.places) add("", "  " + place);
-      if (fault.count > fault.places.size()) {
-        add("", fmt::format("  and {} more", fault.count - fault.places.size()));
-      }
-    }
-  }
-
-  std::string take() { return std::move(text_); }
-
- private:
-  static std::string quality_text(const QualityStatistics& quality) {
-    return fmt::format("mean {:.3f}, least {:.3f}, {:.2f} % below 0.3", quality.mean, quality.min,
-                       100 * quality.below_0_3);
-  }
-
-  std::string text_;
-};
 
 }  // namespace
 
@@ -512,19 +359,6 @@ std::string to_json(const MeshCheck& check) {
       {"fit", check.fit ? fit_json(*check.fit) : Json()}};
   // Names of files need not be UTF-8: what is not becomes a replacement character.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string to_text(const MeshCheck& check) {
-  Lines lines;
-  lines.add_faces(check.faces);
-  lines.add_self_intersections(check.self_intersections);
-  lines.add_extent(check);
-  lines.add_shape(check.shape);
-  const bool is_by_exact_sizes = check.fit && !check.fit->is_by_stored_metric;
-  if (check.stored && !is_by_exact_sizes) lines.add_stored(*check.stored);
-  if (check.fit) lines.add_fit(*check.fit);
-  lines.add_faults(check.faults);
-  return lines.take();
 }
 
 }  // namespace surfmesh

@@ -9,6 +9,7 @@
 #include "surfmesh/core/observer.hh"
 #include "surfmesh/formats/read_mesh.hh"
 #include "surfmesh/pipeline/load_model.hh"
+#include "surfmesh/pipeline/text_style.hh"
 #include "surfmesh/quality/face_set_check.hh"
 #include "surfmesh/quality/mesh_extent.hh"
 #include "surfmesh/quality/quad_statistics.hh"
@@ -102,16 +103,17 @@ void add_fit(MeshCheck& check, ModelFit fit);
 /// text, count), counts (vertices, edges, triangles, quads, polygons, boundary_edges,
 /// boundary_loops, components, euler), open_edges (count, places), self_intersections (count,
 /// places), closed, manifold, oriented, area, volume (null unless closed and oriented), box (min,
-/// max; null without faces),
-/// angles (min, max, min_face, max_face, histogram), edge_lengths (min, mean, max), shape (min,
-/// mean, below_0.3); stored_metric, null for a mesh that has none: edges (count, mean, stddev, min,
-/// max, unit_fraction, histogram), quality (min, mean, below_0.3); with a model fit, else null:
-/// projected, stored_metric (true if that judges it), exact_sizes (likewise), other_sizes, edges
-/// and quality likewise, sag (asked for, or null), distance (max, mean, max_face, max_at,
-/// max_corner).
+/// max; null without faces), angles (min, max, min_face, max_face, histogram), edge_lengths (min,
+/// mean, max), shape (min, mean, below_0.3, histogram); stored_metric, null for a mesh that has
+/// none: edges (count, mean, stddev, min, max, unit_fraction, histogram), quality (as shape); with
+/// a model fit, else null: projected, stored_metric (true if that judges it), exact_sizes
+/// (likewise), other_sizes, edges and quality likewise, sag (asked for, or null), distance (max,
+/// mean, max_face, max_at, max_corner).
 std::string to_json(const MeshCheck& check);
 
-/// The check in a few lines for a terminal, with the first faults.
-std::string to_text(const MeshCheck& check);
+/// The check for a terminal, with histograms as in the report of a run, in the metric if there is
+/// one and else of shapes and angles, and with the first faults. The long style has both, with all
+/// bins.
+std::string to_text(const MeshCheck& check, const TextStyle& style = {});
 
 }  // namespace surfmesh

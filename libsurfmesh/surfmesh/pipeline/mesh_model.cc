@@ -155,6 +155,8 @@ class Run {
     report_.estimated_elements = estimated_elements(estimate, context_);
     if (is_surely_above(estimate, context_))
       throw_too_many(estimate, sizing_.bounds.hmax, context_);
+    const auto elements = static_cast<std::size_t>(report_.estimated_elements);
+    context_.tell("estimate", elements, elements);
   }
 
   void count_classes(const PolyMesh& mesh) {

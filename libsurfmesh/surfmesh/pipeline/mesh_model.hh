@@ -26,7 +26,8 @@ struct MeshResult {
 /// The result is a proper half-edge mesh. Each face records its patch, and each corner its
 /// parameters and metric. The same input gives the same bytes, whatever the number of threads.
 /// Threads share contours and patches; an error is that of the first patch that has one. The
-/// observer is not owned and may be null; any thread calls it, one at a time.
+/// observer is not owned and may be null; any thread calls it, one at a time. Between control and
+/// boundary it is told of a stage "estimate", whose total is about the number of elements to come.
 ///
 /// Writes   of the result: surf:patch (face), surf:contour (edge), surf:uv, surf:metric (halfedge),
 ///          surf:normal (halfedge) if it is asked for, surf:sag (face) if a sag is

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/pipeline/report.hh"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,11 +10,11 @@
 #include <utility>
 #include <variant>
 
-#include "surfmesh/core/counted.hh"
 #include "surfmesh/core/option_range.hh"
 #include "surfmesh/core/version.hh"
 #include "surfmesh/pipeline/notice_json.hh"
 #include "surfmesh/pipeline/set_option.hh"
+#include "surfmesh/pipeline/statistics_json.hh"
 
 namespace surfmesh {
 namespace {
@@ -137,22 +135,13 @@ Json patches_json(const std::vector<PatchMeasure>& patches) {
   return json;
 }
 
-Json edges_json(const EdgeStatistics& edges) {
-  Json histogram = Json::array();
-  for (const HistogramBin& bin : edges.histogram) {
-    histogram.push_back({{"from", bin.from}, {"to", bin.to}, {"count", bin.count}});
-  }
-  return {{"count", edges.count},  {"mean", edges.mean}, {"stddev", edges.stddev},
-          {"min", edges.min},      {"max", edges.max},   {"unit_fraction", edges.unit_fraction},
-          {"histogram", histogram}};
-}
-
 /// Null without triangles, as quads_json is without quads.
 Json quality_json(const Report& report) {
   if (report.quality.count == 0) return nullptr;
   return {{"min", report.quality.min},
           {"mean", report.quality.mean},
           {"below_0.3", report.quality.below_0_3},
+          {"histogram", detail::histogram_json(report.quality.histogram)},
           {"worst", worst_json(report.worst)}};
 }
 
@@ -168,6 +157,7 @@ Json quads_json(const Report& report) {
           {"below_0.1", quads.flat},
           {"folded_in_space", quads.folded},
           {"irregular_vertices", quads.irregular_share},
+          {"histogram", detail::histogram_json(quads.histogram)},
           {"worst", worst_json(report.worst_quad)},
           {"worst_in_space", worst_json(report.worst_quad_in_space)}};
 }
@@ -230,78 +220,6 @@ Json seconds_json(const Report& report) {
   return json;
 }
 
-std::string histogram_share(const EdgeStatistics& edges) {
-  return fmt::format("{:.1f} % in [1/√2, √2]", 100 * edges.unit_fraction);
-}
-
-std::string place_text(const std::optional<Report::WorstFace>& worst) {
-  return worst ? fmt::format(" in patch {} at {}", worst->patch, point_text(worst->point)) : "";
-}
-
-/// The faces of a mesh: "12 quads, 1 triangle".
-std::string faces_text(const Report::Mesh& mesh) {
-  if (mesh.quads == 0) return counted(mesh.triangles, "triangle", "triangles");
-  const std::string quads = counted(mesh.quads, "quad", "quads");
-  if (mesh.triangles == 0) return quads;
-  return fmt::format("{}, {}", quads, counted(mesh.triangles, "triangle", "triangles"));
-}
-
-std::string irregular_text(const QuadStatistics& quads) {
-  if (quads.count == 0) return "";
-  return fmt::format("; {:.1f} % of the inner vertices irregular", 100 * quads.irregular_share);
-}
-
-/// Makes the lines of a text for a terminal.
-class Lines {
- public:
-  void add(std::string_view key, const std::string& value) {
-    text_ += fmt::format("{:<9}{}\n", key, value);
-  }
-
-  void add_control(const Report::Control& control) {
-    add("control", fmt::format("{}, {} nodes, {} faces",
-                               to_text(ranges::kControl, static_cast<double>(control.kind)),
-                               control.nodes, control.faces));
-  }
-
-  void add_edges(const Report& report) {
-    const Report::Lengths& lengths = report.lengths;
-    add("edges", fmt::format("{:.4g} to {:.4g} long, mean {:.4g}; the model's diagonal is {:.4g}",
-                             lengths.min, lengths.max, lengths.mean, report.diagonal));
-    add("",
-        fmt::format("metric length (1 is wanted): mean {:.3f}, deviation {:.3f}, from {:.3f} to "
-                    "{:.3f}, {}",
-                    report.edges.mean, report.edges.stddev, report.edges.min, report.edges.max,
-                    histogram_share(report.edges)));
-  }
-
-  /// Of triangles, of quads, or of both.
-  void add_quality(const Report& report) {
-    const QualityStatistics& quality = report.quality;
-    if (quality.count > 0) {
-      add("quality", fmt::format("mean {:.3f}, {:.2f} % below 0.3, least {:.3f}{}", quality.mean,
-                                 100 * quality.below_0_3, quality.min, place_text(report.worst)));
-    }
-    const QuadStatistics& quads = report.quads;
-    if (quads.count == 0) return;
-    add("quads",
-        fmt::format("scaled Jacobian in the metric: mean {:.3f}, least {:.3f}{}",
-                    quads.mean_jacobian, quads.min_jacobian, place_text(report.worst_quad)));
-    add("", fmt::format("in space: mean {:.3f}, least {:.3f}{}", quads.mean_space_jacobian,
-                        quads.min_space_jacobian, place_text(report.worst_quad_in_space)));
-  }
-
-  void add_time(const Report& report) {
-    add("time", fmt::format("{:.2f} s of processor, {:.2f} s by the clock", report.seconds.sum(),
-                            report.wall_seconds));
-  }
-
-  std::string take() { return std::move(text_); }
-
- private:
-  std::string text_;
-};
-
 /// Null in the report of an estimate, which has no mesh.
 constexpr std::array<const char*, 12> kFiguresOfMesh = {"mesh",
                                                         "patches",
@@ -345,7 +263,7 @@ std::string to_json(const Report& report) {
       {"tolerance", report.tolerance},
       {"edge_lengths",
        {{"min", report.lengths.min}, {"mean", report.lengths.mean}, {"max", report.lengths.max}}},
-      {"edges", edges_json(report.edges)},
+      {"edges", detail::edges_json(report.edges)},
       {"quality", quality_json(report)},
       {"quads", quads_json(report)},
       {"sag",
@@ -365,45 +283,6 @@ std::string to_json(const Report& report) {
   }
   // Names in models need not be UTF-8: what is not becomes a replacement character.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string estimate_text(const Report& report) {
-  Lines lines;
-  lines.add("input", report.input);
-  lines.add("estimate", fmt::format("about {:.3g} {}, {}", report.estimated_elements,
-                                    report.options.quads.is_on ? "quads" : "triangles",
-                                    counted(report.mesh.patches, "patch", "patches")));
-  if (report.options.sizing.sag) {
-    lines.add("", "the sag changes sizes where a first mesh shows it, and so the number");
-  }
-  lines.add_control(report.control);
-  lines.add_time(report);
-  lines.add("notices", fmt::format("{}", report.notices.size()));
-  return lines.take();
-}
-
-std::string to_text(const Report& report) {
-  const Report::Mesh& mesh = report.mesh;
-  Lines lines;
-  lines.add("input", report.input);
-  if (!report.output.empty()) lines.add("output", report.output);
-  lines.add("mesh", fmt::format("{} vertices, {}, {}", mesh.vertices, faces_text(mesh),
-                                counted(mesh.patches, "patch", "patches")));
-  lines.add("", fmt::format("{}, Euler characteristic {}{}", mesh.is_closed ? "closed" : "open",
-                            mesh.euler, irregular_text(report.quads)));
-  lines.add_edges(report);
-  lines.add_quality(report);
-  if (report.sag.asked && report.sag.reached) {
-    lines.add("sag", fmt::format("{:.4g} reached, {:.4g} asked for", *report.sag.reached,
-                                 *report.sag.asked));
-  }
-  lines.add_control(report.control);
-  lines.add_time(report);
-  lines.add("", fmt::format("{:.0f} {} a second in all, {:.0f} without control space and files",
-                            report.triangles_per_second_in_all(),
-                            mesh.quads > 0 ? "quads" : "triangles", report.triangles_per_second()));
-  lines.add("notices", fmt::format("{}", report.notices.size()));
-  return lines.take();
 }
 
 }  // namespace surfmesh

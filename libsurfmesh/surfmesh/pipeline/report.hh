@@ -11,6 +11,7 @@
 #include "surfmesh/metric/metric_field.hh"
 #include "surfmesh/pipeline/given_options.hh"
 #include "surfmesh/pipeline/options.hh"
+#include "surfmesh/pipeline/text_style.hh"
 #include "surfmesh/quality/patch_measures.hh"
 #include "surfmesh/quality/quad_statistics.hh"
 #include "surfmesh/quality/statistics.hh"
@@ -101,10 +102,12 @@ struct Report {
 /// The report as JSON text, with the documented keys.
 std::string to_json(const Report& report);
 
-/// The report in about twelve lines for a terminal.
-std::string to_text(const Report& report);
+/// The report for a terminal: counts, histograms of quality and metric lengths, sag and time. The
+/// long style adds all bins, the times of the stages, the worst patches, the control space, and the
+/// options that were given.
+std::string to_text(const Report& report, const TextStyle& style = {});
 
 /// The report of estimate_mesh in a few lines for a terminal.
-std::string estimate_text(const Report& report);
+std::string estimate_text(const Report& report, const TextStyle& style = {});
 
 }  // namespace surfmesh

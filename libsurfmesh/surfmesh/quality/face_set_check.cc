@@ -15,6 +15,7 @@
 #include "surfmesh/core/notice.hh"
 #include "surfmesh/quality/facing.hh"
 #include "surfmesh/quality/patch_text.hh"
+#include "surfmesh/quality/quality_histogram.hh"
 
 namespace surfmesh {
 namespace {
@@ -313,7 +314,10 @@ class ShapeMeter {
   }
 
   void add_quality(double quality, std::size_t f) {
-    ++shape_.quality.count;
+    if (shape_.quality.count++ == 0) {
+      shape_.quality.histogram = detail::empty_quality_histogram();
+    }
+    detail::count_quality(quality, shape_.quality.histogram);
     if (quality < shape_.quality.min) {
       shape_.quality.min = quality;
       shape_.quality.worst_face = static_cast<int>(f);

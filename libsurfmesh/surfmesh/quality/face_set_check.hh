@@ -46,6 +46,9 @@ struct FaceSetCheck {
   MeshFault open_edges{"open_edge", 0, {}};
   std::vector<MeshFault> faults;  ///< those that occur
 
+  /// True if the faces enclose a volume.
+  bool has_volume() const { return is_closed && is_oriented; }
+
   friend bool operator==(const FaceSetCheck&, const FaceSetCheck&) = default;
 };
 

@@ -16,6 +16,7 @@
 #include "surfmesh/metric/triangle.hh"
 #include "surfmesh/quality/face_corners.hh"
 #include "surfmesh/quality/moments.hh"
+#include "surfmesh/quality/quality_histogram.hh"
 #include "surfmesh/quality/result_corners.hh"
 
 namespace surfmesh {
@@ -186,9 +187,11 @@ QuadStatistics measure_quads(const PolyMesh& mesh) {
     result.min_of_patches = least_of_patches(quads, jacobians);
   }
   detail::Moments in_metric, in_space;
+  result.histogram = detail::empty_quality_histogram();
   result.min_jacobian = result.min_space_jacobian = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < quads.size(); ++i) {
     in_metric.add(jacobians[i]);
+    detail::count_quality(jacobians[i], result.histogram);
     in_space.add(quads[i].in_space);
     if (jacobians[i] < 0) ++result.inverted;
     if (jacobians[i] < kFlatQuad) ++result.flat;

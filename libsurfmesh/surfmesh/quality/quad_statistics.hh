@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "surfmesh/core/mesh.hh"
+#include "surfmesh/quality/statistics.hh"
 
 namespace surfmesh {
 
@@ -28,6 +29,8 @@ struct QuadStatistics {
   int worst_face = -1;  ///< index of the first with the least scaled Jacobian in the metric
   int worst_face_in_space = -1;        ///< likewise in space
   std::vector<double> min_of_patches;  ///< by patch where faces have one; +∞ without quads
+  /// Of the scaled Jacobian in the metric, with the bins of QualityStatistics.
+  std::vector<HistogramBin> histogram = {};
 
   friend bool operator==(const QuadStatistics&, const QuadStatistics&) = default;
 };

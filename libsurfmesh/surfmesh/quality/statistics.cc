@@ -12,6 +12,7 @@
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/metric/triangle.hh"
 #include "surfmesh/quality/moments.hh"
+#include "surfmesh/quality/quality_histogram.hh"
 #include "surfmesh/quality/result_corners.hh"
 
 namespace surfmesh {
@@ -195,11 +196,13 @@ QualityStatistics measure_quality(const PolyMesh& mesh) {
   turn_back(triangles);
   if (find(mesh, keys::face_patch).is_valid()) result.min_of_patches = least_of_patches(triangles);
   Moments moments;
+  result.histogram = detail::empty_quality_histogram();
   std::size_t poor = 0;
   result.min = std::numeric_limits<double>::infinity();
   for (const Triangle& triangle : triangles) {
     const double quality = triangle.quality;
     moments.add(quality);
+    detail::count_quality(quality, result.histogram);
     if (quality < result.min) {
       result.min = quality;
       result.worst_face = triangle.face;

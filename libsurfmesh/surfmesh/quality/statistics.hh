@@ -41,6 +41,8 @@ struct QualityStatistics {
   double below_0_3 = 0;                ///< share of the triangles with Q < 0.3
   int worst_face = -1;                 ///< index of the first with the least Q
   std::vector<double> min_of_patches;  ///< by patch where faces have one; +∞ without triangles
+  /// Eleven bins: those turned over, from −1 to 0, then ten from 0 to 1. Empty without triangles.
+  std::vector<HistogramBin> histogram = {};
 
   friend bool operator==(const QualityStatistics&, const QualityStatistics&) = default;
 };

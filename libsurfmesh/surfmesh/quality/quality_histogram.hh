@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "surfmesh/quality/statistics.hh"
+
+namespace surfmesh::detail {
+
+inline constexpr int kQualityBins = 10;  ///< from 0 to 1
+
+/// A bin for what is turned over, from −1 to 0, and ten from 0 to 1, all empty.
+inline std::vector<HistogramBin> empty_quality_histogram() {
+  std::vector<HistogramBin> bins = {{-1, 0, 0}};
+  for (int i = 0; i < kQualityBins; ++i) {
+    bins.push_back(
+        {static_cast<double>(i) / kQualityBins, static_cast<double>(i + 1) / kQualityBins, 0});
+  }
+  return bins;
+}
+
+/// Count a quality, which by rounding may be a little beyond 1. The bins agree with comparisons to
+/// their limits: a quality is below 0.3 exactly if its bin is.
+inline void count_quality(double quality, std::vector<HistogramBin>& bins) {
+  const double position = std::clamp(1 + quality * kQualityBins, 0.0, double{kQualityBins});
+  std::size_t bin = quality < 0 ? 0 : static_cast<std::size_t>(position);
+  if (bin > 0 && quality < bins[bin].from) --bin;
+  ++bins[bin].count;
+}
+
+}  // namespace surfmesh::detail
