@@ -16,7 +16,7 @@ readers=()
 
 for argument in "$@"; do
   case "$argument" in
-    --readers) readers=(python3-meshio python3-vtk9 gmsh admesh) ;;
+    --readers) readers=(python3-meshio python3-vtk9 gmsh python3-gmsh calculix-ccx admesh) ;;
     # The second only because CMake files of the first name what is in it.
     --cad) required+=(libocct-data-exchange-dev libocct-modeling-algorithms-dev) ;;
     *)
