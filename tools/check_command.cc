@@ -55,7 +55,9 @@ void CheckCommand::add_to(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "check", "Tell what a mesh is like, what is wrong with it, and how it fits its model.");
   command->footer(kFooter);
-  command->add_option("MESH", mesh_, "mesh to check: " + mesh_endings())->required()->type_name("");
+  command->add_option("MESH", mesh_, "mesh to check: " + readable_mesh_endings())
+      ->required()
+      ->type_name("");
   CLI::Option* model =
       command->add_option("--model", model_, "what it is a mesh of: cage, CAD file or model file")
           ->type_name("INPUT");
@@ -92,7 +94,7 @@ MeshCheck CheckCommand::measure(Progress& progress) const {
 }
 
 int CheckCommand::check(Progress& progress) const {
-  check_mesh_ending(mesh_);
+  check_readable_ending(mesh_);
   const MeshCheck check = measure(progress);
   progress.clear();
   print(is_json_ ? to_json(check) : to_text(check, text_style(is_verbose_)));

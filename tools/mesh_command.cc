@@ -112,9 +112,16 @@ class MeshRun {
     append(unused_options(result.mesh, mesh_path, result.report.options.output),
            result.report.notices);
     append(changed_names(result.mesh, mesh_path, result.names), result.report.notices);
+    append(stale_companion(result.mesh, mesh_path), result.report.notices);
     OutputFile& mesh_file = outputs.add(mesh_path);
     write_mesh(result, mesh_file);
     mesh_file.finish();
+    if (const auto beside = companion_of(result.mesh, mesh_path)) {
+      check_not_overwritten(input_.files, *beside);
+      OutputFile& companion = outputs.add(*beside);
+      write_companion(result.mesh, mesh_path, companion);
+      companion.finish();
+    }
     result.report.seconds[Stage::Write] = processor_seconds() - start;
     result.report.wall_seconds = seconds_so_far();
     if (!report_path.empty()) outputs.add(report_path).write(to_json(result.report));

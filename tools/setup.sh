@@ -16,7 +16,9 @@ readers=()
 
 for argument in "$@"; do
   case "$argument" in
-    --readers) readers=(python3-meshio python3-vtk9 gmsh admesh zsh man-db mandoc) ;;
+    --readers)
+      readers=(python3-meshio python3-vtk9 gmsh python3-gmsh calculix-ccx admesh zsh man-db mandoc)
+      ;;
     # The second only because CMake files of the first name what is in it.
     --cad) required+=(libocct-data-exchange-dev libocct-modeling-algorithms-dev) ;;
     *)

@@ -55,7 +55,8 @@ class ForeignReader : public ::testing::Test {
     std::vector<int> patches(arrays.faces.size(), 1);
     std::fill_n(patches.begin(), 10, 0);
     OutputFile file(folder_ / "a.vtu");
-    write_vtu({arrays.points, arrays.faces, {}, {{"patch", 1, patches}}, {}}, file);
+    write_vtu({arrays.points, arrays.faces, {}, {{"patch", 1, patches}}, {}, {}}, VtuNumbers::Text,
+              file);
     file.commit();
   }
 

@@ -149,10 +149,10 @@ TEST(ObjCorners, AreToldWhereTheyCannotBeWritten) {
   EXPECT_TRUE(unused_options(roof(), "a.stl", {}).empty());
   const Notices notices = unused_options(roof(), "a.stl", both);
   EXPECT_EQ(texts_of(notices),
-            (Texts{"normals has no effect on a.stl: normals of the corners are written to .obj or "
-                   ".om",
+            (Texts{"normals has no effect on a.stl: normals of the corners are written to .obj, "
+                   ".glb or .om",
                    "uv has no effect on a.stl: parameters (u,v) of the corners are written to "
-                   ".obj or .om"}));
+                   ".obj, .glb or .om"}));
   EXPECT_EQ(notices.front().kind, NoticeKind::UnusedOption);
   EXPECT_EQ(texts_of(unused_options(wavy_grid(1, 0), "a.obj", both)),
             (Texts{"normals has no effect: the mesh has no normals of the corners",

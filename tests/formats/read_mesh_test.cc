@@ -164,7 +164,10 @@ TEST(ReadMesh, TellsBadFiles) {
   EXPECT_EQ(error("a.off", "OFF\n1 1 0\n0 0 0\n3 0 0 1\n"),
             "invalid input: a.off:4: vertex index 1 is not in 0 to 0");
   EXPECT_EQ(error("a.vtk", ""),
-            "invalid input: a.vtk: the ending of a mesh is .obj, .off, .ply, .stl or .om");
+            "invalid input: a.vtk: .vtk files are only written; what is read is .obj, .off, .ply, "
+            ".stl or .om");
+  EXPECT_EQ(error("a.vtp", ""),
+            "invalid input: a.vtp: the ending of a mesh to read is .obj, .off, .ply, .stl or .om");
   EXPECT_EQ(error_of([&] { read_mesh("none.ply"); }),
             "io: cannot read none.ply: it does not exist");
   std::filesystem::create_directory(folder / "b.stl");

@@ -10,8 +10,8 @@ namespace surfmesh {
 namespace {
 
 /// A triangle, a quad and a pentagon.
-VtuGrid example() {
-  VtuGrid grid;
+VtkGrid example() {
+  VtkGrid grid;
   grid.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 2, 0}};
   for (const std::vector<int>& cell :
        std::vector<std::vector<int>>{{0, 1, 2}, {0, 1, 2, 3}, {0, 1, 2, 4, 3}}) {
@@ -20,10 +20,10 @@ VtuGrid example() {
   return grid;
 }
 
-std::string written(const VtuGrid& grid) {
+std::string written(const VtkGrid& grid) {
   const TestFolder folder;
   OutputFile file(folder / "a.vtu");
-  write_vtu(grid, file);
+  write_vtu(grid, VtuNumbers::Text, file);
   file.commit();
   return read_text(folder / "a.vtu");
 }
@@ -31,7 +31,7 @@ std::string written(const VtuGrid& grid) {
 TEST(VtuFile, HoldsCellsOfAllSizes) {
   const std::string text = written(example());
   EXPECT_NE(text.find("NumberOfPoints=\"5\" NumberOfCells=\"3\""), std::string::npos);
-  EXPECT_NE(text.find(">\n 0 1 2\n 0 1 2 3\n 0 1 2 4 3\n</DataArray>"), std::string::npos);
+  EXPECT_NE(text.find(">\n 0 1 2 0 1 2 3 0 1 2 4 3\n</DataArray>"), std::string::npos);
   EXPECT_NE(text.find("Name=\"offsets\" NumberOfComponents=\"1\" format=\"ascii\">\n 3 7 12\n"),
             std::string::npos);
   EXPECT_NE(text.find("Name=\"types\" NumberOfComponents=\"1\" format=\"ascii\">\n 5 9 7\n"),
@@ -39,7 +39,7 @@ TEST(VtuFile, HoldsCellsOfAllSizes) {
 }
 
 TEST(VtuFile, HoldsValues) {
-  VtuGrid grid = example();
+  VtkGrid grid = example();
   grid.at_points = {{"uv", 2, std::vector<double>{0, 0, 1, 0, 1, 1, 0, 1, 0.5, 2}}};
   grid.at_cells = {{"patch", 1, std::vector<int>{0, 0, -1}}};
   grid.tensors = std::string("size");
@@ -53,7 +53,7 @@ TEST(VtuFile, HoldsValues) {
 }
 
 TEST(VtuFile, RefusesPositionsThatAreNotFinite) {
-  VtuGrid grid = example();
+  VtkGrid grid = example();
   grid.points[3] = Vec3::Constant(kUnset);
   EXPECT_EQ(error_of([&] { written(grid); }),
             "geometry: the position of vertex 3 is (nan, nan, nan)");

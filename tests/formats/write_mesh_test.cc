@@ -135,8 +135,9 @@ TEST(WriteMesh, WritesTheSameBytesTwice) {
 }
 
 TEST(WriteMesh, RefusesUnknownEndings) {
-  EXPECT_EQ(error_of([] { write_mesh(PolyMesh(), "a.vtk"); }),
-            "invalid input: a.vtk: the ending of a mesh is .obj, .off, .ply, .stl or .om");
+  EXPECT_EQ(error_of([] { write_mesh(PolyMesh(), "a.vtp"); }),
+            "invalid input: a.vtp: the ending of a mesh is .obj, .off, .ply, .stl, .vtu, .vtk, "
+            ".msh, .mesh, .meshb, .glb, .inp, .bdf or .om");
 }
 
 TEST(WriteMesh, RefusesPositionsThatAreNotFiniteAndLeavesTheOldFile) {

@@ -25,6 +25,7 @@ struct Case {
   std::string value;
   std::string model = "torus.json";
   Settings others = {};
+  std::string ending = ".obj";  ///< of the file
 };
 
 const std::map<std::string_view, Case> kCases = {
@@ -72,6 +73,7 @@ const std::map<std::string_view, Case> kCases = {
     {"crease_angle", {"30", "cube.obj"}},
     {"normals", {"on"}},
     {"uv", {"on"}},
+    {"msh", {"2.2", "torus.json", {}, ".msh"}},
     {"quads", {"on"}},
     {"quad_method", {"frontal", "torus.json", {{"quads", "on"}}}},
     {"quad_front", {"lee-lo", "torus.json", {{"quads", "on"}, {"quad_method", "frontal"}}}},
@@ -82,20 +84,21 @@ const std::map<std::string_view, Case> kCases = {
 /// The file of the mesh, or the error.
 std::string outcome(const Case& example, const Settings& settings) {
   const TestFolder folder;
+  const std::filesystem::path path = folder / ("a" + example.ending);
   const std::string error = error_of([&] {
     PipelineOptions asked;
     for (const auto& [name, value] : settings) set_option(asked, name, value);
-    const auto path = std::filesystem::path(SURFMESH_SOURCE_DIR) / "models" / example.model;
-    ModelInput input = load_model(path, {.cages = {.patches = asked.patches,
-                                                   .weld = asked.weld,
-                                                   .orient = asked.orient,
-                                                   .crease_angle = asked.crease_angle},
-                                         .joining = asked.joining,
-                                         .cad = {.sew = asked.sew}});
+    const auto model = std::filesystem::path(SURFMESH_SOURCE_DIR) / "models" / example.model;
+    ModelInput input = load_model(model, {.cages = {.patches = asked.patches,
+                                                    .weld = asked.weld,
+                                                    .orient = asked.orient,
+                                                    .crease_angle = asked.crease_angle},
+                                          .joining = asked.joining,
+                                          .cad = {.sew = asked.sew}});
     for (const auto& [name, value] : settings) set_option(input.options, name, value);
-    write_mesh(mesh_model(input.model, input.sources, input.options), folder / "a.obj");
+    write_mesh(mesh_model(input.model, input.sources, input.options), path);
   });
-  return error + read_text(folder / "a.obj");
+  return error + read_text(path);
 }
 
 class OptionEffect : public ::testing::TestWithParam<std::string> {};

@@ -45,6 +45,29 @@ TEST_F(ConvertProgram, ConvertsBetweenAllFormats) {
   }
 }
 
+TEST_F(ConvertProgram, WritesFormatsOfViewersAndSolvers) {
+  EXPECT_EQ(run("mesh '" + own_model("cylinder.json") + "' -o a.om --quiet"), 0) << err_;
+  for (const char* ending : {"vtu", "vtk", "msh", "mesh", "meshb", "glb", "inp", "bdf"}) {
+    const std::string name = std::string("a.") + ending;
+    EXPECT_EQ(run("convert a.om " + name), 0) << err_;
+    EXPECT_TRUE(says(name + ": ")) << out_;
+  }
+  EXPECT_EQ(run("convert a.om b.msh --msh 4.1-text"), 0) << err_;
+  EXPECT_EQ(read_text(folder_ / "b.msh").substr(0, 20), "$MeshFormat\n4.1 0 8\n");
+  EXPECT_EQ(run("convert a.om b.msh --msh 3"), 2);
+  EXPECT_EQ(run("convert a.glb b.obj"), 1);
+  EXPECT_TRUE(says("a.glb: .glb files are only written; what is read is ")) << err_;
+}
+
+TEST_F(ConvertProgram, LeavesAMetricOfAnotherMeshWithAWarning) {
+  write_text(folder_ / "a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+  write_text(folder_ / "a.sol", "old");
+  EXPECT_EQ(run("convert a.obj a.mesh"), 0) << err_;
+  EXPECT_TRUE(says("warning: a.sol is there already and stays, but it is not of this mesh"))
+      << err_;
+  EXPECT_EQ(read_text(folder_ / "a.sol"), "old");
+}
+
 TEST_F(ConvertProgram, WarnsOfWhatIsLost) {
   EXPECT_EQ(run("mesh '" + own_model("cylinder.json") + "' -o a.om --quiet"), 0) << err_;
   EXPECT_EQ(run("convert a.om a.off"), 0);

@@ -199,7 +199,7 @@ TEST_F(MeshProgram, TellsWhereNormalsHaveNoPlace) {
   EXPECT_EQ(run("mesh '" + own_model("cube.obj") + "' -o a.stl --normals --report a.json"), 0);
   EXPECT_TRUE(
       says("warning: normals has no effect on a.stl: normals of the corners are written to "
-           ".obj or .om"))
+           ".obj, .glb or .om"))
       << err_;
   EXPECT_EQ(Json::parse(read_text(folder_ / "a.json"))["notices"][0]["kind"], "unused_option");
 }
@@ -209,7 +209,7 @@ TEST_F(MeshProgram, TellsNamesThatAFileChanges) {
       {"name": "box x", "surface": {"z": "0"}, "domain": {"u": [0, 1], "v": [0, 1]}}]})");
   EXPECT_EQ(run("mesh a.json -o a.obj --report r.json"), 0);
   EXPECT_TRUE(
-      says("warning: a.obj: 1 name of a patch or group is changed to be words of their "
+      says("warning: a.obj: 1 name of a patch, group or contour is changed to be words of their "
            "own, the first: box x is box_x"))
       << err_;
   EXPECT_NE(read_text(folder_ / "r.json").find("changed_names"), std::string::npos);
@@ -431,12 +431,27 @@ TEST_F(MeshProgram, TellsWhatItDidNotReach) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out.obj"));
 }
 
-TEST_F(MeshProgram, TellsTheFormatsThatParaviewReads) {
-  EXPECT_EQ(run("mesh '" + own_model("cube.obj") + "' -o a.vtu"), 1);
-  EXPECT_TRUE(
-      says("a.vtu: the ending of a mesh is .obj, .off, .ply, .stl or .om; ParaView and VTK "
-           "read .ply, .obj and .stl, and only control spaces are written to .vtu"))
-      << err_;
+TEST_F(MeshProgram, WritesTheMetricBesideTheMesh) {
+  const std::string mesh = "mesh '" + own_model("cube.obj") + "' --quiet -o ";
+  EXPECT_EQ(run(mesh + "a.mesh"), 0) << err_;
+  EXPECT_EQ(read_text(folder_ / "a.sol").substr(0, 23), "MeshVersionFormatted 2\n");
+  // Both files appear, or none does.
+  std::filesystem::remove(folder_ / "a.mesh");
+  std::filesystem::remove(folder_ / "a.sol");
+  std::filesystem::create_directory(folder_ / "a.sol");
+  EXPECT_EQ(run(mesh + "a.mesh"), 1);
+  EXPECT_TRUE(says("cannot write a.sol: it is a folder")) << err_;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.mesh"));
+}
+
+TEST_F(MeshProgram, WritesTheVersionOfMshFilesThatIsAskedFor) {
+  const std::string mesh = "mesh '" + own_model("cube.obj") + "' --quiet -o a.msh";
+  EXPECT_EQ(run(mesh), 0) << err_;
+  EXPECT_EQ(read_text(folder_ / "a.msh").substr(0, 20), "$MeshFormat\n4.1 1 8\n");
+  EXPECT_EQ(run(mesh + " --msh 2.2-text"), 0) << err_;
+  EXPECT_EQ(read_text(folder_ / "a.msh").substr(0, 20), "$MeshFormat\n2.2 0 8\n");
+  EXPECT_EQ(run("mesh '" + own_model("cube.obj") + "' --quiet -o a.obj --msh 2.2"), 0);
+  EXPECT_TRUE(says("warning: msh has no effect on a.obj: it is of .msh files")) << err_;
 }
 
 TEST_F(MeshProgram, ReportsTheOptionsOfACage) {

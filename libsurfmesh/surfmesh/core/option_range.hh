@@ -96,6 +96,8 @@ inline constexpr std::array kKernel = {OptionWord{"cavity", 0}, OptionWord{"swap
 inline constexpr std::array kQuadMethod = {OptionWord{"best", 0}, OptionWord{"frontal", 1}};
 inline constexpr std::array kQuadFront = {OptionWord{"lee-lo", 0}, OptionWord{"q-morph", 1},
                                           OptionWord{"mixed", 2}};
+inline constexpr std::array kMsh = {OptionWord{"4.1", 0}, OptionWord{"4.1-text", 1},
+                                    OptionWord{"2.2", 2}, OptionWord{"2.2-text", 3}};
 inline constexpr std::array kPatches = {OptionWord{"auto", 0}, OptionWord{"faces", 1},
                                         OptionWord{"blocks", 2}};
 
@@ -151,6 +153,7 @@ inline constexpr OptionRange kQuadFront = {"quad_front", words::kQuadFront};
 inline constexpr OptionRange kAcross = {"across", words::kSwitch};
 inline constexpr OptionRange kNormals = {"normals", words::kSwitch};
 inline constexpr OptionRange kUv = {"uv", words::kSwitch};
+inline constexpr OptionRange kMsh = {"msh", words::kMsh};
 inline constexpr OptionRange kThreads = {"threads", words::kAll, 1, kMostThreads, false, true};
 inline constexpr OptionRange kMaxElements = {"max_elements", {}, 1, kMostElements, false, true};
 

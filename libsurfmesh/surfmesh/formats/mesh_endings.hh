@@ -11,6 +11,9 @@ namespace surfmesh {
 /// The endings of all mesh formats, as messages and the help show them: ".obj, .off or .om".
 std::string mesh_endings();
 
+/// The endings of those that are read: some are only written.
+std::string readable_mesh_endings();
+
 /// The endings of control cages.
 std::string cage_endings();
 
@@ -20,7 +23,10 @@ std::string corner_value_endings();
 /// True if the ending is that of a control cage, in upper or lower case.
 bool has_cage_ending(const std::filesystem::path& path);
 
-/// Throws   InvalidInput unless the ending is one that write_mesh and read_mesh know
+/// Throws   InvalidInput unless the ending is one that write_mesh knows
 void check_mesh_ending(const std::filesystem::path& path);
+
+/// Throws   InvalidInput unless the ending is one that read_mesh knows
+void check_readable_ending(const std::filesystem::path& path);
 
 }  // namespace surfmesh

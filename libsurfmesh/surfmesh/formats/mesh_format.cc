@@ -5,15 +5,25 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/formats/bdf_file.hh"
+#include "surfmesh/formats/glb_file.hh"
+#include "surfmesh/formats/inp_file.hh"
+#include "surfmesh/formats/medit_file.hh"
 #include "surfmesh/formats/mesh_endings.hh"
+#include "surfmesh/formats/msh_file.hh"
 #include "surfmesh/formats/obj_file.hh"
 #include "surfmesh/formats/off_file.hh"
 #include "surfmesh/formats/om_file.hh"
 #include "surfmesh/formats/ply_file.hh"
+#include "surfmesh/formats/split_face.hh"
 #include "surfmesh/formats/stl_file.hh"
+#include "surfmesh/formats/vtk_file.hh"
+#include "surfmesh/formats/vtu_file.hh"
+#include "surfmesh/io/file_writer.hh"
 #include "surfmesh/io/input_file.hh"
 
 namespace surfmesh {
@@ -55,7 +65,9 @@ std::string endings_of(IsMeant is_meant) {
 }  // namespace
 
 std::span<const MeshFormat> mesh_formats() {
-  static const std::array formats = {obj_format(), off_format(), ply_format(), stl_format(),
+  static const std::array formats = {obj_format(),    off_format(), ply_format(), stl_format(),
+                                     vtu_format(),    vtk_format(), msh_format(), medit_format(),
+                                     meditb_format(), glb_format(), inp_format(), bdf_format(),
                                      om_format()};
   return formats;
 }
@@ -70,18 +82,28 @@ const MeshFormat* find_format(const std::filesystem::path& path) {
 
 const MeshFormat& format_of(const std::filesystem::path& path) {
   if (const MeshFormat* format = find_format(path)) return *format;
-  const bool is_for_paraview = lower_case_ending(path) == ".vtu";
+  throw Error(ErrorCode::InvalidInput,
+              fmt::format("{}: the ending of a mesh is {}", path.string(), mesh_endings()));
+}
+
+const MeshFormat& format_to_read(const std::filesystem::path& path) {
+  const MeshFormat* format = find_format(path);
+  if (format != nullptr && format->parse != nullptr) return *format;
   throw Error(
       ErrorCode::InvalidInput,
-      fmt::format("{}: the ending of a mesh is {}{}", path.string(), mesh_endings(),
-                  is_for_paraview
-                      ? "; ParaView and VTK read .ply, .obj and .stl, and only control spaces are "
-                        "written to .vtu"
-                      : ""));
+      fmt::format("{}: {}{}", path.string(),
+                  format == nullptr
+                      ? "the ending of a mesh to read is "
+                      : fmt::format("{} files are only written; what is read is ", format->ending),
+                  readable_mesh_endings()));
 }
 
 std::string mesh_endings() {
   return endings_of([](const MeshFormat&) { return true; });
+}
+
+std::string readable_mesh_endings() {
+  return endings_of([](const MeshFormat& format) { return format.parse != nullptr; });
 }
 
 std::string cage_endings() {
@@ -99,17 +121,19 @@ bool has_cage_ending(const std::filesystem::path& path) {
 
 void check_mesh_ending(const std::filesystem::path& path) { format_of(path); }
 
-std::vector<std::string> lost_properties(const PolyMesh& mesh, const OutputOptions& written) {
+void check_readable_ending(const std::filesystem::path& path) { format_to_read(path); }
+
+std::vector<std::string> lost_properties(const PolyMesh& mesh, const KeptProperties& kept) {
   std::vector<std::string> lost;
-  if (!written.normals && has(mesh, keys::corner_normal)) {
+  if (!kept.normals && has(mesh, keys::corner_normal)) {
     lost.push_back("the normals of the corners");
   }
-  if (!written.uv && has(mesh, keys::corner_uv)) {
+  if (!kept.uv && has(mesh, keys::corner_uv)) {
     lost.push_back("the parameters (u,v) of the corners");
   }
-  if (has(mesh, keys::corner_metric)) lost.push_back("the metric of the corners");
-  if (has_contours(mesh)) lost.push_back("the contours of the edges");
-  if (has(mesh, keys::face_sag)) lost.push_back("the sag of the faces");
+  if (!kept.metric && has(mesh, keys::corner_metric)) lost.push_back("the metric of the corners");
+  if (!kept.contours && has_contours(mesh)) lost.push_back("the contours of the edges");
+  if (!kept.sag && has(mesh, keys::face_sag)) lost.push_back("the sag of the faces");
   if (has(mesh, keys::vertex_uv)) lost.push_back("the parameters (u,v) of the vertices");
   if (has(mesh, keys::vertex_size)) lost.push_back("the sizes of the vertices");
   if (has(mesh, keys::vertex_metric)) lost.push_back("the metric of the vertices");
@@ -138,6 +162,31 @@ Rounding rounding_to_single(const PolyMesh& mesh) {
     if (length > 0 && move > result.share * length) result.share = move / length;
   }
   return result;
+}
+
+void add_lost_digits(const PolyMesh& mesh, std::vector<std::string>& lost) {
+  const double move = rounding_to_single(mesh).greatest_move;
+  if (!(move > 0)) return;
+  lost.push_back(fmt::format(
+      "the digits of positions beyond single precision: vertices move by up to {:.3g}", move));
+}
+
+void add_split_faces(const PolyMesh& mesh, std::size_t corners, std::vector<std::string>& lost) {
+  const std::size_t count = count_faces_above(mesh, corners);
+  if (count == 0) return;
+  lost.push_back(fmt::format("{} faces of more than {} corners, which are split", count,
+                             corners == 3 ? "three" : "four"));
+}
+
+void check_single_precision(const PolyMesh& mesh, std::string_view ending) {
+  for (const VertexHandle vh : mesh.vertices()) {
+    const OpenMesh::Vec3d& point = mesh.point(vh);
+    check_finite(point, vh);
+    if (point.max_abs() <= static_cast<double>(std::numeric_limits<float>::max())) continue;
+    throw Error(ErrorCode::Geometry,
+                fmt::format("the position of vertex {} is ({}, {}, {}), too large for {}", vh.idx(),
+                            point[0], point[1], point[2], ending));
+  }
 }
 
 }  // namespace surfmesh

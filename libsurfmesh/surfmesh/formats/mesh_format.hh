@@ -26,12 +26,14 @@ struct ChangedName {
 /// A format of meshes. Each is made in the file that is named after it and stands in the table of
 /// mesh_format.cc; no other code chooses by it.
 ///
-/// Writers walk the half-edge mesh, not MeshArrays: for a million triangles those are 40 MB and
-/// 20 ms more, of 50 to 250 ms, for nothing that the mesh does not tell as well.
+/// Writers of formats that keep vertices and faces in their order walk the half-edge mesh, not
+/// arrays: for a million triangles those are 40 MB and 20 ms more, of 50 to 250 ms, for nothing
+/// that the mesh does not tell as well. Others need arrays (mesh_elements.hh).
 struct MeshFormat {
   std::string_view ending;  ///< in lower case, with its dot
 
-  /// Never null. Read the faces as they stand in the bytes of a file; `name` stands in messages.
+  /// Read the faces as they stand in the bytes of a file; `name` stands in messages. Null where the
+  /// format is only written.
   MeshArraysFile (*parse)(std::string bytes, const std::string& name) = nullptr;
 
   /// Read a mesh where the format holds its connectivity and properties; else null, and a mesh is
@@ -52,9 +54,15 @@ struct MeshFormat {
   std::vector<std::string> (*what_is_lost)(const PolyMesh& mesh, const MeshNames& names,
                                            const OutputOptions& options) = nullptr;
 
-  /// The names of patches and groups that are other words in the file, with those; null where
-  /// names stay as they are, or there are none.
+  /// The names of patches, groups and contours that are other words in the file, with those; null
+  /// where names stay as they are, or there are none.
   std::vector<ChangedName> (*changed_names)(const PolyMesh& mesh, const MeshNames& names) = nullptr;
+
+  /// The ending of a file that is written beside that of the mesh, and its writer; empty and null
+  /// where there is none. Meshes without what it holds have none either.
+  std::string_view companion_ending = {};
+  bool (*has_companion)(const PolyMesh& mesh) = nullptr;
+  void (*write_companion)(const PolyMesh& mesh, OutputFile& file) = nullptr;
 };
 
 std::span<const MeshFormat> mesh_formats();
@@ -65,13 +73,36 @@ const MeshFormat* find_format(const std::filesystem::path& path);
 /// Throws   InvalidInput, naming the path and the endings
 const MeshFormat& format_of(const std::filesystem::path& path);
 
-/// What of this mesh only .om files hold, but for the values of corners that are `written`.
-std::vector<std::string> lost_properties(const PolyMesh& mesh, const OutputOptions& written = {});
+/// The same, of a format that is read.
+/// Throws   InvalidInput, likewise
+const MeshFormat& format_to_read(const std::filesystem::path& path);
+
+/// What a file has of the properties that only .om files hold as a whole.
+struct KeptProperties {
+  bool normals = false;
+  bool uv = false;
+  bool metric = false;
+  bool contours = false;
+  bool sag = false;
+};
+
+/// What of this mesh only .om files hold, but for what is kept.
+std::vector<std::string> lost_properties(const PolyMesh& mesh, const KeptProperties& kept = {});
 
 /// The same for formats without patches and groups.
 std::vector<std::string> lost_patches_and_properties(const PolyMesh& mesh, const MeshNames& names);
 
 /// How far positions move in single precision.
 Rounding rounding_to_single(const PolyMesh& mesh);
+
+/// Add to what is lost the digits that do not fit into single precision.
+void add_lost_digits(const PolyMesh& mesh, std::vector<std::string>& lost);
+
+/// Add to what is lost the faces of more corners than `corners`, which are split.
+void add_split_faces(const PolyMesh& mesh, std::size_t corners, std::vector<std::string>& lost);
+
+/// Throws   Geometry, naming the vertex, for positions that are not finite or too large for single
+///          precision; `ending` is that of the file
+void check_single_precision(const PolyMesh& mesh, std::string_view ending);
 
 }  // namespace surfmesh

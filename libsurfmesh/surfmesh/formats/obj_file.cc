@@ -321,7 +321,8 @@ std::vector<ChangedName> changed_in_obj(const PolyMesh& mesh, const MeshNames& n
 
 std::vector<std::string> lost_in_obj(const PolyMesh& mesh, const MeshNames& names,
                                      const OutputOptions& options) {
-  std::vector<std::string> lost = lost_properties(mesh, options);
+  std::vector<std::string> lost =
+      lost_properties(mesh, {.normals = options.normals, .uv = options.uv});
   const std::size_t count = changed_in_obj(mesh, names).size();
   if (count > 0) {
     lost.insert(lost.begin(), fmt::format("{} names of patches and groups, which are changed to be "

@@ -5,11 +5,15 @@
 
 namespace surfmesh {
 
+/// The versions of Gmsh's format, each as binary file and as text.
+enum class MshVersion { Binary41, Text41, Binary22, Text22 };
+
 /// What a file of a mesh has besides positions, faces and patches, if its format has a place for it
 /// and the mesh has it.
 struct OutputOptions {
-  bool normals = false;  ///< the normals of the corners
-  bool uv = false;       ///< the parameters (u,v) of the corners, as they are
+  bool normals = false;                   ///< the normals of the corners
+  bool uv = false;                        ///< the parameters (u,v) of the corners, as they are
+  MshVersion msh = MshVersion::Binary41;  ///< of .msh files
 };
 
 }  // namespace surfmesh

@@ -51,14 +51,14 @@ MeshFile mesh_from(MeshArraysFile file, const std::string& name) {
 }
 
 MeshArraysFile read_mesh_arrays(const std::filesystem::path& path) {
-  const MeshFormat& format = format_of(path);
+  const MeshFormat& format = format_to_read(path);
   MeshArraysFile file = format.parse(read_file(path), path.string());
   check_faces(file, path.string());
   return file;
 }
 
 MeshFile read_mesh(const std::filesystem::path& path) {
-  const MeshFormat& format = format_of(path);
+  const MeshFormat& format = format_to_read(path);
   if (format.parse_mesh != nullptr) return format.parse_mesh(read_file(path), path.string());
   return mesh_from(read_mesh_arrays(path), path.string());
 }

@@ -12,6 +12,7 @@
 
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/formats/split_face.hh"
 #include "surfmesh/formats/write_mesh.hh"
 #include "surfmesh/io/byte_scanner.hh"
 #include "surfmesh/io/file_writer.hh"
@@ -219,21 +220,6 @@ bool is_binary(std::string_view bytes) {
 
 using Triangles = std::vector<std::array<int, 3>>;
 
-/// Add the triangles of one face.
-void split_face(const PolyMesh& mesh, const std::vector<int>& face, Triangles& triangles) {
-  const auto distance = [&](std::size_t i, std::size_t j) {
-    return (mesh.point(VertexHandle(face[i])) - mesh.point(VertexHandle(face[j]))).sqrnorm();
-  };
-  if (face.size() == 4 && distance(1, 3) < distance(0, 2)) {
-    triangles.push_back({face[0], face[1], face[3]});
-    triangles.push_back({face[1], face[2], face[3]});
-    return;
-  }
-  for (std::size_t k = 2; k < face.size(); ++k) {
-    triangles.push_back({face[0], face[k - 1], face[k]});
-  }
-}
-
 Triangles triangles_of(const PolyMesh& mesh) {
   Triangles triangles;
   triangles.reserve(mesh.n_faces());
@@ -250,21 +236,10 @@ void write_vector(const OpenMesh::Vec3d& vector, FileWriter& writer) {
   for (std::size_t k = 0; k < 3; ++k) writer.bytes(static_cast<float>(vector[k]));
 }
 
-void check_single(const PolyMesh& mesh) {
-  for (const VertexHandle vh : mesh.vertices()) {
-    const OpenMesh::Vec3d& point = mesh.point(vh);
-    check_finite(point, vh);
-    if (point.max_abs() <= static_cast<double>(std::numeric_limits<float>::max())) continue;
-    throw Error(ErrorCode::Geometry,
-                fmt::format("the position of vertex {} is ({}, {}, {}), too large for .stl",
-                            vh.idx(), point[0], point[1], point[2]));
-  }
-}
-
 /// Faces of more than three corners are split: quads at their shorter diagonal, others into the fan
 /// of their first corner.
 void write_stl(const PolyMesh& mesh, const MeshNames&, const OutputOptions&, OutputFile& file) {
-  check_single(mesh);
+  check_single_precision(mesh, ".stl");
   const Triangles triangles = triangles_of(mesh);
   FileWriter writer(file);
   std::string header = "surfmesh";
@@ -288,22 +263,11 @@ void write_stl(const PolyMesh& mesh, const MeshNames&, const OutputOptions&, Out
   writer.flush();
 }
 
-std::size_t count_polygons(const PolyMesh& mesh) {
-  std::size_t count = 0;
-  for (const FaceHandle fh : mesh.faces()) count += mesh.valence(fh) > 3 ? 1 : 0;
-  return count;
-}
-
 std::vector<std::string> lost_in_stl(const PolyMesh& mesh, const MeshNames& names,
                                      const OutputOptions&) {
   std::vector<std::string> lost;
-  if (const double move = rounding_to_single(mesh).greatest_move; move > 0) {
-    lost.push_back(fmt::format(
-        "the digits of positions beyond single precision: vertices move by up to {:.3g}", move));
-  }
-  if (const std::size_t count = count_polygons(mesh); count > 0) {
-    lost.push_back(fmt::format("{} faces of more than three corners, which are split", count));
-  }
+  add_lost_digits(mesh, lost);
+  add_split_faces(mesh, 3, lost);
   for (std::string& more : lost_patches_and_properties(mesh, names)) {
     lost.push_back(std::move(more));
   }

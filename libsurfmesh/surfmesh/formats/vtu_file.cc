@@ -3,8 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <bit>
+#include <cstdint>
+#include <span>
 #include <string_view>
 
+#include "surfmesh/formats/mesh_format.hh"
 #include "surfmesh/io/file_writer.hh"
 
 namespace surfmesh {
@@ -13,97 +17,163 @@ namespace {
 /// Cells with one value each that stand in one line.
 constexpr std::size_t kCellsPerLine = 20;
 
-/// What VTK calls a face of so many corners: triangle, quad or polygon.
-int cell_type(std::size_t corners) { return corners == 3 ? 5 : corners == 4 ? 9 : 7; }
+template <class Number>
+constexpr std::string_view kType = "";
+template <>
+constexpr std::string_view kType<double> = "Float64";
+template <>
+constexpr std::string_view kType<int> = "Int32";
+template <>
+constexpr std::string_view kType<std::size_t> = "UInt64";
+template <>
+constexpr std::string_view kType<std::uint8_t> = "UInt8";
+
+/// A name as the value of an XML attribute.
+std::string escaped(std::string_view name) {
+  std::string text;
+  for (const char c : name) {
+    if (c == '&') {
+      text += "&amp;";
+    } else if (c == '<') {
+      text += "&lt;";
+    } else if (c == '"') {
+      text += "&quot;";
+    } else {
+      text += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
+  }
+  return text;
+}
 
 class VtuWriter {
  public:
-  VtuWriter(const VtuGrid& grid, OutputFile& file) : grid_(grid), writer_(file) {}
+  VtuWriter(const VtkGrid& grid, VtuNumbers numbers, OutputFile& file)
+      : grid_(grid), is_raw_(numbers == VtuNumbers::Raw), writer_(file) {}
 
   void write() {
-    writer_.text(fmt::format(
-        "<?xml version=\"1.0\"?>\n"
-        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
-        "<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n",
-        grid_.points.size(), grid_.cells.size()));
-    write_points();
-    writer_.text(grid_.tensors.empty()
-                     ? "</Points>\n<PointData>\n"
-                     : fmt::format("</Points>\n<PointData Tensors=\"{}\">\n", grid_.tensors));
-    for (const VtuValues& values : grid_.at_points) write_values(values);
-    writer_.text("</PointData>\n<Cells>\n");
+    write_head();
+    write_values("PointData", grid_.at_points, grid_.tensors);
+    writer_.text("<Cells>\n");
     write_cells();
-    writer_.text("</Cells>\n<CellData>\n");
-    for (const VtuValues& values : grid_.at_cells) write_values(values);
-    writer_.text("</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+    writer_.text("</Cells>\n");
+    write_values("CellData", grid_.at_cells, {});
+    writer_.text("</Piece>\n</UnstructuredGrid>\n");
+    if (is_raw_) append();
+    writer_.text("</VTKFile>\n");
     writer_.flush();
   }
 
  private:
-  void begin_array(std::string_view type, std::string_view name, int components) {
-    writer_.text(fmt::format(
-        "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", type,
-        name, components));
-  }
+  /// Numbers in memory that stand behind the XML.
+  using Bytes = std::span<const std::byte>;
 
-  void end_array() { writer_.text("</DataArray>\n"); }
-
-  void write_points() {
-    begin_array("Float64", "points", 3);
-    for (std::size_t i = 0; i < grid_.points.size(); ++i) {
-      check_finite(to_openmesh(grid_.points[i]), VertexHandle(static_cast<int>(i)));
-      for (const double x : grid_.points[i]) writer_.number(' ', x);
-      writer_.text("\n");
+  void write_head() {
+    writer_.text(
+        fmt::format("<?xml version=\"1.0\"?>\n"
+                    "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"{}\"{}>\n"
+                    "<UnstructuredGrid>\n",
+                    std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian",
+                    is_raw_ ? " header_type=\"UInt64\"" : ""));
+    if (!grid_.whole.empty()) {
+      writer_.text("<FieldData>\n");
+      for (const VtkValues& values : grid_.whole) write_array(values, true);
+      writer_.text("</FieldData>\n");
     }
-    end_array();
+    writer_.text(fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n",
+                             grid_.points.size(), grid_.cells.size()));
+    const double* first = grid_.points.empty() ? nullptr : grid_.points.front().data();
+    write_array<double>("points", 3, {first, 3 * grid_.points.size()}, 3);
+    writer_.text("</Points>\n");
   }
 
-  /// `value_of` each of `count` numbers, `per_line` of them in a line.
-  template <class ValueOf>
-  void write_lines(std::size_t count, std::size_t per_line, ValueOf value_of) {
-    for (std::size_t i = 0; i < count; ++i) {
-      writer_.number(' ', value_of(i));
-      if ((i + 1) % per_line == 0 || i + 1 == count) writer_.text("\n");
-    }
+  void write_values(std::string_view tag, const std::vector<VtkValues>& all,
+                    std::string_view tensors) {
+    writer_.text(tensors.empty() ? fmt::format("<{}>\n", tag)
+                                 : fmt::format("<{} Tensors=\"{}\">\n", tag, escaped(tensors)));
+    for (const VtkValues& values : all) write_array(values, false);
+    writer_.text(fmt::format("</{}>\n", tag));
   }
 
-  void write_values(const VtuValues& values) {
-    const bool is_int = std::holds_alternative<std::vector<int>>(values.values);
-    begin_array(is_int ? "Int32" : "Float64", values.name, values.components);
+  void write_array(const VtkValues& values, bool is_whole) {
     const auto components = static_cast<std::size_t>(values.components);
+    const std::size_t per_line = components > 1 ? components : kCellsPerLine;
     std::visit(
         [&](const auto& numbers) {
-          write_lines(numbers.size(), components > 1 ? components : kCellsPerLine,
-                      [&](std::size_t i) { return numbers[i]; });
+          using Number = typename std::decay_t<decltype(numbers)>::value_type;
+          write_array<Number>(values.name, values.components, numbers, per_line, is_whole);
         },
         values.values);
-    end_array();
+  }
+
+  /// The grid as a whole tells how many values an array has.
+  template <class Number>
+  void write_array(std::string_view name, int components, std::span<const Number> numbers,
+                   std::size_t per_line, bool is_whole = false) {
+    writer_.text(
+        fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"{} format=\"{}\"",
+                    kType<Number>, escaped(name), components,
+                    is_whole ? fmt::format(" NumberOfTuples=\"{}\"", numbers.size()) : "",
+                    is_raw_ ? "appended" : "ascii"));
+    if (is_raw_) {
+      writer_.text(fmt::format(" offset=\"{}\"/>\n", offset_));
+      appended_.push_back(std::as_bytes(numbers));
+      offset_ += sizeof(std::uint64_t) + appended_.back().size();
+      return;
+    }
+    writer_.text(">\n");
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      writer_.number(' ', numbers[i]);
+      if ((i + 1) % per_line == 0 || i + 1 == numbers.size()) writer_.text("\n");
+    }
+    writer_.text("</DataArray>\n");
   }
 
   void write_cells() {
     const FaceList& cells = grid_.cells;
-    begin_array("Int64", "connectivity", 1);
-    for (std::size_t f = 0; f < cells.size(); ++f) {
-      for (const int vertex : cells[f]) writer_.number(' ', vertex);
-      writer_.text("\n");
-    }
-    end_array();
-    begin_array("Int64", "offsets", 1);
-    write_lines(cells.size(), kCellsPerLine,
-                [&](std::size_t f) { return cells.first_corner(f + 1); });
-    end_array();
-    begin_array("UInt8", "types", 1);
-    write_lines(cells.size(), kCellsPerLine,
-                [&](std::size_t f) { return cell_type(cells[f].size()); });
-    end_array();
+    write_array("connectivity", 1, cells.vertices(), kCellsPerLine);
+    write_array("offsets", 1, cells.offsets().subspan(1), kCellsPerLine);
+    for (std::size_t f = 0; f < cells.size(); ++f) types_.push_back(vtk_cell_type(cells[f].size()));
+    write_array<std::uint8_t>("types", 1, types_, kCellsPerLine);
   }
 
-  const VtuGrid& grid_;
+  void append() {
+    writer_.text("<AppendedData encoding=\"raw\">\n_");
+    for (const Bytes bytes : appended_) {
+      const std::uint64_t size = bytes.size();
+      const Bytes head = std::as_bytes(std::span(&size, 1));
+      for (const Bytes part : {head, bytes}) {
+        writer_.text({reinterpret_cast<const char*>(part.data()), part.size()});
+      }
+    }
+    writer_.text("\n</AppendedData>\n");
+  }
+
+  const VtkGrid& grid_;
+  bool is_raw_;
   FileWriter writer_;
+  std::vector<std::uint8_t> types_;
+  std::vector<Bytes> appended_;
+  std::size_t offset_ = 0;
 };
+
+void write_mesh_as_vtu(const PolyMesh& mesh, const MeshNames& names, const OutputOptions&,
+                       OutputFile& file) {
+  write_vtu(vtk_grid(mesh, names), VtuNumbers::Raw, file);
+}
+
+std::vector<std::string> lost_in_vtu(const PolyMesh& mesh, const MeshNames&, const OutputOptions&) {
+  return lost_in_grid(mesh);
+}
 
 }  // namespace
 
-void write_vtu(const VtuGrid& grid, OutputFile& file) { VtuWriter(grid, file).write(); }
+void write_vtu(const VtkGrid& grid, VtuNumbers numbers, OutputFile& file) {
+  check_points(grid);
+  VtuWriter(grid, numbers, file).write();
+}
+
+MeshFormat vtu_format() {
+  return {.ending = ".vtu", .write = write_mesh_as_vtu, .what_is_lost = lost_in_vtu};
+}
 
 }  // namespace surfmesh

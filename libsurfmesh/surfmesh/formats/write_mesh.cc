@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <string_view>
+#include <system_error>
 
 #include "surfmesh/core/counted.hh"
 #include "surfmesh/core/option_range.hh"
@@ -43,7 +45,36 @@ Notices unused_options(const PolyMesh& mesh, const std::filesystem::path& path,
   if (options.uv && !(has_place && find(mesh, keys::corner_uv).is_valid())) {
     notices.push_back(unused(ranges::kUv.name, "parameters (u,v) of the corners", path, has_place));
   }
+  if (options.msh != OutputOptions{}.msh && format_of(path).ending != ".msh") {
+    notices.push_back(
+        warning(NoticeKind::UnusedOption, fmt::format("{} has no effect on {}: it is of .msh files",
+                                                      ranges::kMsh.name, path.string())));
+  }
   return notices;
+}
+
+std::optional<std::filesystem::path> companion_of(const PolyMesh& mesh,
+                                                  const std::filesystem::path& path) {
+  const MeshFormat& format = format_of(path);
+  if (format.has_companion == nullptr || !format.has_companion(mesh)) return std::nullopt;
+  return std::filesystem::path(path).replace_extension(format.companion_ending);
+}
+
+void write_companion(const PolyMesh& mesh, const std::filesystem::path& path, OutputFile& file) {
+  format_of(path).write_companion(mesh, file);
+}
+
+Notices stale_companion(const PolyMesh& mesh, const std::filesystem::path& path) {
+  const MeshFormat& format = format_of(path);
+  if (format.has_companion == nullptr || format.has_companion(mesh)) return {};
+  const auto beside = std::filesystem::path(path).replace_extension(format.companion_ending);
+  std::error_code ignored;
+  if (!std::filesystem::exists(beside, ignored)) return {};
+  return {
+      warning(NoticeKind::AmbiguousName,
+              fmt::format("{} is there already and stays, but it is not of this mesh, which has "
+                          "no metric: Mmg would take its sizes from it",
+                          beside.string()))};
 }
 
 Notices changed_names(const PolyMesh& mesh, const std::filesystem::path& path,
@@ -54,10 +85,9 @@ Notices changed_names(const PolyMesh& mesh, const std::filesystem::path& path,
   if (changed.empty()) return {};
   return {warning(
       NoticeKind::ChangedNames,
-      fmt::format(
-          "{}: {} changed to be words of their own, the first: {} is {}", path.string(),
-          counted(changed.size(), "name of a patch or group is", "names of patches and groups are"),
-          changed.front().name, changed.front().word))};
+      fmt::format("{}: {} changed to be words of their own, the first: {} is {}", path.string(),
+                  counted(changed.size(), "name of a patch, group or contour is", "names are"),
+                  changed.front().name, changed.front().word))};
 }
 
 void write_mesh(const PolyMesh& mesh, OutputFile& file, const MeshNames& names,
@@ -70,7 +100,11 @@ void write_mesh(const PolyMesh& mesh, const std::filesystem::path& path, const M
   format_of(path);  // an unknown ending is told before a file is made
   OutputFile file(path);
   write_mesh(mesh, file, names, options);
-  file.commit();
+  const auto beside = companion_of(mesh, path);
+  if (!beside) return file.commit();
+  OutputFile companion(*beside);
+  write_companion(mesh, path, companion);
+  OutputFile::commit_all(std::array{&file, &companion});
 }
 
 }  // namespace surfmesh

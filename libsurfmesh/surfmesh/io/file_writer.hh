@@ -44,6 +44,14 @@ class FileWriter {
     text({raw.data(), raw.size()});
   }
 
+  /// The bytes of a number, the most significant first.
+  template <class Number>
+  void big_endian(Number value) {
+    auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(value);
+    if constexpr (std::endian::native == std::endian::little) std::reverse(raw.begin(), raw.end());
+    text({raw.data(), raw.size()});
+  }
+
   void flush() {
     file_.write({buffer_.get(), size_});
     size_ = 0;

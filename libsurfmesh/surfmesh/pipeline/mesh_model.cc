@@ -520,12 +520,16 @@ void check_output(const MeshResult& result) {
 
 void write_mesh(const MeshResult& result, const std::filesystem::path& path) {
   check_output(result);
-  write_mesh(result.mesh, path, result.names, result.report.options.output);
+  const PipelineOptions& options = result.report.options;
+  with_threads(options.threads,
+               [&] { write_mesh(result.mesh, path, result.names, options.output); });
 }
 
 void write_mesh(const MeshResult& result, OutputFile& file) {
   check_output(result);
-  write_mesh(result.mesh, file, result.names, result.report.options.output);
+  const PipelineOptions& options = result.report.options;
+  with_threads(options.threads,
+               [&] { write_mesh(result.mesh, file, result.names, options.output); });
 }
 
 MeshResult mesh_model(const Model& model, const Sources& sources, const PipelineOptions& options,

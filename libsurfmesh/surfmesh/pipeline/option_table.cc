@@ -222,12 +222,15 @@ constexpr auto kTable = std::to_array<Option>({
     {kMeshing, false, "", "elements that cross contours which merely divide a smooth surface",
      number(
          ranges::kAcross, [](auto& o) -> auto& { return o.across.is_on; })},
-    {kMeshing, true, "", "normals of the surface in .obj and .om files (vn)",
+    {kMeshing, true, "", "normals of the surface in .obj, .glb and .om files",
      number(
          ranges::kNormals, [](auto& o) -> auto& { return o.output.normals; })},
-    {kMeshing, false, "", "parameters (u,v) of the corners in .obj files (vt)",
+    {kMeshing, false, "", "parameters (u,v) of the corners in .obj and .glb files",
      number(
          ranges::kUv, [](auto& o) -> auto& { return o.output.uv; })},
+    {kMeshing, false, "", "version of .msh files, binary or text",
+     number(
+         ranges::kMsh, [](auto& o) -> auto& { return o.output.msh; })},
     {kMeshing, true, "threads",
      "threads; all is one for each core, and the mesh is always the same",
      number(
@@ -276,6 +279,10 @@ static_assert(stands_for(words::kQuadMethod, "frontal", QuadMethod::Frontal));
 static_assert(stands_for(words::kQuadFront, "lee-lo", QuadFront::LeeLo));
 static_assert(stands_for(words::kQuadFront, "q-morph", QuadFront::QMorph));
 static_assert(stands_for(words::kQuadFront, "mixed", QuadFront::Mixed));
+static_assert(stands_for(words::kMsh, "4.1", MshVersion::Binary41));
+static_assert(stands_for(words::kMsh, "4.1-text", MshVersion::Text41));
+static_assert(stands_for(words::kMsh, "2.2", MshVersion::Binary22));
+static_assert(stands_for(words::kMsh, "2.2-text", MshVersion::Text22));
 static_assert(stands_for(words::kPatches, "auto", PatchKind::Auto));
 static_assert(stands_for(words::kPatches, "faces", PatchKind::Faces));
 static_assert(stands_for(words::kPatches, "blocks", PatchKind::Blocks));

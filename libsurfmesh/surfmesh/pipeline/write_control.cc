@@ -50,7 +50,7 @@ MeshArrays join(const std::vector<ControlPicture>& pictures) {
 
 /// The values of all vertices, as many each as `values_of` gives.
 template <class ValuesOf>
-VtuValues at_points(const char* name, int components, const std::vector<ControlPicture>& pictures,
+VtkValues at_points(const char* name, int components, const std::vector<ControlPicture>& pictures,
                     ValuesOf values_of) {
   std::vector<double> numbers;
   for (const ControlPicture& picture : pictures) {
@@ -101,9 +101,9 @@ std::vector<int> classes_of(const std::vector<ControlPicture>& pictures) {
   return classes;
 }
 
-VtuGrid grid_of(const std::vector<ControlPicture>& pictures) {
+VtkGrid grid_of(const std::vector<ControlPicture>& pictures) {
   MeshArrays joined = join(pictures);
-  VtuGrid grid;
+  VtkGrid grid;
   grid.points = std::move(joined.points);
   grid.cells = std::move(joined.faces);
   grid.at_points = {at_points("uv", 2, pictures, uv_of), at_points("sizes", 2, pictures, sizes_of),
@@ -124,7 +124,8 @@ void check_control_ending(const std::filesystem::path& path) {
 
 void write_control(const std::vector<ControlPicture>& pictures, OutputFile& file) {
   check_control_ending(file.path());
-  if (lower_case_ending(file.path()) == ".vtu") return write_vtu(grid_of(pictures), file);
+  if (lower_case_ending(file.path()) == ".vtu")
+    return write_vtu(grid_of(pictures), VtuNumbers::Text, file);
   const MeshFile mesh = mesh_from({join(pictures), {}, {}}, file.path().string());
   write_mesh(mesh.mesh, file, mesh.names);
 }
