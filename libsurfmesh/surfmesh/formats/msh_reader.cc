@@ -55,7 +55,7 @@ class MshReader {
     const std::string_view word = scanner_.word();
     if (word.empty()) return std::nullopt;
     if (word[0] != '$' || word.starts_with("$End")) {
-      scanner_.fail(fmt::format("{} stands where a section begins", quoted(word)));
+      scanner_.fail(fmt::format("{} stands where a section begins", surfmesh::quoted(word)));
     }
     scanner_.line();
     return std::string(word.substr(1));
@@ -65,8 +65,9 @@ class MshReader {
     scanner_.set_text();
     const std::string_view word = scanner_.word();
     if (word == fmt::format("$End{}", section)) return;
-    scanner_.fail(word.empty() ? fmt::format("the file ends in ${}, it is cut short", section)
-                               : fmt::format("{} stands where ${} ends", quoted(word), section));
+    scanner_.fail(word.empty()
+                      ? fmt::format("the file ends in ${}, it is cut short", section)
+                      : fmt::format("{} stands where ${} ends", surfmesh::quoted(word), section));
   }
 
   void read_format() {
@@ -80,7 +81,7 @@ class MshReader {
       scanner_.fail(
           fmt::format("version {} of Gmsh's files is not read; `gmsh -save -format "
                       "msh41` writes 4.1",
-                      quoted(std::string_view(version))));
+                      surfmesh::quoted(version)));
     }
     is_4_ = version == "4.1";
     const std::int64_t is_binary = scanner_.integer(kInt, "the kind of the file");

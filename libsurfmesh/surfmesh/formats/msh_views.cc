@@ -53,7 +53,8 @@ GridValues& Views::view_of(const Header& header, std::size_t nodes, double value
   const auto known = std::find_if(views_.begin(), views_.end(),
                                   [&](const GridValues& view) { return view.name == header.name; });
   const bool is_new = known == views_.end();
-  if (!is_new) leave_out(fmt::format("time steps of {} before the last", quoted(std::string_view(header.name))));
+  if (!is_new)
+    leave_out(fmt::format("time steps of {} before the last", surfmesh::quoted(header.name)));
   GridValues& view = is_new ? views_.emplace_back() : *known;
   view.name = header.name;
   view.components = header.components;

@@ -25,7 +25,7 @@ class Place {
   Place(const DataArray& array, const ArrayForm& form) : array_(array), form_(form) {}
 
   [[noreturn]] void fail(std::string_view reason) const {
-    const std::string what = fmt::format("array {}: {}", quoted(array_.name), reason);
+    const std::string what = fmt::format("array {}: {}", surfmesh::quoted(array_.name), reason);
     throw Error(
         ErrorCode::InvalidInput,
         array_.encoding == Encoding::Appended
@@ -225,11 +225,11 @@ std::vector<To> from_text(const DataArray& array, const ArrayForm& form) {
     const bool is_tiny = error == std::errc::result_out_of_range && std::is_same_v<To, double> &&
                          std::string_view(word, at).find("e-") != std::string_view::npos;
     if (stop != at || (error != std::errc() && !is_tiny)) {
-      throw Error(
-          ErrorCode::InvalidInput,
-          fmt::format("{}:{}: array {}: {} is not a number", form.name,
-                      array.line + static_cast<std::size_t>(std::count(begin, word, '\n')),
-                      quoted(array.name), quoted({word, static_cast<std::size_t>(at - word)})));
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("{}:{}: array {}: {} is not a number", form.name,
+                              array.line + static_cast<std::size_t>(std::count(begin, word, '\n')),
+                              surfmesh::quoted(array.name),
+                              surfmesh::quoted({word, static_cast<std::size_t>(at - word)})));
     }
     numbers.push_back(value);
   }

@@ -120,7 +120,7 @@ class DocumentReader {
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
     if (error != std::errc() || stop != end) {
-      fail(fmt::format("{} is {}, which is no number from 0", key, quoted(text)));
+      fail(fmt::format("{} is {}, which is no number from 0", key, surfmesh::quoted(text)));
     }
     return value;
   }
@@ -144,7 +144,7 @@ class DocumentReader {
     } else if (name == "AppendedData") {
       const std::string encoding = text_at(attributes, "encoding");
       if (encoding != "raw" && encoding != "base64") {
-        fail(fmt::format("appended data in {} are not read", quoted(encoding)));
+        fail(fmt::format("appended data in {} are not read", surfmesh::quoted(encoding)));
       }
       document_.form.is_base64 = encoding == "base64";
     }
@@ -153,14 +153,15 @@ class DocumentReader {
   void begin_file(const Attributes& attributes) {
     ArrayForm& form = document_.form;
     if (const std::string type = text_at(attributes, "type"); type != "UnstructuredGrid") {
-      fail(fmt::format("a file of the type {} is no UnstructuredGrid", quoted(type)));
+      fail(fmt::format("a file of the type {} is no UnstructuredGrid", surfmesh::quoted(type)));
     }
     if (text_at(attributes, "byte_order") == "BigEndian") form.order = std::endian::big;
     form.header_size = text_at(attributes, "header_type") == "UInt64" ? 8 : 4;
     const std::string compressor = text_at(attributes, "compressor");
     form.is_compressed = !compressor.empty();
     if (form.is_compressed && compressor != "vtkZLibDataCompressor") {
-      fail(fmt::format("{} is not read, only vtkZLibDataCompressor or none", quoted(compressor)));
+      fail(fmt::format("{} is not read, only vtkZLibDataCompressor or none",
+                       surfmesh::quoted(compressor)));
     }
   }
 

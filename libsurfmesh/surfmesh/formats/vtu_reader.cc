@@ -96,7 +96,7 @@ class VtuReader {
     const auto components = static_cast<std::size_t>(array.components);
     if (size / components == count && size % components == 0) return;
     fail(array.line, fmt::format("array {} has {} numbers, but there are {} {} with {} each",
-                                 quoted(array.name), size, count, of, components));
+                                 surfmesh::quoted(array.name), size, count, of, components));
   }
 
   void add_piece(const Piece& piece) {

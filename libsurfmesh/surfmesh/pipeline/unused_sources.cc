@@ -15,11 +15,9 @@
 
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/geometry/box_tree.hh"
-#include "surfmesh/metric/size_tensor.hh"
 #include "surfmesh/quality/face_corners.hh"
 #include "surfmesh/quality/triangle_distance.hh"
 #include "surfmesh/sizes/background_sizes.hh"
-#include "surfmesh/sizes/field_size.hh"
 #include "surfmesh/sizes/source_place.hh"
 
 namespace surfmesh::detail {
@@ -221,6 +219,8 @@ class FieldCover {
   FieldCover(const PolyMesh& mesh, const Model& model, const Sources& sources)
       : mesh_(mesh), model_(model), sources_(sources), fields_of_(model.patches.size()) {
     for (std::size_t i = 0; i < sources.fields.size(); ++i) {
+      // Without bounds they are functions of users, which ask for a size everywhere.
+      if (!sources.fields[i].has_bounds()) continue;
       fields_of_.at(static_cast<std::size_t>(sources.fields[i].patch)).push_back(i);
     }
   }
@@ -274,13 +274,16 @@ class FieldCover {
     const Domain domain = surface.domain();
     const Uv uv = domain.fold(domain.clamp((1 / corners) * sum));
     const Jet jet = surface.evaluate(uv, Order::First);
-    const SurfacePoint point = {uv, jet.point, first_form_factor(jet.du, jet.dv)};
     for (const std::size_t i : fields_of_[patch]) {
-      const FieldSource& field = sources_.fields[i];
-      Count& count = counts_[place_of(field, "fields", i)];
+      Count& count = counts_[place_of(sources_.fields[i], "fields", i)];
       ++count.asked;
-      if (size_range(size_of_field(field, surface, point)).least > kNothing) ++count.nothing;
+      if (asks_for_nothing(sources_.fields[i], uv, jet)) ++count.nothing;
     }
+  }
+
+  static bool asks_for_nothing(const FieldSource& field, Uv uv, const Jet& jet) {
+    if (!field.metric) return field.size(uv, jet.point) > kNothing;
+    return jet.du.squaredNorm() > kNothing * kNothing * field.metric(uv, jet.point).m11;
   }
 
   const PolyMesh& mesh_;
