@@ -4,10 +4,12 @@
 // python3-meshio, python3-vtk9 and gmsh, which `tools/setup.sh --readers` installs.
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdlib>
 #include <string>
-#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "support/folders.hh"
 #include "surfmesh/formats/grid_file.hh"
@@ -131,7 +133,7 @@ TEST_F(ForeignGrid, IsReadAsVtkWritesIt) {
   if (!has_module("vtkmodules.vtkIOXML")) GTEST_SKIP() << "no VTK here";
   run_python(kVtk);
   for (int n = 0; n < 32; ++n) {
-    const std::string name = "a" + std::to_string(n) + ".vtu";
+    const std::string name = std::string("a").append(std::to_string(n)).append(".vtu");
     const GridFile grid = read_grid(folder_ / name);
     expect_example(grid, name);
     expect_values(grid, name);

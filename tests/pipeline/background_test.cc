@@ -260,7 +260,7 @@ TEST_F(BackgroundFile, BesideTheModelIsTold) {
 TEST_F(BackgroundFile, IsRefusedWithItsPlaces) {
   write_background({{"h", 1, {}}, {"k", 1, {}}});
   const std::string patch = "invalid input: m.json: /patches/0/sources/0/";
-  EXPECT_EQ(error(R"({"background": "no.vtu"})").substr(0, 70),
+  EXPECT_EQ(error(R"({"background": "no.vtu"})").substr(0, 74),
             patch + "background: cannot read no.vtu");
   EXPECT_EQ(error(R"({"background": "sizes.vtu"})"),
             patch + "background: sizes.vtu: it has several values, name one of them: it has h, k");

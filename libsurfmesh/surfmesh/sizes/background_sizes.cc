@@ -20,6 +20,7 @@
 namespace surfmesh {
 namespace {
 
+using detail::LinearBound;
 using detail::NearSimplex;
 using detail::Simplex;
 using detail::SimplexTree;
@@ -101,6 +102,12 @@ bool is_flat(const std::vector<Vec3>& points, const Simplex& simplex) {
   return !(std::abs(normal.dot(side(3))) > kFlat * longest * longest * longest);
 }
 
+/// Bounds from below of lengths, or of the logarithms of those of metrics.
+struct Bounds {
+  std::vector<LinearBound> of_simplices;
+  std::vector<double> by_node;  ///< of the tree
+};
+
 }  // namespace
 
 struct BackgroundSizes::Impl {
@@ -110,8 +117,7 @@ struct BackgroundSizes::Impl {
   std::optional<SimplexTree> tree;
   std::vector<double> reaches;  ///< by simplex
   double greatest_reach = 0;
-  std::vector<double> least;          ///< lengths that a simplex may ask for, by simplex
-  std::vector<double> least_by_node;  ///< of the tree
+  Bounds bounds;  ///< of the lengths; of a metric in (u,v) they are those of a patch
 
   bool has_metrics() const { return !logarithms.empty(); }
 
@@ -138,36 +144,37 @@ struct BackgroundSizes::Impl {
     }
   }
 
-  /// The least of what `value_at` gives for the points of each simplex, asked once for each point.
+  /// Bounds of what `value_at` gives for a simplex and a vertex of it.
   template <class ValueAt>
-  std::vector<double> least_of(ValueAt value_at) const {
-    std::vector<double> at_points(tree->points().size(), kUnset);
-    std::vector<double> values(tree->simplices().size(), kNoWish);
-    for (std::size_t s = 0; s < values.size(); ++s) {
-      for_each_vertex(s, [&](std::size_t v) {
-        if (std::isnan(at_points[v])) at_points[v] = value_at(v);
-        values[s] = std::min(values[s], at_points[v]);
-      });
+  Bounds bounds_of(ValueAt value_at) const {
+    Bounds result;
+    for (std::size_t s = 0; s < tree->simplices().size(); ++s) {
+      std::array<double, 4> values{};
+      std::size_t k = 0;
+      for_each_vertex(s, [&](std::size_t v) { values[k++] = value_at(s, v); });
+      result.of_simplices.push_back(
+          detail::linear_bound(tree->points(), tree->simplices()[s], values));
     }
-    return values;
+    result.by_node = tree->least_by_node(result.of_simplices);
+    return result;
   }
 
   /// The least of the lengths by simplex that may hold in a box: those of the simplices that are
   /// nearest to its points. These are no farther from one of them than the middle of the box is
   /// from its nearest and from the point itself.
-  double least_in(const Eigen::AlignedBox3d& box, std::span<const double> by_node,
-                  std::span<const double> by_simplex) const {
+  double least_in(const Eigen::AlignedBox3d& box, const Bounds& all) const {
     const double farthest =
         std::sqrt(tree->nearest(box.center()).squared_distance) + 0.5 * box.diagonal().norm();
     const Vec3 margin = Vec3::Constant(std::min(farthest, greatest_reach));
     const Eigen::AlignedBox3d wide(box.min() - margin, box.max() + margin);
-    return std::min(tree->least_in(wide, by_node, by_simplex), kNoWish);
+    const double least = tree->least_in(wide, all.by_node, all.of_simplices);
+    return std::min(has_metrics() ? std::exp(least) : least, kNoWish);
   }
 
   void take_values(BackgroundMesh& mesh, std::span<const char> is_used);
   void take_simplices(BackgroundMesh& mesh);
   void bound_lengths();
-  double least_in_simplex(std::size_t simplex) const;
+  double log_least(std::size_t simplex, std::size_t vertex) const;
 };
 
 namespace {
@@ -238,37 +245,31 @@ void BackgroundSizes::Impl::take_simplices(BackgroundMesh& mesh) {
   tree.emplace(std::move(mesh.points), std::move(simplices));
 }
 
-/// The least length that metrics at the vertices of a simplex ask for: in the plane of a triangle,
-/// in any direction in a tetrahedron.
-double BackgroundSizes::Impl::least_in_simplex(std::size_t simplex) const {
+/// The logarithm of the least length that the metric at a vertex of a simplex asks for: in the
+/// plane of a triangle, in any direction in a tetrahedron. There, it is a concave function of the
+/// logarithm of the metric, so it is not below its linear interpolation.
+double BackgroundSizes::Impl::log_least(std::size_t simplex, std::size_t vertex) const {
+  const EigenSolver solver(matrix_of(logarithms[vertex]));
   const Simplex& s = tree->simplices()[simplex];
-  const auto point = [&](std::size_t k) { return tree->points()[static_cast<std::size_t>(s[k])]; };
+  if (s[3] >= 0) return -0.5 * solver.eigenvalues()[2];
+  const auto point = [&](std::size_t k) -> const Vec3& {
+    return tree->points()[static_cast<std::size_t>(s[k])];
+  };
   Eigen::Matrix<double, 3, 2> plane;
   plane.col(0) = (point(1) - point(0)).normalized();
   const Vec3 normal = (point(1) - point(0)).cross(point(2) - point(0)).normalized();
   plane.col(1) = normal.cross(plane.col(0));
-  double greatest = 0;
-  for_each_vertex(simplex, [&](std::size_t v) {
-    const EigenSolver solver(matrix_of(logarithms[v]));
-    if (s[3] >= 0) {
-      greatest = std::max(greatest, std::exp(solver.eigenvalues()[2]));
-      return;
-    }
-    const Eigen::Matrix2d inside =
-        plane.transpose() * applied(solver, [](double x) { return std::exp(x); }) * plane;
-    greatest =
-        std::max(greatest, Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(inside).eigenvalues()[1]);
-  });
-  return 1 / std::sqrt(greatest);
+  const Eigen::Matrix2d inside =
+      plane.transpose() * applied(solver, [](double x) { return std::exp(x); }) * plane;
+  return -0.5 * std::log(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(inside).eigenvalues()[1]);
 }
 
 void BackgroundSizes::Impl::bound_lengths() {
   if (!has_metrics()) {
-    least = least_of([this](std::size_t v) { return sizes[v]; });
+    bounds = bounds_of([this](std::size_t, std::size_t v) { return sizes[v]; });
   } else if (in == BackgroundIn::Space) {
-    for (std::size_t s = 0; s < tree->simplices().size(); ++s) least.push_back(least_in_simplex(s));
+    bounds = bounds_of([this](std::size_t s, std::size_t v) { return log_least(s, v); });
   }
-  if (!least.empty()) least_by_node = tree->least_by_node(least);
 }
 
 BackgroundSizes::BackgroundSizes(BackgroundMesh mesh, BackgroundIn in) {
@@ -358,25 +359,28 @@ FieldSource background_field(std::shared_ptr<const BackgroundSizes> background, 
   if (!impl->has_metrics()) {
     source.size = [=](Uv uv, const Vec3& p) { return background->size(place(uv, p)); };
     source.size_bounds = [=](const UvBox& box, const Eigen::AlignedBox3d& positions) {
-      return Interval{impl->least_in(box_at(box, positions), impl->least_by_node, impl->least),
-                      kNoWish};
+      return Interval{impl->least_in(box_at(box, positions), impl->bounds), kNoWish};
     };
     return source;
   }
-  std::vector<double> least = impl->least;
+  std::shared_ptr<const Bounds> bounds(impl, &impl->bounds);
   if (!is_in_space) {
-    least = impl->least_of([&](std::size_t v) {
-      return least_length_at(impl->tree->points()[v], impl->logarithms[v], *surface);
-    });
+    std::vector<double> known(impl->tree->points().size(), kUnset);
+    const auto log_least = [&](std::size_t, std::size_t v) {
+      if (std::isnan(known[v])) {
+        known[v] =
+            std::log(least_length_at(impl->tree->points()[v], impl->logarithms[v], *surface));
+      }
+      return known[v];
+    };
+    bounds = std::make_shared<const Bounds>(impl->bounds_of(log_least));
   }
-  std::vector<double> by_node = impl->tree->least_by_node(least);
   source.metric = [=](Uv uv, const Vec3& p) {
     const SpaceMetric m = background->metric(place(uv, p));
     return is_in_space ? pulled_back(m, *surface, uv) : Metric{m[0], m[3], m[1]};
   };
-  source.metric_bounds = [=, least = std::move(least), by_node = std::move(by_node)](
-                             const UvBox& box, const Eigen::AlignedBox3d& positions) {
-    const double length = impl->least_in(box_at(box, positions), by_node, least);
+  source.metric_bounds = [=](const UvBox& box, const Eigen::AlignedBox3d& positions) {
+    const double length = impl->least_in(box_at(box, positions), *bounds);
     return metric_of_length(length, first_form_in(*surface, box));
   };
   return source;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/sizes/simplex_tree.hh"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,6 +16,9 @@ constexpr std::size_t kLeafSimplices = 4;
 
 /// Depth of the tree: it is balanced, so 2^64 simplices fit.
 constexpr std::size_t kMaxDepth = 64;
+
+/// Share of the numbers of a bound that it is lowered by: more than their rounding.
+constexpr double kRounding = 1e-13;
 
 using Weights = std::array<double, 3>;
 
@@ -166,13 +170,46 @@ NearSimplex SimplexTree::nearest(const Vec3& point) const {
   return best;
 }
 
-std::vector<double> SimplexTree::least_by_node(std::span<const double> of_simplices) const {
+double LinearBound::in(const Eigen::AlignedBox3d& box) const {
+  const double middle = value + slope.dot(box.center() - from);
+  const double change = 0.5 * slope.cwiseAbs().dot(box.sizes());
+  const double rounding = kRounding * (std::abs(value) + std::abs(middle) + change);
+  return std::max(least, middle - change - rounding);
+}
+
+LinearBound linear_bound(const std::vector<Vec3>& points, const Simplex& simplex,
+                         const std::array<double, 4>& values) {
+  const auto side = [&](std::size_t k) -> Vec3 {
+    return points[static_cast<std::size_t>(simplex[k])] -
+           points[static_cast<std::size_t>(simplex[0])];
+  };
+  // The slope has the products with the sides that are the differences of values.
+  Eigen::Matrix3d sides;
+  Vec3 differences(values[1] - values[0], values[2] - values[0], 0);
+  sides.row(0) = side(1);
+  sides.row(1) = side(2);
+  if (simplex[3] < 0) {
+    sides.row(2) = side(1).cross(side(2)).normalized() * side(1).norm();
+  } else {
+    sides.row(2) = side(3);
+    differences.z() = values[3] - values[0];
+  }
+  LinearBound bound;
+  const std::size_t count = simplex[3] < 0 ? 3 : 4;
+  bound.least = *std::min_element(values.begin(), values.begin() + count);
+  bound.from = points[static_cast<std::size_t>(simplex[0])];
+  bound.value = values[0];
+  bound.slope = sides.inverse() * differences;
+  return bound;
+}
+
+std::vector<double> SimplexTree::least_by_node(std::span<const LinearBound> bounds) const {
   std::vector<double> least(nodes_.size(), std::numeric_limits<double>::infinity());
   // Children come after their parents.
   for (std::size_t n = nodes_.size(); n-- > 0;) {
     const Node& node = nodes_[n];
     for (std::size_t i = node.first; i < node.first + node.count; ++i) {
-      least[n] = std::min(least[n], of_simplices[order_[i]]);
+      least[n] = std::min(least[n], bounds[order_[i]].least);
     }
     if (node.count == 0) least[n] = std::min(least[n + 1], least[node.second]);
   }
@@ -180,7 +217,7 @@ std::vector<double> SimplexTree::least_by_node(std::span<const double> of_simpli
 }
 
 double SimplexTree::least_in(const Eigen::AlignedBox3d& box, std::span<const double> by_node,
-                             std::span<const double> of_simplices) const {
+                             std::span<const LinearBound> bounds) const {
   double least = std::numeric_limits<double>::infinity();
   std::array<std::size_t, kMaxDepth> stack;
   std::size_t depth = 0;
@@ -196,7 +233,7 @@ double SimplexTree::least_in(const Eigen::AlignedBox3d& box, std::span<const dou
     for (std::size_t i = node.first; i < node.first + node.count; ++i) {
       const std::size_t simplex = order_[i];
       if (box_of(simplices_[simplex]).intersects(box)) {
-        least = std::min(least, of_simplices[simplex]);
+        least = std::min(least, bounds[simplex].in(box));
       }
     }
     if (node.count > 0) continue;
