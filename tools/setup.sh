@@ -8,7 +8,8 @@
 set -euo pipefail
 
 required=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libosd-dev nlohmann-json3-dev
-  libcli11-dev libfmt-dev libtbb-dev libboost-dev libgtest-dev libbenchmark-dev clang-format-14)
+  libcli11-dev libfmt-dev libtbb-dev libboost-dev libexpat1-dev zlib1g-dev libgtest-dev
+  libbenchmark-dev clang-format-14)
 # Building again is faster with the first, and a test needs the second: installed along with the others
 # where the system has them.
 optional=(ccache python3-numpy)

@@ -21,7 +21,7 @@ endforeach()
 # `pkg-config --static`. OpenSubdiv has no file for pkg-config.
 get_target_property(surfmesh_type surfmesh TYPE)
 if(surfmesh_type STREQUAL "STATIC_LIBRARY")
-  set(pc_requires_private "fmt, tbb")
+  set(pc_requires_private "fmt, tbb, expat, zlib")
   set(pc_libs_private "-losdCPU")
   cmake_path(GET OpenSubdiv_osdCPU_LIBRARY PARENT_PATH osd_folder)
   if(NOT osd_folder IN_LIST CMAKE_CXX_IMPLICIT_LINK_DIRECTORIES)

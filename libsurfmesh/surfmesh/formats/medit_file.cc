@@ -12,6 +12,7 @@
 
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/formats/file_words.hh"
+#include "surfmesh/formats/medit_reader.hh"
 #include "surfmesh/formats/mesh_elements.hh"
 #include "surfmesh/formats/vertex_metric.hh"
 #include "surfmesh/io/file_writer.hh"
@@ -288,6 +289,7 @@ std::vector<std::string> lost_in_meditb(const PolyMesh& mesh, const MeshNames& n
 
 MeshFormat medit_format() {
   return {.ending = ".mesh",
+          .parse = parse_medit,
           .write = write_medit<false>,
           .what_is_lost = lost_in_medit,
           .changed_names = changed_in_medit,
@@ -298,6 +300,7 @@ MeshFormat medit_format() {
 
 MeshFormat meditb_format() {
   return {.ending = ".meshb",
+          .parse = parse_medit,
           .write = write_medit<true>,
           .what_is_lost = lost_in_meditb,
           .companion_ending = ".solb",

@@ -10,6 +10,7 @@
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/formats/file_words.hh"
 #include "surfmesh/formats/mesh_elements.hh"
+#include "surfmesh/formats/msh_reader.hh"
 #include "surfmesh/formats/vertex_metric.hh"
 #include "surfmesh/io/file_writer.hh"
 
@@ -530,6 +531,7 @@ std::vector<std::string> lost_in_msh(const PolyMesh& mesh, const MeshNames& name
 
 MeshFormat msh_format() {
   return {.ending = ".msh",
+          .parse = parse_msh,
           .write = write_msh,
           .what_is_lost = lost_in_msh,
           .changed_names = changed_in_msh};

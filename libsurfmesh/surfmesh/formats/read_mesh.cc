@@ -22,6 +22,21 @@ void check_faces(const MeshArraysFile& file, const std::string& name) {
   throw Error(ErrorCode::InvalidInput, fmt::format("{}: {}", name, reason));
 }
 
+/// The contours of the sides of faces, as those of the edges: the sides of an edge have the same.
+void set_contours(const MeshArrays& set, PolyMesh& mesh) {
+  const auto contour_of = attach(mesh, keys::edge_contour, -1);
+  for (const FaceHandle fh : mesh.faces()) {
+    const std::size_t first = set.faces.first_corner(static_cast<std::size_t>(fh.idx()));
+    std::size_t k = 0;
+    // The halfedge of the first corner leads to it, see FirstSide.
+    for_each_corner(mesh, fh, [&](HalfedgeHandle heh) {
+      const int contour = set.contours[first + k++];
+      const EdgeHandle side = mesh.edge_handle(mesh.next_halfedge_handle(heh));
+      if (contour >= 0) mesh.property(contour_of, side) = contour;
+    });
+  }
+}
+
 }  // namespace
 
 MeshFile mesh_from(MeshArraysFile file, const std::string& name) {
@@ -47,6 +62,7 @@ MeshFile mesh_from(MeshArraysFile file, const std::string& name) {
     const auto patch_of = attach(result.mesh, keys::face_patch, -1);
     result.mesh.property(patch_of).data_vector() = set.patches;
   }
+  if (!set.contours.empty()) set_contours(set, result.mesh);
   return result;
 }
 

@@ -14,7 +14,7 @@ namespace surfmesh {
 
 /// A mesh exactly as a file has it, before anything is corrected.
 struct MeshArraysFile {
-  MeshArrays mesh;  ///< without values at corners
+  MeshArrays mesh;  ///< without values at corners, but for contours where the file has lines
   Notices notices;  ///< with file and line
   /// Faces that are left out of the mesh because they do not have three different corners, or no
   /// inside, counted from 0 in the file. Notices tell them, too.
@@ -61,12 +61,13 @@ MeshArraysFile read_mesh_arrays(const std::filesystem::path& path);
 /// the mesh itself with all its surf: properties, except those whose type is neither a number nor
 /// of this library.
 ///
-/// Writes   surf:patch (face) if the file has patches; all properties of an .om file
+/// Writes   surf:patch (face) and surf:contour (edge) if the file has patches and contours; all
+///          properties of an .om file
 /// Throws   as read_mesh_arrays; InvalidInput for an .om file whose connectivity is broken
 MeshFile read_mesh(const std::filesystem::path& path);
 
-/// Make a half-edge mesh from faces, as read_mesh does; `name` is for notices. Values at corners
-/// are not copied.
+/// Make a half-edge mesh from faces, as read_mesh does; `name` is for notices. Of values at corners
+/// only contours are copied.
 MeshFile mesh_from(MeshArraysFile file, const std::string& name);
 
 }  // namespace surfmesh

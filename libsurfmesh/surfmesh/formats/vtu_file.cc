@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "surfmesh/formats/mesh_format.hh"
+#include "surfmesh/formats/vtu_reader.hh"
 #include "surfmesh/io/file_writer.hh"
 
 namespace surfmesh {
@@ -173,7 +174,10 @@ void write_vtu(const VtkGrid& grid, VtuNumbers numbers, OutputFile& file) {
 }
 
 MeshFormat vtu_format() {
-  return {.ending = ".vtu", .write = write_mesh_as_vtu, .what_is_lost = lost_in_vtu};
+  return {.ending = ".vtu",
+          .parse = parse_vtu,
+          .write = write_mesh_as_vtu,
+          .what_is_lost = lost_in_vtu};
 }
 
 }  // namespace surfmesh

@@ -152,8 +152,8 @@ KeyPlaces places_of_keys(const KeyPlaces& options) {
   for (const char* key : {"file", "scheme", "creases"}) places[key] = "a cage";
   for (const char* key : {"range", "xyz", "on"}) places[key] = "a contour";
   for (const char* key : {"vertices", "sharpness"}) places[key] = "the creases of a cage";
-  for (const char* key :
-       {"everywhere", "at", "along", "inside", "field", "table", "radius", "outer", "angle"}) {
+  for (const char* key : {"everywhere", "at", "along", "inside", "field", "table", "background",
+                          "values", "in", "reach", "radius", "outer", "angle"}) {
     places[key] = "sources";
   }
   for (const char* key : {"near", "group"}) places[key] = "the sources of the model";
@@ -185,7 +185,7 @@ ModelFile parse_model(std::string_view text, const std::string& name, const KeyP
   check_names(root, model);
   if (const auto node = root.find("sources")) {
     for (const JsonNode& source : node->elements()) {
-      read_space_source(source, file.constants, model);
+      read_space_source(source, file.constants, file.folder, model);
     }
   }
   read_options(root, "sizing", model);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "surfmesh/cage/creases.hh"
 #include "surfmesh/io/key_places.hh"
 #include "surfmesh/model/join_sides.hh"
+#include "surfmesh/sizes/background_sizes.hh"
 #include "surfmesh/sizes/sizing.hh"
 
 namespace surfmesh {
@@ -46,12 +48,20 @@ struct CadFileInput {
   std::string origin;              ///< JSON pointer
 };
 
+/// Sizes of a background mesh.
+struct BackgroundInput {
+  std::shared_ptr<const BackgroundSizes> sizes;
+  std::optional<double> precision = {};
+};
+
 /// A source of sizes in all patches of the model, or in those of a group.
 struct SpaceSource {
   std::string group;   ///< a group of a cage's file, a cage, or a patch; empty for all patches
   std::string origin;  ///< JSON pointer
-  /// A size everywhere, a field of x, y and z, a place or a box. Their patches are not set.
-  std::variant<Size, FieldSource, NearSource, BoxSource> wish;
+  /// A size everywhere, a field of x, y and z, a place, a box or a background mesh. Their patches
+  /// are not set.
+  std::variant<Size, FieldSource, NearSource, BoxSource, BackgroundInput> wish;
+  int patch = -1;  ///< the one patch where it applies; -1 for those above
 };
 
 /// A NURBS patch of a model file that is divided at its creases.
@@ -85,7 +95,7 @@ struct ModelFile {
   std::vector<ContourInput> contours;
   std::vector<CageInput> cages;
   std::vector<CadFileInput> cad;
-  std::vector<std::filesystem::path> tables;  ///< their files
+  std::vector<std::filesystem::path> tables;  ///< their files, and those of background meshes
   Sources sources;                            ///< `patch` is an index into patches
   std::vector<SpaceSource> space_sources;
   std::vector<AlongContour> along_contours;

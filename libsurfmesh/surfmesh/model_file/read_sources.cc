@@ -13,19 +13,21 @@
 #include <utility>
 #include <vector>
 
+#include "surfmesh/core/at_location.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/model_file/read_background.hh"
 #include "surfmesh/model_file/read_table.hh"
 #include "surfmesh/sizes/formula_field.hh"
 
 namespace surfmesh {
 namespace {
 
-constexpr std::array<std::string_view, 6> kPatchSources = {"everywhere", "at",    "along",
-                                                           "inside",     "field", "table"};
+constexpr std::array<std::string_view, 7> kPatchSources = {
+    "everywhere", "at", "along", "inside", "field", "table", "background"};
 
 /// Those of a model. A group alone has its size everywhere.
-constexpr std::array<std::string_view, 6> kSpaceSources = {"near",  "along",      "inside",
-                                                           "field", "everywhere", "group"};
+constexpr std::array<std::string_view, 7> kSpaceSources = {
+    "near", "along", "inside", "field", "background", "everywhere", "group"};
 
 /// The kind of a source of a model; a group comes beside another kind, or alone.
 std::string kind_in_space(const JsonNode& node) {
@@ -134,6 +136,40 @@ void read_table_source(const JsonNode& node, const PatchScope& patch, ModelFile&
     if (error.code() != ErrorCode::Io) throw;
     table.fail(error.what());
   }
+}
+
+BackgroundIn read_in(const JsonNode& node) {
+  const auto in = node.find("in");
+  if (!in || in->json().is_null()) return BackgroundIn::Space;
+  const std::string word = in->text();
+  if (word != "space" && word != "uv") in->fail("must be \"space\" or \"uv\"");
+  return word == "uv" ? BackgroundIn::Uv : BackgroundIn::Space;
+}
+
+/// A background mesh with its values; what is wrong in its file is told with both places.
+BackgroundInput read_background_source(const JsonNode& node, const std::filesystem::path& folder,
+                                       ModelFile& model) {
+  refuse(node, "a background mesh", {"size", "angle", "radius", "outer"});
+  const JsonNode background = node.at("background");
+  const std::string file = background.text();
+  if (file.empty()) background.fail("must not be empty");
+  const auto values = node.find("values");
+  const BackgroundIn in = read_in(node);
+  BackgroundInput input{nullptr, read_precision(node)};
+  const auto reach = node.find("reach");
+  const bool has_reach = reach && !reach->json().is_null();
+  if (has_reach && !(reach->number() > 0)) reach->fail("must be above 0");
+  model.tables.push_back(folder / file);
+  try {
+    BackgroundMesh mesh = read_background(model.tables.back(), values ? values->text() : "", in);
+    if (has_reach) mesh.reach = reach->number();
+    at_location(model.tables.back().string(), [&] {
+      input.sizes = std::make_shared<const BackgroundSizes>(std::move(mesh), in);
+    });
+  } catch (const Error& error) {
+    background.fail(error.what());
+  }
+  return input;
 }
 
 Vec3 read_point(const JsonNode& node, const Constants& constants) {
@@ -254,7 +290,7 @@ void refuse_elsewhere(const JsonNode& node, std::initializer_list<std::string_vi
 void read_patch_source(const JsonNode& node, const PatchScope& patch, ModelFile& model) {
   refuse_elsewhere(node, {"near", "group"}, "the model, beside patches");
   node.expect_keys({"everywhere", "at", "along", "inside", "field", "table", "size", "angle",
-                    "radius", "outer", "precision"});
+                    "radius", "outer", "precision", "background", "values", "in", "reach"});
   Sources& sources = model.sources;
   const std::string kind = kind_of(node, kPatchSources);
   if (kind == "field") {
@@ -264,7 +300,13 @@ void read_patch_source(const JsonNode& node, const PatchScope& patch, ModelFile&
     return;
   }
   if (kind == "table") return read_table_source(node, patch, model);
+  if (kind == "background") {
+    model.space_sources.push_back(
+        {"", node.pointer(), read_background_source(node, patch.folder, model), patch.index});
+    return;
+  }
   refuse(node, "a size that is not of a field or table", {"precision"});
+  refuse(node, "what is no background mesh", {"values", "in", "reach"});
   if (kind == "everywhere") {
     refuse(node, "a whole patch", {"radius", "outer"});
     if (!node.at(kind).boolean()) node.at(kind).fail("must be true");
@@ -290,6 +332,15 @@ void read_divided_source(const JsonNode& node, const std::vector<PatchScope>& pi
         "patches of their own",
         key));
   }
+  if (node.has("background")) {
+    read_patch_source(node, pieces.front(), model);
+    SpaceSource source = model.space_sources.back();
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+      source.patch = pieces[i].index;
+      model.space_sources.push_back(source);
+    }
+    return;
+  }
   const auto at = node.find("at");
   PatchScope scope = pieces.front();
   scope.domain = whole;
@@ -299,10 +350,11 @@ void read_divided_source(const JsonNode& node, const std::vector<PatchScope>& pi
   }
 }
 
-void read_space_source(const JsonNode& node, const Constants& constants, ModelFile& model) {
+void read_space_source(const JsonNode& node, const Constants& constants,
+                       const std::filesystem::path& folder, ModelFile& model) {
   refuse_elsewhere(node, {"at", "table"}, "a patch");
   node.expect_keys({"group", "everywhere", "near", "along", "inside", "field", "size", "angle",
-                    "radius", "outer", "precision"});
+                    "radius", "outer", "precision", "background", "values", "in", "reach"});
   SpaceSource source;
   source.origin = node.pointer();
   if (const auto group = node.find("group")) {
@@ -312,6 +364,13 @@ void read_space_source(const JsonNode& node, const Constants& constants, ModelFi
   const std::string kind = kind_in_space(node);
   if (kind == "field") {
     source.wish = read_space_field(node, constants);
+  } else if (kind == "background") {
+    source.wish = read_background_source(node, folder, model);
+    if (source.group.empty() && read_in(node) == BackgroundIn::Uv) {
+      node.at("in").fail(
+          "u and v are those of one patch: name it by `group`, or put the source "
+          "among those of the patch");
+    }
   } else {
     refuse(node, "a size that is not of a field", {"precision"});
     if (kind == "along") return read_along_contours(node, model);

@@ -28,7 +28,9 @@ void read_patch_source(const JsonNode& node, const PatchScope& patch, ModelFile&
 void read_divided_source(const JsonNode& node, const std::vector<PatchScope>& pieces,
                          const Domain& whole, ModelFile& model);
 
-/// Read a source of the model: it applies to all patches, or to those of a group.
-void read_space_source(const JsonNode& node, const Constants& constants, ModelFile& model);
+/// Read a source of the model: it applies to all patches, or to those of a group. Files are
+/// relative to the folder.
+void read_space_source(const JsonNode& node, const Constants& constants,
+                       const std::filesystem::path& folder, ModelFile& model);
 
 }  // namespace surfmesh

@@ -392,6 +392,7 @@ void tell_meanings(const SpaceSource& source, const NamedPatches& found, const s
 std::vector<int> patches_of(const SpaceSource& source, const ModelFile& file,
                             const std::string& name, const std::set<std::size_t>& whole_cages,
                             Model& model) {
+  if (source.patch >= 0) return {source.patch};
   if (source.group.empty()) {
     std::vector<int> all(model.patches.size());
     std::iota(all.begin(), all.end(), 0);
@@ -412,10 +413,11 @@ std::vector<int> patches_of(const SpaceSource& source, const ModelFile& file,
 class SpaceSourceAdder {
  public:
   SpaceSourceAdder(std::vector<int> patches, bool is_everywhere, std::string origin,
-                   Sources& sources)
+                   const Model& model, Sources& sources)
       : patches_(std::move(patches)),
         is_everywhere_(is_everywhere),
         origin_(std::move(origin)),
+        model_(model),
         sources_(sources) {}
 
   void operator()(const Size& size) const {
@@ -439,10 +441,22 @@ class SpaceSourceAdder {
     sources_.boxes.push_back(std::move(box));
   }
 
+  void operator()(const BackgroundInput& background) const {
+    at_location(origin_, [&] {
+      for (const int patch : patches_) {
+        FieldSource field = background_field(background.sizes, patch, model_.patch(patch).surface);
+        field.precision = background.precision;
+        field.origin = origin_;
+        sources_.fields.push_back(std::move(field));
+      }
+    });
+  }
+
  private:
   std::vector<int> patches_;
   bool is_everywhere_;
   std::string origin_;
+  const Model& model_;
   Sources& sources_;
 };
 
@@ -451,7 +465,7 @@ void add_space_sources(const ModelFile& file, const std::string& name,
   for (const SpaceSource& source : file.space_sources) {
     const SpaceSourceAdder add(patches_of(source, file, name, whole_cages, input.model),
                                source.group.empty(), fmt::format("{}: {}", name, source.origin),
-                               input.sources);
+                               input.model, input.sources);
     std::visit(add, source.wish);
   }
 }

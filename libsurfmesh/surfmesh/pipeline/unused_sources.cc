@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "surfmesh/geometry/box_tree.hh"
 #include "surfmesh/quality/face_corners.hh"
 #include "surfmesh/quality/triangle_distance.hh"
+#include "surfmesh/sizes/background_sizes.hh"
 #include "surfmesh/sizes/source_place.hh"
 
 namespace surfmesh::detail {
@@ -29,6 +31,12 @@ constexpr double kBulge = 0.1;
 
 /// Points at which a curve is looked at.
 constexpr int kCurvePoints = 64;
+
+/// Places of a patch at which its fields are asked, about.
+constexpr std::size_t kFieldPlaces = 200;
+
+/// Lengths above this are those of a field that asks for none, but for the rounding of metrics.
+constexpr double kNothing = 0.5 * kNoWish;
 
 /// The text after the place of a source that nothing comes to.
 constexpr const char* kEffect =
@@ -205,6 +213,86 @@ Places places_in_domains(const Model& model, const Sources& sources) {
   return places;
 }
 
+/// Counts the places of patches at which fields ask for no size.
+class FieldCover {
+ public:
+  FieldCover(const PolyMesh& mesh, const Model& model, const Sources& sources)
+      : mesh_(mesh), model_(model), sources_(sources), fields_of_(model.patches.size()) {
+    for (std::size_t i = 0; i < sources.fields.size(); ++i) {
+      // Without bounds they are functions of users, which ask for a size everywhere.
+      if (!sources.fields[i].has_bounds()) continue;
+      fields_of_.at(static_cast<std::size_t>(sources.fields[i].patch)).push_back(i);
+    }
+  }
+
+  void look() {
+    const auto patch_of = require(mesh_, keys::face_patch);
+    std::vector<std::size_t> faces(model_.patches.size(), 0);
+    for (const auto face : mesh_.faces()) ++faces[index_of(mesh_.property(patch_of, face))];
+    std::vector<std::size_t> seen(model_.patches.size(), 0);
+    for (const auto face : mesh_.faces()) {
+      const std::size_t patch = index_of(mesh_.property(patch_of, face));
+      if (fields_of_[patch].empty()) continue;
+      if (seen[patch]++ % (faces[patch] / kFieldPlaces + 1) == 0) ask(patch, face);
+    }
+  }
+
+  void tell(Notices& notices) const {
+    for (const auto& [origin, count] : counts_) {
+      if (count.nothing == 0) continue;
+      const double percent =
+          100.0 * static_cast<double>(count.nothing) / static_cast<double>(count.asked);
+      const std::string text =
+          count.nothing == count.asked
+              ? "its patches lie beyond the background mesh; it has no effect"
+              : fmt::format(
+                    "{:.2g} % of its patches lie beyond the background mesh; it has no "
+                    "effect there",
+                    percent);
+      notices.push_back(warning_at(origin, NoticeKind::UnusedSource, text));
+    }
+  }
+
+ private:
+  struct Count {
+    std::size_t asked = 0;
+    std::size_t nothing = 0;
+  };
+
+  static std::size_t index_of(int patch) { return static_cast<std::size_t>(patch); }
+
+  /// Ask the fields of a patch in the middle of a face.
+  void ask(std::size_t patch, FaceHandle face) {
+    const auto uv_of = require(mesh_, keys::corner_uv);
+    Uv sum{0, 0};
+    double corners = 0;
+    for (const HalfedgeHandle corner : mesh_.fh_range(face)) {
+      sum = sum + mesh_.property(uv_of, corner);
+      ++corners;
+    }
+    const Surface& surface = *model_.patches[patch].surface;
+    const Domain domain = surface.domain();
+    const Uv uv = domain.fold(domain.clamp((1 / corners) * sum));
+    const Jet jet = surface.evaluate(uv, Order::First);
+    for (const std::size_t i : fields_of_[patch]) {
+      Count& count = counts_[place_of(sources_.fields[i], "fields", i)];
+      ++count.asked;
+      if (asks_for_nothing(sources_.fields[i], uv, jet)) ++count.nothing;
+    }
+  }
+
+  static bool asks_for_nothing(const FieldSource& field, Uv uv, const Jet& jet) {
+    if (!field.metric) return field.size(uv, jet.point) > kNothing;
+    return jet.du.squaredNorm() > kNothing * kNothing * field.metric(uv, jet.point).m11;
+  }
+
+  const PolyMesh& mesh_;
+  const Model& model_;
+  const Sources& sources_;
+  std::vector<std::vector<std::size_t>> fields_of_;  ///< by patch, indices
+  std::map<std::string, Count> counts_;              ///< by where the source is given
+};
+
 }  // namespace
 
 Notices unused_sources(const PolyMesh& mesh, const Model& model, const Sources& sources,
@@ -212,6 +300,11 @@ Notices unused_sources(const PolyMesh& mesh, const Model& model, const Sources& 
   Places in_space = places_in_space(sources, sizing);
   Places in_domains = places_in_domains(model, sources);
   Notices notices;
+  if (!sources.fields.empty()) {
+    FieldCover cover(mesh, model, sources);
+    cover.look();
+    cover.tell(notices);
+  }
   if (in_space.is_empty() && in_domains.is_empty()) return notices;
   const auto patch_of = require(mesh, keys::face_patch);
   const auto uv_of = require(mesh, keys::corner_uv);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "surfmesh/core/error.hh"
@@ -71,14 +72,18 @@ BoxSamples sample_box(const FieldSource& field, const Surface& surface, const Uv
   return samples;
 }
 
+Interval with_margin(const Interval& range) {
+  const double margin = kMarginShare * range.width();
+  return {range.lower - margin, range.upper + margin};
+}
+
 /// The range of one entry of the first form's factor, with a margin.
 Interval range_of(const std::vector<SurfacePoint>& points, double FirstFormFactor::*entry) {
   Interval range = Interval::of(points[0].form.*entry);
   for (const SurfacePoint& point : points) {
     range = hull(range, Interval::of(point.form.*entry));
   }
-  const double margin = kMarginShare * range.width();
-  return {range.lower - margin, range.upper + margin};
+  return with_margin(range);
 }
 
 /// The greatest eigenvalue of I⁻¹ M, that is of N = M_p⁻¹ M M_p⁻ᵀ, grows with n11, n22 and |n12|.
@@ -134,6 +139,21 @@ SizeTensor size_of_field(const FieldSource& field, const Surface& surface, const
 
 double least_length(const FieldSource& field, const Surface& surface, Uv uv) {
   return size_range(size_of_field(field, surface, point_at(field, surface, uv))).least;
+}
+
+FirstFormBounds first_form_in(const Surface& surface, const UvBox& box) {
+  FieldSource metric;
+  metric.metric = [](Uv, const Vec3&) { return Metric(); };  // so that samples have first forms
+  const BoxSamples samples = sample_box(metric, surface, box);
+  std::optional<FirstFormBounds> all;
+  for (const SurfacePoint& point : samples.points) {
+    const FirstFormFactor& p = point.form;
+    const FirstFormBounds here = {Interval::of(p.l11 * p.l11), Interval::of(p.l11 * p.l21),
+                                  Interval::of(p.l21 * p.l21 + p.l22 * p.l22)};
+    if (!all) all = here;
+    all = {hull(all->e, here.e), hull(all->f, here.f), hull(all->g, here.g)};
+  }
+  return {with_margin(all->e), with_margin(all->f), with_margin(all->g)};
 }
 
 double least_length_in(const FieldSource& field, const Surface& surface, const UvBox& box) {

@@ -19,6 +19,15 @@ SizeTensor size_of_field(const FieldSource& field, const Surface& surface, const
 /// Throws   as size_of_field
 double least_length(const FieldSource& field, const Surface& surface, Uv uv);
 
+/// Ranges of the entries of the first form, E = p_u·p_u, F = p_u·p_v, G = p_v·p_v, in a box of the
+/// domain: those of the samples of least_length_in, with their margin.
+struct FirstFormBounds {
+  Interval e;
+  Interval f;
+  Interval g;
+};
+FirstFormBounds first_form_in(const Surface& surface, const UvBox& box);
+
 /// Bound the least length of a field with bounds from below, in a box of the domain.
 ///
 /// Without positions and metrics the bound holds. Positions and first forms are those of 3 × 3
