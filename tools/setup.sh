@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Install what the build needs, if anything is missing (Debian 12). Needs root only then.
-# --readers adds other programs that read meshes, by which tests judge the files that are written:
+# --readers adds other programs that read meshes and pictures, by which tests judge the files that are written:
 # half a minute and 450 MB. Those tests are skipped without them, so it is no error if they cannot
 # be installed.
 # --cad adds OpenCASCADE, by which surfmesh reads STEP, IGES and BREP files: 40 MB to load, 250 MB
@@ -8,7 +8,7 @@
 set -euo pipefail
 
 required=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libosd-dev nlohmann-json3-dev
-  libcli11-dev libfmt-dev libtbb-dev libboost-dev libgtest-dev libbenchmark-dev clang-format-14)
+  libcli11-dev libfmt-dev libpng-dev libtbb-dev libboost-dev libgtest-dev libbenchmark-dev clang-format-14)
 # Building again is faster with the first, and a test needs the second: installed along with the others
 # where the system has them.
 optional=(ccache python3-numpy)
@@ -16,7 +16,7 @@ readers=()
 
 for argument in "$@"; do
   case "$argument" in
-    --readers) readers=(python3-meshio python3-vtk9 gmsh admesh) ;;
+    --readers) readers=(python3-meshio python3-vtk9 gmsh admesh librsvg2-bin) ;;
     # The second only because CMake files of the first name what is in it.
     --cad) required+=(libocct-data-exchange-dev libocct-modeling-algorithms-dev) ;;
     *)

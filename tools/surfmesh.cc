@@ -12,6 +12,7 @@
 #include "control_command.hh"
 #include "convert_command.hh"
 #include "mesh_command.hh"
+#include "picture_command.hh"
 #include "signals.hh"
 #include "standard_output.hh"
 #include "surfmesh/core/version.hh"
@@ -43,6 +44,7 @@ constexpr const char* kFooter =
     "  surfmesh mesh model.json -o mesh.obj     mesh what a model file describes\n"
     "  surfmesh check mesh.om --model cage.obj  tell how good the mesh is\n"
     "  surfmesh convert mesh.om mesh.ply        write it in another format\n"
+    "  surfmesh picture mesh.om -o mesh.png     draw it, for papers and pages\n"
     "  surfmesh control model.json -o sizes.vtu look at the sizes it asks for\n"
     "Exit status: 0 done; 1 not done; 2 wrong usage; 3 done, but something asked for was not\n"
     "  reached, or check found a fault; 130, 143 stopped by a signal\n"
@@ -70,6 +72,8 @@ int run(int argc, char** argv) {
   convert.add_to(app);
   surfmesh::ControlCommand control;
   control.add_to(app);
+  surfmesh::PictureCommand picture;
+  picture.add_to(app);
   auto arguments = surfmesh::with_switch_values({argv + 1, argv + argc});
   if (const std::string fault = surfmesh::one_dash_fault(app, arguments); !fault.empty()) {
     return tell_wrong_usage(app, fault);
@@ -86,6 +90,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("check")) return check.run();
   if (app.got_subcommand("convert")) return convert.run();
   if (app.got_subcommand("control")) return control.run();
+  if (app.got_subcommand("picture")) return picture.run();
   return mesh.run();
 }
 
