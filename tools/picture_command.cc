@@ -201,10 +201,13 @@ std::vector<char> faces_of(const MeshFile& file, const std::string& path, const 
                                          : fmt::format("no face lies on {}", word)));
 }
 
+/// A check that the help does not show.
+CLI::Validator quiet(CLI::Validator check) { return check.description(""); }
+
 CLI::Option* add_switch(CLI::App& command, const char* flag, std::string& value, const char* text) {
   return command.add_option(flag, value, text)
-      ->type_name("on|off")
-      ->check(CLI::IsMember({"on", "off"}));
+      ->check(quiet(CLI::IsMember({"on", "off"})))
+      ->type_name("on|off");
 }
 
 }  // namespace
@@ -218,8 +221,8 @@ void PictureCommand::add_to(CLI::App& app) {
       ->required()
       ->type_name("OUT");
   command->add_option("--colour,--color", colour_, "field that gives the colours, or plain")
-      ->type_name("FIELD")
-      ->check(colour_fault);
+      ->check(colour_fault)
+      ->type_name("FIELD");
   command->add_option("--size", size_, "pixels (900x600)")->type_name("WxH")->check(size_fault);
   add_view(*command);
   add_style(*command);
@@ -228,36 +231,33 @@ void PictureCommand::add_to(CLI::App& app) {
 
 void PictureCommand::add_view(CLI::App& command) {
   constexpr double kGreatestZoom = 1000;
-  const auto angles = [](double bound) { return CLI::Range(-bound, bound); };
-  std::vector<CLI::Option*> of_space = {
-      command
-          .add_option("--azimuth", camera_.azimuth,
-                      "degrees around the upward axis, of where the camera stands (-60)")
-          ->check(angles(360)),
-      command.add_option("--elevation", camera_.elevation, "degrees above the horizon (30)")
-          ->check(angles(90)),
-      command.add_option("--up", up_, "axis that is upwards (z)")
-          ->type_name("x|y|z")
-          ->check(CLI::IsMember({"x", "y", "z"})),
+  const auto number = [&](const char* flag, double& value, const char* text, double least,
+                          double greatest) {
+    return command.add_option(flag, value, text)
+        ->check(quiet(CLI::Range(least, greatest)))
+        ->type_name("X");
+  };
+  const std::vector<CLI::Option*> of_space = {
+      number("--azimuth", camera_.azimuth, "degrees around the upward axis, of the camera (-60)",
+             -360, 360),
+      number("--elevation", camera_.elevation, "degrees of the camera above the horizon (30)", -90,
+             90),
+      command.add_option("--up", up_, "axis that is upwards: x, y or z (z)")
+          ->check(quiet(CLI::IsMember({"x", "y", "z"})))
+          ->type_name("AXIS"),
       command.add_flag("--perspective", is_perspective_, "rays that meet in the eye, not parallel"),
-      command.add_option("--zoom", zoom_, "larger by so much than what fills the picture (1)")
-          ->check(CLI::Range(1 / kGreatestZoom, kGreatestZoom)),
-      command.add_option("--look-at", look_at_, "point in the middle of the picture")
+      number("--zoom", zoom_, "larger by so much than what fills the picture (1)",
+             1 / kGreatestZoom, kGreatestZoom),
+      command.add_option("--look-at", look_at_, "point in the middle of the picture: X,Y,Z")
           ->delimiter(',')
           ->expected(3)
-          ->type_name("X,Y,Z"),
+          ->type_name("POINT"),
       command.add_option("--fit", fit_, "patch or group that fills the picture")
           ->type_name("NAME")};
-  for (CLI::Option* option : of_space) {
-    if (option->get_type_name() == "FLOAT" || option->get_type_name().empty()) {
-      option->type_name(option->get_expected_max() == 0 ? "" : "X");
-    }
-  }
-  CLI::Option* plane =
-      command
-          .add_option("--plane", plane_,
-                      "patch, by name or number, whose (u,v) are shown in place of space")
-          ->type_name("PATCH");
+  CLI::Option* plane = command
+                           .add_option("--plane", plane_,
+                                       "patch, by name or number from 0: show its (u,v), not space")
+                           ->type_name("PATCH");
   for (CLI::Option* option : of_space) plane->excludes(option);
   command
       .add_flag("--ellipses", has_ellipses_,
@@ -272,14 +272,14 @@ void PictureCommand::add_style(CLI::App& command) {
   add_switch(command, "--contours", contours_, "borders, creases and lines between patches (on)");
   add_switch(command, "--key", key_, "what the colours mean, to the right (on)");
   command.add_option("--line-width", line_width_, "of edges, pixels (by the size)")
-      ->type_name("X")
-      ->check(CLI::Range(0.0, kGreatestWidth));
+      ->check(quiet(CLI::Range(0.0, kGreatestWidth)))
+      ->type_name("X");
   command.add_option("--contour-width", contour_width_, "of contours, pixels (by the size)")
-      ->type_name("X")
-      ->check(CLI::Range(0.0, kGreatestWidth));
+      ->check(quiet(CLI::Range(0.0, kGreatestWidth)))
+      ->type_name("X");
   command.add_option("--background", background_, "white, or none, which lets through (white)")
-      ->type_name("COLOUR")
-      ->check(CLI::IsMember({"white", "none"}));
+      ->check(quiet(CLI::IsMember({"white", "none"})))
+      ->type_name("COLOUR");
 }
 
 PictureOptions PictureCommand::options_for(const MeshFile& file) const {

@@ -21,7 +21,7 @@ constexpr std::size_t kBandRows = 32;
 /// Samples along each side of a pixel, for polygons.
 constexpr int kSamples = 4;
 
-/// How far a line of one pixel reaches from its middle, with the blur at its rim.
+/// How far a line reaches beyond its rim, where it covers pixels in part.
 constexpr double kRim = 0.5;
 
 Rgb parse(const std::string& hex) {
@@ -48,8 +48,7 @@ struct Band {
 /// The share of each pixel that a segment covers, where it is more than before.
 void cover_segment(const Band& band, PicturePoint a, PicturePoint b, double width,
                    std::vector<float>& coverage) {
-  const double half = 0.5 * std::max(width, 1.0), reach = half + kRim;
-  const double strength = std::min(width, 1.0);
+  const double half = 0.5 * width, reach = half + kRim, most = std::min(width, 1.0);
   const auto [top, bottom] =
       Band::range(std::min(a.y, b.y) - reach, std::max(a.y, b.y) + reach, band.first, band.end);
   const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
@@ -69,8 +68,7 @@ void cover_segment(const Band& band, PicturePoint a, PicturePoint b, double widt
       const double t =
           square > 0 ? std::clamp(((x - a.x) * dx + (y - a.y) * dy) / square, 0.0, 1.0) : 0;
       const double distance = std::hypot(x - a.x - t * dx, y - a.y - t * dy);
-      const auto share =
-          static_cast<float>(strength * std::clamp(half + kRim - distance, 0.0, 1.0));
+      const auto share = static_cast<float>(std::clamp(half + kRim - distance, 0.0, most));
       float& old = coverage[(row - band.first) * band.width + column];
       old = std::max(old, share);
     }

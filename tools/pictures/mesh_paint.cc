@@ -13,6 +13,14 @@ namespace {
 /// Steps of a colour map in a picture: more, and each face of a vector picture has its own colour.
 constexpr double kSteps = 160;
 
+/// On large areas categories are drawn paler, so that edges and shades stay visible on them.
+constexpr double kWhite = 0.42;
+
+Rgb paler(const Rgb& colour) {
+  const auto part = [](double value) { return value + kWhite * (1 - value); };
+  return {part(colour.red), part(colour.green), part(colour.blue)};
+}
+
 Rgb step_colour(ColourMap map, double share) {
   return colour_at(map, std::round(kSteps * share) / kSteps);
 }
@@ -39,7 +47,7 @@ PaintedMesh paint_categories(const MeshNames& names, MeshField field,
   for (std::size_t f = 0; f < values.size(); ++f) {
     const bool is_known = values[f] >= 0;
     const auto i = static_cast<std::size_t>(is_known ? values[f] : 0);
-    const Rgb colour = is_known ? category_colour(i) : kNoValueColour;
+    const Rgb colour = is_known ? paler(category_colour(i)) : kNoValueColour;
     result.paint.colours.push_back(colour);
     if (shown[f] == 0) continue;
     if (is_known) used.emplace(i, colour);

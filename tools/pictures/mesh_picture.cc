@@ -167,8 +167,10 @@ class Drawing {
   }
 
   void add_ellipses(Canvas& canvas) const {
-    const MetricEllipses ellipses = metric_ellipses(
-        mesh_, *options_.plane, place_, {{0, 0}, double(scene_width_), double(options_.height)});
+    const PicturePoint a = place_({plane_box_.min().x(), plane_box_.max().y()}),
+                       b = place_({plane_box_.max().x(), plane_box_.min().y()});
+    const PictureFrame plane{a, b.x - a.x, b.y - a.y};
+    const MetricEllipses ellipses = metric_ellipses(mesh_, *options_.plane, place_, plane);
     canvas.add_polygons(ellipses.outlines, {"none", "#b2182b", 2 * options_.lines.edge_width});
   }
 

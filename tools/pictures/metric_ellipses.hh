@@ -18,7 +18,7 @@ struct MetricEllipses {
 
 /// The metric at vertices of a patch as ellipses around them: as wide in each direction as an edge
 /// should be long, or larger by one factor where most could not be seen. Of those that overlap, or
-/// leave the picture, some are left out.
+/// leave the frame, some are left out.
 ///
 /// Reads    surf:uv, surf:metric, surf:beyond (halfedge; the last optional), surf:patch (face)
 /// Throws   MissingProperty

@@ -15,10 +15,10 @@ namespace {
 /// Edges take at most this share of a triangle, and fade altogether where it is lower than so many
 /// pixels.
 constexpr double kInkShare = 0.42;
-constexpr double kLeastRoom = 0.6;
+constexpr double kLeastRoom = 0.9;
 
 /// Steps of opacity.
-constexpr int kLevels = 12;
+constexpr int kLevels = 16;
 
 /// Pixels between the places at which an edge is looked at.
 constexpr double kStep = 0.5;
