@@ -160,7 +160,7 @@ class Drawing {
     if (place_ && options_.has_ellipses) add_ellipses(canvas);
     if (!options_.has_key) return;
     draw_key(canvas, painted_.key,
-             {{double(scene_width_), margin_},
+             {{double(scene_width_) + 0.4 * text_height_, margin_},
               double(options_.width - scene_width_),
               double(options_.height) - 2 * margin_},
              text_height_);
