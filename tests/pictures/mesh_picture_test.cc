@@ -164,9 +164,9 @@ TEST(VectorPictures, LookLikePixels) {
   options.has_key = false;
   expect_alike(torus(80), options, 1.5);
   options.lines = {.edges = false, .contours = false};
-  expect_alike(torus(80), options, 0.5);
+  expect_alike(torus(80), options, 1);
   options.view.camera.lens = Lens::Perspective;
-  expect_alike(torus(40), options, 0.5);
+  expect_alike(torus(40), options, 1);
 }
 
 TEST(VectorPictures, LookLikePixelsWhereSurfacesCross) {

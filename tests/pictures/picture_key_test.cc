@@ -61,7 +61,8 @@ TEST(PictureKey, HasNumbersAndATitle) {
   EXPECT_NE(text.find(">quality in the<"), std::string::npos) << "broken at a blank";
   EXPECT_NE(text.find(">metric<"), std::string::npos);
   EXPECT_NE(text.find(">0.2<"), std::string::npos);
-  EXPECT_NE(text.find("#1a9850"), std::string::npos) << "the colour of the best";
+  const std::string best = hex(colour_at(ColourMap::Goodness, 95.5 / 96));
+  EXPECT_NE(text.find(best), std::string::npos) << "the uppermost of 96 steps";
 }
 
 TEST(PictureKey, HasAsManyNamesAsFit) {

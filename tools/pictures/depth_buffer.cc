@@ -127,7 +127,7 @@ DepthBuffer::DepthBuffer(const Scene& scene, std::size_t width, std::size_t heig
 
 bool DepthBuffer::is_visible(const ScenePoint& point) const {
   const double x = samples_ * point.x, y = samples_ * point.y;
-  if (!(x >= 0 && x < double(columns_) && y >= 0 && y < double(rows_))) return false;
+  if (!(x >= 0 && x <= double(columns_) && y >= 0 && y <= double(rows_))) return false;
   const std::array<double, 2> offsets = {-0.5, 0.5};
   for (const double dy : offsets) {
     for (const double dx : offsets) {
