@@ -81,8 +81,8 @@ TEST(StrokeFont, HasAllSignsOfAscii) {
     for (const auto& line : lines) {
       EXPECT_GE(line.size(), 2U) << sign;
       for (const PicturePoint& point : line) {
-        EXPECT_GE(point.x, -2) << sign;
-        EXPECT_LE(point.x, text_width(std::string(1, sign), 100) + 2) << sign;
+        EXPECT_GE(point.x, -3) << sign;
+        EXPECT_LE(point.x, text_width(std::string(1, sign), 100) + 3) << sign;
         EXPECT_GE(point.y, -78) << sign;
         EXPECT_LE(point.y, 25) << sign;
       }
