@@ -12,6 +12,7 @@
 #include "exit_status.hh"
 #include "man_command.hh"
 #include "mesh_command.hh"
+#include "picture_command.hh"
 #include "surfmesh/core/version.hh"
 
 namespace surfmesh {
@@ -24,6 +25,7 @@ constexpr const char* kFooter =
     "  surfmesh mesh model.json -o mesh.obj     mesh what a model file describes\n"
     "  surfmesh check mesh.om --model cage.obj  tell how good the mesh is\n"
     "  surfmesh convert mesh.om mesh.ply        write it in another format\n"
+    "  surfmesh picture mesh.om -o mesh.png     draw it, for papers and pages\n"
     "  surfmesh control model.json -o sizes.vtu look at the sizes it asks for\n"
     "Exit status: 0 done; 1 not done; 2 wrong usage; 3 done, but something asked for was not\n"
     "  reached, or check found a fault; 130, 143 stopped by a signal\n"
@@ -48,6 +50,7 @@ CommandLine::CommandLine()
   add<CheckCommand>();
   add<ConvertCommand>();
   add<ControlCommand>();
+  add<PictureCommand>();
   add<CompletionCommand>();
   add<ManCommand>();
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Install what the build needs, if anything is missing (Debian 12). Needs root only then.
-# --readers adds programs that read what surfmesh writes, meshes, completions and manual pages:
+# --readers adds programs that read what surfmesh writes, meshes, pictures, completions and manual pages:
 # half a minute and 450 MB. Tests that need them are skipped without, so it is no error if they cannot
 # be installed.
 # --cad adds OpenCASCADE, by which surfmesh reads STEP, IGES and BREP files: 40 MB to load, 250 MB
@@ -8,7 +8,7 @@
 set -euo pipefail
 
 required=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libosd-dev nlohmann-json3-dev
-  libcli11-dev libfmt-dev libtbb-dev libboost-dev libexpat1-dev zlib1g-dev libgtest-dev
+  libcli11-dev libfmt-dev libpng-dev libtbb-dev libboost-dev libexpat1-dev zlib1g-dev libgtest-dev
   libbenchmark-dev clang-format-14)
 # Building again is faster with the first, and a test needs the second: installed along with the others
 # where the system has them.
@@ -18,7 +18,8 @@ readers=()
 for argument in "$@"; do
   case "$argument" in
     --readers)
-      readers=(python3-meshio python3-vtk9 gmsh python3-gmsh calculix-ccx admesh zsh man-db mandoc)
+      readers=(python3-meshio python3-vtk9 gmsh python3-gmsh calculix-ccx admesh
+        librsvg2-bin zsh man-db mandoc)
       ;;
     # The second only because CMake files of the first name what is in it.
     --cad) required+=(libocct-data-exchange-dev libocct-modeling-algorithms-dev) ;;

@@ -52,6 +52,35 @@ TEST(Svg, WritesTextThatMayHoldAnySign) {
   EXPECT_NE(svg.text().find("text-anchor=\"middle\">a &lt; b &amp; c</text>"), std::string::npos);
 }
 
+TEST(Svg, MayHaveNoBackground) {
+  EXPECT_EQ(Svg(10, 10, "none").text().find("<rect"), std::string::npos);
+}
+
+TEST(Svg, CutsOffWhatIsOutsideOfAFrame) {
+  Svg svg(100, 50);
+  svg.begin_frame({{10, 0}, 60, 50});
+  svg.end_frame();
+  EXPECT_NE(svg.text().find("<svg x=\"10.0\" y=\"0.0\" width=\"60.0\" height=\"50.0\" "
+                            "viewBox=\"10.0 0.0 60.0 50.0\">\n</svg>"),
+            std::string::npos)
+      << svg.text();
+}
+
+TEST(Svg, NamesTheColourOfFacesOnce) {
+  Svg svg(10, 10);
+  svg.begin_faces();
+  svg.add_faces({{{0, 0}, {1, 0}, {0, 1}}}, "#123456");
+  svg.end_faces();
+  EXPECT_NE(svg.text().find("<path color=\"#123456\" d=\"m0 0l1 0-1 1z\"/>"), std::string::npos)
+      << svg.text();
+}
+
+TEST(Svg, GivesLinesTheirOpacity) {
+  Svg svg(10, 10);
+  svg.add_lines({{{0, 0}, {1, 1}}}, {"none", "#000000", 1, 0.25});
+  EXPECT_NE(svg.text().find("stroke-opacity=\"0.25\""), std::string::npos);
+}
+
 TEST(Svg, HasGreysFromBlackToWhite) {
   EXPECT_EQ(grey(0), "#000000");
   EXPECT_EQ(grey(0.5), "#808080");

@@ -87,7 +87,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Example{"window.json", -1, 1}, Example{"pipes.json", -1, 1},
                       Example{"pipe_on_plate.json", 0, 1}, Example{"knob_on_plate.json", 3, 2},
                       Example{"sizes.json", 5, 5}, Example{"nurbs_sphere.json", 2, 1},
-                      Example{"wing.json", 1, 1}, Example{"teapot.json", -1, 1}),
+                      Example{"wing.json", 1, 1}, Example{"teapot.json", -1, 1},
+                      Example{"ring.json", 1, 1}),
     [](const auto& test) { return test.param.name.substr(0, test.param.name.find('.')); });
 
 /// Half the thickness of the blade's profile at u^2 along the chord, for u above 0.

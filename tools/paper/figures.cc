@@ -8,6 +8,7 @@
 #include <functional>
 #include <utility>
 
+#include "pictures/long_lines.hh"
 #include "pictures/mesh_picture.hh"
 #include "surfmesh/core/properties.hh"
 
@@ -177,9 +178,14 @@ std::vector<Figure> surface_of_third(Laboratory& laboratory) {
   constexpr double width = 900, height = 580;
   const auto draw = [&outcome](double half_side, double line_width) {
     const Vec3 corner(half_side, half_side, 3);  // the surface is 1.5 high
+    const PolyMesh& mesh = outcome.result->mesh;
+    const MeshPaint paint{std::vector<Rgb>(mesh.n_faces(), {0.94, 0.94, 0.94})};
+    const PictureFrame frame{{0, 0}, width, height};
+    SpaceView view;
+    view.part = {-corner, corner};
     Svg svg(width, height);
-    draw_surface(svg, outcome.result->mesh, {.part = {-corner, corner}, .line_width = line_width},
-                 {{0, 0}, width, height});
+    draw_scene(svg, scene_in_space(mesh, paint, view, frame), frame,
+               {.contours = false, .edge_width = line_width});
     return svg.text();
   };
   return {{"figure9.svg", draw(6, 0.1)}, {"figure10.svg", draw(1.5, 0.4)}};

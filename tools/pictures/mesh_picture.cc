@@ -1,197 +1,222 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pictures/mesh_picture.hh"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numbers>
-#include <span>
+#include <memory>
 #include <utility>
+
+#include "pictures/depth_buffer.hh"
+#include "pictures/image.hh"
+#include "pictures/metric_ellipses.hh"
+#include "pictures/paint_order.hh"
+#include "surfmesh/core/error.hh"
+#include "surfmesh/core/parallel.hh"
+#include "surfmesh/core/properties.hh"
 
 namespace surfmesh {
 namespace {
 
-/// Faces at about one depth, which are drawn shade by shade: fewer, and paths take more space;
-/// more, and faces would cover others that lie before them.
-constexpr std::size_t kFacesAtOnce = 400;
+constexpr Rgb kPlainInSpace = {0.70, 0.78, 0.89}, kPlainInPlane = {0.95, 0.96, 0.98};
 
-/// Shades of grey, from dark to bright.
-constexpr int kShades = 12;
-constexpr double kDarkest = 0.45;
+/// Height of text and the margin around the picture, by the lesser side.
+constexpr double kTextShare = 0.024, kLeastText = 9, kMarginShare = 0.02;
 
-double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+/// Samples along each side of a pixel: four, or fewer on large pictures, for the memory.
+int samples_for(std::size_t width, std::size_t height) {
+  constexpr std::size_t kOfFour = 2'000'000, kOfThree = 8'000'000;
+  const std::size_t area = width * height;
+  return area <= kOfFour ? 4 : area <= kOfThree ? 3 : 2;
+}
 
-/// Runs through the edges of a mesh, each once.
-class EdgeLines {
- public:
-  EdgeLines(const PolyMesh& mesh, const std::function<PicturePoint(VertexHandle)>& at)
-      : mesh_(mesh), is_drawn_(mesh.n_edges(), 0) {
-    points_.reserve(mesh.n_vertices());
-    for (const VertexHandle vh : mesh.vertices()) points_.push_back(at(vh));
+void check(const PictureOptions& options) {
+  const auto [least, greatest] = std::minmax(options.width, options.height);
+  if (least >= kLeastPictureSide && greatest <= kGreatestPictureSide &&
+      options.width * options.height <= kGreatestPictureArea) {
+    return;
   }
+  throw Error(ErrorCode::InvalidOption,
+              fmt::format("a picture of {}x{} pixels: sides are from {} to {}, and it has at most "
+                          "{} million pixels",
+                          options.width, options.height, kLeastPictureSide, kGreatestPictureSide,
+                          kGreatestPictureArea / 1'000'000));
+}
 
-  std::vector<std::vector<PicturePoint>> run() {
-    std::vector<std::vector<PicturePoint>> lines;
-    for (const EdgeHandle eh : mesh_.edges()) {
-      if (is_drawn(eh)) continue;
-      HalfedgeHandle heh = mesh_.halfedge_handle(eh, 0);
-      std::vector<PicturePoint>& line = lines.emplace_back();
-      line.push_back(point(mesh_.from_vertex_handle(heh)));
-      while (heh.is_valid()) {
-        is_drawn(mesh_.edge_handle(heh)) = 1;
-        line.push_back(point(mesh_.to_vertex_handle(heh)));
-        heh = straightest_after(heh);
+/// The scene with a mean of its samples in each pixel.
+void fill(Image& image, const Scene& scene, const DepthBuffer& buffer) {
+  const auto samples = static_cast<std::size_t>(buffer.samples());
+  const float share = 1 / (255.0F * static_cast<float>(samples * samples));
+  share_indices(buffer.rows() / samples, [&](std::size_t row) {
+    for (std::size_t column = 0; column < buffer.columns() / samples; ++column) {
+      std::array<unsigned, 4> sums = {};
+      for (std::size_t i = 0; i < samples * samples; ++i) {
+        const int t = buffer.front(column * samples + i % samples, row * samples + i / samples);
+        if (t < 0) continue;
+        const PackedRgb colour = scene.triangles[static_cast<std::size_t>(t)].colour;
+        sums[0] += colour >> 16U & 255U;
+        sums[1] += colour >> 8U & 255U;
+        sums[2] += colour & 255U;
+        sums[3] += 255U;
+      }
+      for (std::size_t i = 0; i < 4; ++i) {
+        image.at(column, row)[i] = share * static_cast<float>(sums[i]);
       }
     }
-    return lines;
+  });
+}
+
+void add_faces(Svg& svg, const Scene& scene, const DepthBuffer& buffer) {
+  svg.begin_faces();
+  for (const std::vector<PaintPiece>& layer : paint_order(scene, buffer)) {
+    std::vector<PicturePoints> polygons;
+    for (std::size_t i = 0; i < layer.size(); ++i) {
+      PicturePoints& polygon = polygons.emplace_back();
+      for (const ScenePoint& corner : layer[i].corners) polygon.push_back({corner.x, corner.y});
+      if (i + 1 < layer.size() && layer[i + 1].colour == layer[i].colour) continue;
+      svg.add_faces(polygons, hex(unpacked(layer[i].colour)));
+      polygons.clear();
+    }
+  }
+  svg.end_faces();
+}
+
+void add_lines(Canvas& canvas, const std::vector<StyledLines>& all) {
+  for (const auto& [style, lines] : all) canvas.add_lines(lines, style);
+}
+
+/// Draws one picture.
+class Drawing {
+ public:
+  Drawing(const PolyMesh& mesh, const MeshNames& names, const PictureOptions& options)
+      : mesh_(mesh), options_(options) {
+    const double side = static_cast<double>(std::min(options.width, options.height));
+    text_height_ = std::max(kLeastText, kTextShare * side);
+    margin_ = kMarginShare * side;
+    painted_ = paint_mesh(mesh, names, options.colour, shown_faces(),
+                          options.plane ? kPlainInPlane : kPlainInSpace);
+    const double key = options.has_key ? key_width(painted_.key, text_height_) : 0;
+    // The key takes no more than half of the picture, however small that is.
+    scene_width_ = options.width -
+                   static_cast<std::size_t>(std::min(std::ceil(key), 0.5 * double(options.width)));
+    make_scene();
+    buffer_ = std::make_unique<DepthBuffer>(scene_, scene_width_, options.height,
+                                            samples_for(options.width, options.height));
+  }
+
+  std::string svg() const {
+    Svg svg(double(options_.width), double(options_.height),
+            options_.is_transparent ? "none" : "#ffffff");
+    svg.begin_frame({{0, 0}, double(scene_width_), double(options_.height)});
+    add_faces(svg, scene_, *buffer_);
+    add_lines(svg, lines());
+    svg.end_frame();
+    add_notes(svg);
+    return svg.text();
+  }
+
+  std::string png() const {
+    Image image(options_.width, options_.height);
+    fill(image, scene_, *buffer_);
+    if (!options_.is_transparent) image.put_behind({1, 1, 1});
+    add_lines(image, lines());
+    add_notes(image);
+    return image.png();
   }
 
  private:
-  char& is_drawn(EdgeHandle eh) { return is_drawn_[static_cast<std::size_t>(eh.idx())]; }
-
-  const PicturePoint& point(VertexHandle vh) const {
-    return points_[static_cast<std::size_t>(vh.idx())];
+  /// Faces that the key and its scale are of.
+  std::vector<char> shown_faces() const {
+    const auto patch_of = find(mesh_, keys::face_patch);
+    std::vector<char> shown(mesh_.n_faces(), 1);
+    if (!options_.plane || !patch_of.is_valid()) return shown;
+    for (const FaceHandle fh : mesh_.faces()) {
+      shown[index(fh)] = mesh_.property(patch_of, fh) == *options_.plane ? 1 : 0;
+    }
+    return shown;
   }
 
-  /// The edge not drawn yet that turns least from another one; invalid if there is none.
-  HalfedgeHandle straightest_after(HalfedgeHandle heh) {
-    const VertexHandle tip = mesh_.to_vertex_handle(heh);
-    const PicturePoint from = point(mesh_.from_vertex_handle(heh)), at = point(tip);
-    HalfedgeHandle best;
-    double best_cosine = -2;
-    for (const HalfedgeHandle next : mesh_.voh_range(tip)) {
-      if (is_drawn(mesh_.edge_handle(next))) continue;
-      const PicturePoint to = point(mesh_.to_vertex_handle(next));
-      const double dot = (at.x - from.x) * (to.x - at.x) + (at.y - from.y) * (to.y - at.y);
-      const double length =
-          std::hypot(to.x - at.x, to.y - at.y) * std::hypot(at.x - from.x, at.y - from.y);
-      const double cosine = length > 0 ? dot / length : 0;
-      if (cosine > best_cosine) {
-        best_cosine = cosine;
-        best = next;
-      }
+  void make_scene() {
+    PictureFrame frame{{margin_, margin_},
+                       double(scene_width_) - 2 * margin_,
+                       double(options_.height) - 2 * margin_};
+    if (!options_.plane) {
+      scene_ = scene_in_space(mesh_, painted_.paint, options_.view, frame);
+      return;
     }
-    return best;
+    const double left = 3 * text_height_, below = 1.8 * text_height_;  // for the numbers
+    frame = {{margin_ + left, margin_}, frame.width - left, frame.height - below};
+    PlaneScene plane = scene_in_plane(mesh_, *options_.plane, painted_.paint, frame);
+    scene_ = std::move(plane.scene);
+    plane_box_ = plane.box;
+    place_ = std::move(plane.place);
+  }
+
+  std::vector<StyledLines> lines() const { return visible_lines(scene_, *buffer_, options_.lines); }
+
+  void add_notes(Canvas& canvas) const {
+    if (place_) add_axes(canvas);
+    if (place_ && options_.has_ellipses) add_ellipses(canvas);
+    if (!options_.has_key) return;
+    draw_key(canvas, painted_.key,
+             {{double(scene_width_) + 0.4 * text_height_, margin_},
+              double(options_.width - scene_width_),
+              double(options_.height) - 2 * margin_},
+             text_height_);
+  }
+
+  void add_ellipses(Canvas& canvas) const {
+    const PicturePoint a = place_({plane_box_.min().x(), plane_box_.max().y()}),
+                       b = place_({plane_box_.max().x(), plane_box_.min().y()});
+    const PictureFrame plane{a, b.x - a.x, b.y - a.y};
+    const MetricEllipses ellipses = metric_ellipses(mesh_, *options_.plane, place_, plane);
+    canvas.add_polygons(ellipses.outlines, {"none", "#b2182b", 2 * options_.lines.edge_width});
+  }
+
+  /// The names of the parameters and their range.
+  void add_axes(Canvas& canvas) const {
+    const auto number = [](double value) { return fmt::format("{:.4g}", value); };
+    const auto [low, high] = std::pair(plane_box_.min(), plane_box_.max());
+    const PicturePoint a = place_({low.x(), low.y()}), b = place_({high.x(), high.y()});
+    const double h = text_height_, y = a.y + 1.4 * h, x = a.x - 0.6 * h;
+    canvas.add_text({a.x, y}, number(low.x()), h, TextAnchor::Start);
+    canvas.add_text({0.5 * (a.x + b.x), y}, "u", h, TextAnchor::Middle);
+    canvas.add_text({b.x, y}, number(high.x()), h, TextAnchor::End);
+    canvas.add_text({x, a.y}, number(low.y()), h, TextAnchor::End);
+    canvas.add_text({x, 0.5 * (a.y + b.y) + 0.35 * h}, "v", h, TextAnchor::End);
+    canvas.add_text({x, b.y + 0.72 * h}, number(high.y()), h, TextAnchor::End);
   }
 
   const PolyMesh& mesh_;
-  std::vector<char> is_drawn_;
-  std::vector<PicturePoint> points_;
+  const PictureOptions& options_;
+  double text_height_ = 0;
+  double margin_ = 0;
+  std::size_t scene_width_ = 0;  ///< left of the key
+  PaintedMesh painted_;
+  Scene scene_;
+  Eigen::AlignedBox2d plane_box_;
+  std::function<PicturePoint(Uv)> place_;  ///< in the plane of a patch
+  std::unique_ptr<DepthBuffer> buffer_;
 };
-
-/// The axes of a camera: to the right, upwards, and towards the camera.
-struct CameraAxes {
-  Eigen::Vector3d right, up, towards;
-
-  explicit CameraAxes(const Camera& camera) {
-    const double a = radians(camera.azimuth), e = radians(camera.elevation);
-    towards = {std::cos(a) * std::cos(e), std::sin(a) * std::cos(e), std::sin(e)};
-    right = {-std::sin(a), std::cos(a), 0};
-    up = towards.cross(right);
-  }
-};
-
-struct SeenFace {
-  std::vector<Eigen::Vector2d> corners;
-  double depth = 0;  ///< along the axis towards the camera
-  int shade = 0;
-};
-
-/// The faces of a mesh that a camera sees, from back to front.
-class SeenFaces {
- public:
-  SeenFaces(const PolyMesh& mesh, const SurfaceView& view) : axes_(view.camera) {
-    light_ = (axes_.towards + 0.6 * axes_.up - 0.5 * axes_.right).normalized();
-    for (const FaceHandle fh : mesh.faces()) add(mesh, fh, view.part);
-    std::sort(faces_.begin(), faces_.end(),
-              [](const SeenFace& a, const SeenFace& b) { return a.depth < b.depth; });
-  }
-
-  const std::vector<SeenFace>& faces() const { return faces_; }
-
-  /// Around the faces of the part that fills the frame; empty if there are none.
-  const Eigen::AlignedBox2d& box() const { return box_; }
-
- private:
-  void add(const PolyMesh& mesh, FaceHandle fh, const Eigen::AlignedBox3d& part) {
-    std::vector<Eigen::Vector3d> corners;
-    for (const VertexHandle vh : mesh.fv_range(fh)) {
-      const auto& p = mesh.point(vh);
-      corners.emplace_back(p[0], p[1], p[2]);
-    }
-    const Eigen::Vector3d normal =
-        (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-    if (!(normal.dot(axes_.towards) > 0)) return;
-    SeenFace& face = faces_.emplace_back();
-    bool is_in_part = true;
-    for (const Eigen::Vector3d& corner : corners) {
-      face.corners.emplace_back(corner.dot(axes_.right), corner.dot(axes_.up));
-      face.depth += corner.dot(axes_.towards) / static_cast<double>(corners.size());
-      is_in_part = is_in_part && part.contains(corner);
-    }
-    const double light = std::clamp(normal.dot(light_), 0.0, 1.0);
-    face.shade = static_cast<int>(std::lround(light * (kShades - 1)));
-    if (!is_in_part) return;
-    for (const Eigen::Vector2d& corner : face.corners) box_.extend(corner);
-  }
-
-  CameraAxes axes_;
-  Eigen::Vector3d light_;
-  Eigen::AlignedBox2d box_;
-  std::vector<SeenFace> faces_;
-};
-
-/// The polygons of a number of faces by shade, without those beyond the frame.
-std::map<int, std::vector<std::vector<PicturePoint>>> polygons_by_shade(
-    std::span<const SeenFace> faces, const PlaneView& plane, const PictureFrame& frame) {
-  const Eigen::AlignedBox2d inside(
-      Eigen::Vector2d(frame.corner.x, frame.corner.y),
-      Eigen::Vector2d(frame.corner.x + frame.width, frame.corner.y + frame.height));
-  std::map<int, std::vector<std::vector<PicturePoint>>> polygons;
-  for (const SeenFace& face : faces) {
-    std::vector<PicturePoint> polygon;
-    Eigen::AlignedBox2d around;
-    for (const Eigen::Vector2d& corner : face.corners) {
-      polygon.push_back(plane(corner.x(), corner.y()));
-      around.extend(Eigen::Vector2d(polygon.back().x, polygon.back().y));
-    }
-    if (inside.intersects(around)) polygons[face.shade].push_back(std::move(polygon));
-  }
-  return polygons;
-}
 
 }  // namespace
 
-PlaneView::PlaneView(const Eigen::AlignedBox2d& box, const PictureFrame& frame)
-    : centre_(box.center()),
-      middle_{frame.corner.x + 0.5 * frame.width, frame.corner.y + 0.5 * frame.height},
-      scale_(std::min(frame.width / box.sizes().x(), frame.height / box.sizes().y())) {}
-
-PicturePoint PlaneView::operator()(double x, double y) const {
-  return {middle_.x + scale_ * (x - centre_.x()), middle_.y - scale_ * (y - centre_.y())};
+std::string draw_mesh(const PolyMesh& mesh, const MeshNames& names, const PictureOptions& options,
+                      PictureFormat format) {
+  check(options);
+  const Drawing drawing(mesh, names, options);
+  return format == PictureFormat::Svg ? drawing.svg() : drawing.png();
 }
 
-std::vector<std::vector<PicturePoint>> edge_lines(
-    const PolyMesh& mesh, const std::function<PicturePoint(VertexHandle)>& at) {
-  return EdgeLines(mesh, at).run();
-}
-
-void draw_surface(Svg& svg, const PolyMesh& mesh, const SurfaceView& view,
-                  const PictureFrame& frame) {
-  const SeenFaces seen(mesh, view);
-  if (seen.box().isEmpty()) return;
-  const PlaneView plane(seen.box(), frame);
-  const std::span<const SeenFace> faces = seen.faces();
-  for (std::size_t first = 0; first < faces.size(); first += kFacesAtOnce) {
-    const std::size_t count = std::min(kFacesAtOnce, faces.size() - first);
-    for (auto& [shade, polygons] : polygons_by_shade(faces.subspan(first, count), plane, frame)) {
-      // From left to right: short steps from one to the next take less space.
-      std::sort(polygons.begin(), polygons.end(),
-                [](const auto& a, const auto& b) { return a[0].x < b[0].x; });
-      const double brightness = kDarkest + (1 - kDarkest) * shade / (kShades - 1);
-      svg.add_polygons(polygons, {grey(brightness), "#202020", view.line_width});
-    }
-  }
+void draw_scene(Svg& svg, const Scene& scene, const PictureFrame& frame, const LineOptions& lines) {
+  const auto width = static_cast<std::size_t>(frame.corner.x + frame.width),
+             height = static_cast<std::size_t>(frame.corner.y + frame.height);
+  const DepthBuffer buffer(scene, width, height, samples_for(width, height));
+  svg.begin_frame(frame);
+  add_faces(svg, scene, buffer);
+  add_lines(svg, visible_lines(scene, buffer, lines));
+  svg.end_frame();
 }
 
 }  // namespace surfmesh

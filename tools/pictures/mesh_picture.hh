@@ -1,58 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
-#include <functional>
-#include <vector>
+#include <cstddef>
+#include <optional>
+#include <string>
 
+#include "pictures/mesh_paint.hh"
 #include "pictures/svg.hh"
-#include "surfmesh/core/mesh.hh"
+#include "pictures/visible_lines.hh"
 
 namespace surfmesh {
 
-/// A part of a picture, pixels.
-struct PictureFrame {
-  PicturePoint corner;  ///< upper left
-  double width = 0;
-  double height = 0;
+enum class PictureFormat { Svg, Png };
+
+/// Sides of pictures, pixels, and their product.
+inline constexpr std::size_t kLeastPictureSide = 16, kGreatestPictureSide = 16384;
+inline constexpr std::size_t kGreatestPictureArea = std::size_t{1} << 25U;
+
+/// What a picture of a mesh shows.
+struct PictureOptions {
+  std::size_t width = 900;  ///< pixels
+  std::size_t height = 600;
+  std::optional<MeshField> colour = {};  ///< in one colour without
+  LineOptions lines = {};
+  SpaceView view = {};
+  std::optional<int> plane = {};  ///< the patch whose parameters are shown, in place of the view
+  bool has_ellipses = false;      ///< of the metric, over that plane
+  bool has_key = true;            ///< what the colours mean
+  bool is_transparent = false;    ///< else white
 };
 
-/// Maps a rectangle of a plane to a frame: as large as it fits, in the middle, y upwards.
-class PlaneView {
- public:
-  PlaneView(const Eigen::AlignedBox2d& box, const PictureFrame& frame);
+/// Draw a mesh. The bytes do not depend on the number of threads.
+///
+/// Cost     0.3 µs a triangle for PNG, and 0.1 s for 900 × 600 pixels
+/// Throws   InvalidOption for sizes out of their range; what paint_mesh and scene_in_plane throw
+/// Returns  the file
+std::string draw_mesh(const PolyMesh& mesh, const MeshNames& names, const PictureOptions& options,
+                      PictureFormat format);
 
-  PicturePoint operator()(double x, double y) const;
-  double scale() const { return scale_; }  ///< pixels per unit
-
- private:
-  Eigen::Vector2d centre_;
-  PicturePoint middle_;
-  double scale_;
-};
-
-/// The edges of a mesh as a few long lines that run through each of them once: a file of them is
-/// less than half as long as one of edges.
-std::vector<std::vector<PicturePoint>> edge_lines(
-    const PolyMesh& mesh, const std::function<PicturePoint(VertexHandle)>& at);
-
-/// From where a surface is looked at, in parallel rays: degrees.
-struct Camera {
-  double azimuth = -60;  ///< from the x axis counter-clockwise, of where the camera stands
-  double elevation = 35;
-};
-
-/// What part of a mesh in space is drawn, and how.
-struct SurfaceView {
-  Camera camera = {};
-  Eigen::AlignedBox3d part;  ///< the faces within it fill the frame; others are drawn around them
-  double line_width = 0.3;   ///< of edges, pixels
-};
-
-/// Draw the faces of a mesh with their edges, shaded by a light from the upper left. Faces behind
-/// others are drawn first. Left out are faces beyond the frame, and those whose back is seen, so
-/// the surface has to be the graph of a function, seen from above.
-void draw_surface(Svg& svg, const PolyMesh& mesh, const SurfaceView& view,
-                  const PictureFrame& frame);
+/// The pixels that a scene takes in a vector picture: from back to front, then its lines.
+void draw_scene(Svg& svg, const Scene& scene, const PictureFrame& frame, const LineOptions& lines);
 
 }  // namespace surfmesh

@@ -35,6 +35,7 @@ std::string style_text(const PictureStyle& style) {
   if (style.stroke != "none") {
     text += fmt::format(" stroke=\"{}\" stroke-width=\"{:.3g}\" stroke-linejoin=\"round\"",
                         style.stroke, style.width);
+    if (style.opacity < 1) text += fmt::format(" stroke-opacity=\"{:.3g}\"", style.opacity);
   }
   return text;
 }
@@ -55,8 +56,9 @@ std::string escaped(std::string_view text) {
 
 }  // namespace
 
-Svg::Svg(double width, double height) : width_(width), height_(height) {
-  add_rectangle({0, 0}, width, height, {"#ffffff", "none", 0});
+Svg::Svg(double width, double height, const std::string& background)
+    : width_(width), height_(height) {
+  if (background != "none") add_rectangle({0, 0}, width, height, {background, "none", 0});
 }
 
 void Svg::add_rectangle(PicturePoint corner, double width, double height,
@@ -70,19 +72,38 @@ void Svg::add_circle(PicturePoint centre, double radius, const PictureStyle& sty
                        centre.y, radius, style_text(style));
 }
 
-void Svg::add_polygons(const std::vector<std::vector<PicturePoint>>& polygons,
-                       const PictureStyle& style) {
-  add_path(polygons, true, style);
+void Svg::add_polygons(const std::vector<PicturePoints>& polygons, const PictureStyle& style) {
+  add_path(polygons, true, style_text(style));
 }
 
-void Svg::add_lines(const std::vector<std::vector<PicturePoint>>& lines,
-                    const PictureStyle& style) {
-  add_path(lines, false, style);
+void Svg::add_lines(const std::vector<PicturePoints>& lines, const PictureStyle& style) {
+  add_path(lines, false, style_text(style));
 }
 
-void Svg::add_path(const std::vector<std::vector<PicturePoint>>& lines, bool is_closed,
-                   const PictureStyle& style) {
-  body_ += fmt::format("<path {} d=\"", style_text(style));
+void Svg::begin_frame(const PictureFrame& frame) {
+  body_ += fmt::format(
+      "<svg x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" "
+      "viewBox=\"{0:.1f} {1:.1f} {2:.1f} {3:.1f}\">\n",
+      frame.corner.x, frame.corner.y, frame.width, frame.height);
+}
+
+void Svg::end_frame() { body_ += "</svg>\n"; }
+
+void Svg::begin_faces() {
+  body_ +=
+      "<g fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\".4\" "
+      "stroke-linejoin=\"round\">\n";
+}
+
+void Svg::add_faces(const std::vector<PicturePoints>& polygons, const std::string& colour) {
+  add_path(polygons, true, fmt::format("color=\"{}\"", colour));
+}
+
+void Svg::end_faces() { body_ += "</g>\n"; }
+
+void Svg::add_path(const std::vector<PicturePoints>& lines, bool is_closed,
+                   const std::string& style) {
+  body_ += fmt::format("<path {} d=\"", style);
   long x = 0, y = 0;  // where the pen is
   for (const std::vector<PicturePoint>& line : lines) {
     if (line.empty()) continue;

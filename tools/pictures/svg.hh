@@ -5,52 +5,42 @@
 #include <string_view>
 #include <vector>
 
+#include "pictures/canvas.hh"
+
 namespace surfmesh {
-
-/// A point of a picture: pixels, y downwards.
-struct PicturePoint {
-  double x = 0;
-  double y = 0;
-};
-
-/// How a shape is drawn; "none" leaves out its lines, or its inside.
-struct PictureStyle {
-  std::string fill = "none";
-  std::string stroke = "none";
-  double width = 1;  ///< of lines, pixels
-};
-
-enum class TextAnchor { Start, Middle, End };
 
 /// A picture in Scalable Vector Graphics, drawn from back to front.
 ///
 /// Coordinates are rounded to a tenth of a pixel, and given as steps, so that a mesh of 40,000
 /// triangles takes less than a megabyte.
-class Svg {
+class Svg : public Canvas {
  public:
-  /// A white picture of so many pixels.
-  Svg(double width, double height);
+  /// A picture of so many pixels before a background: a colour, or "none".
+  Svg(double width, double height, const std::string& background = "#ffffff");
 
-  void add_rectangle(PicturePoint corner, double width, double height, const PictureStyle& style);
+  void add_rectangle(PicturePoint corner, double width, double height,
+                     const PictureStyle& style) override;
   void add_circle(PicturePoint centre, double radius, const PictureStyle& style);
-
-  /// Polygons of one style, each closed.
-  void add_polygons(const std::vector<std::vector<PicturePoint>>& polygons,
-                    const PictureStyle& style);
-
-  /// Open lines of one style.
-  void add_lines(const std::vector<std::vector<PicturePoint>>& lines, const PictureStyle& style);
-
-  /// A line of text of a height in pixels; `at` lies on its base line.
+  void add_polygons(const std::vector<PicturePoints>& polygons, const PictureStyle& style) override;
+  void add_lines(const std::vector<PicturePoints>& lines, const PictureStyle& style) override;
   void add_text(PicturePoint at, std::string_view text, double height,
-                TextAnchor anchor = TextAnchor::Start);
+                TextAnchor anchor = TextAnchor::Start) override;
+
+  /// What is drawn until end_frame() is cut off at the frame.
+  void begin_frame(const PictureFrame& frame);
+  void end_frame();
+
+  /// The faces that are added until end_faces() have lines of their own colour around them, a
+  /// little wide, so that the background does not shine through between them.
+  void begin_faces();
+  void add_faces(const std::vector<PicturePoints>& polygons, const std::string& colour);
+  void end_faces();
 
   /// The whole file.
   std::string text() const;
 
  private:
-  void add_path(const std::vector<std::vector<PicturePoint>>& lines, bool is_closed,
-                const PictureStyle& style);
+  void add_path(const std::vector<PicturePoints>& lines, bool is_closed, const std::string& style);
 
   double width_;
   double height_;
