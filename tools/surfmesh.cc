@@ -16,6 +16,7 @@
 #include "standard_output.hh"
 #include "surfmesh/core/version.hh"
 #include "usage.hh"
+#include "view_command.hh"
 
 namespace {
 
@@ -44,6 +45,7 @@ constexpr const char* kFooter =
     "  surfmesh check mesh.om --model cage.obj  tell how good the mesh is\n"
     "  surfmesh convert mesh.om mesh.ply        write it in another format\n"
     "  surfmesh control model.json -o sizes.vtu look at the sizes it asks for\n"
+    "  surfmesh view mesh.om -o mesh.html       look at the mesh in a browser\n"
     "Exit status: 0 done; 1 not done; 2 wrong usage; 3 done, but something asked for was not\n"
     "  reached, or check found a fault; 130, 143 stopped by a signal\n"
     "surfmesh COMMAND --help lists the options of a command with their defaults.\n";
@@ -70,6 +72,8 @@ int run(int argc, char** argv) {
   convert.add_to(app);
   surfmesh::ControlCommand control;
   control.add_to(app);
+  surfmesh::ViewCommand view;
+  view.add_to(app);
   auto arguments = surfmesh::with_switch_values({argv + 1, argv + argc});
   if (const std::string fault = surfmesh::one_dash_fault(app, arguments); !fault.empty()) {
     return tell_wrong_usage(app, fault);
@@ -86,6 +90,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("check")) return check.run();
   if (app.got_subcommand("convert")) return convert.run();
   if (app.got_subcommand("control")) return control.run();
+  if (app.got_subcommand("view")) return view.run();
   return mesh.run();
 }
 
