@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles in clusters that lie together in space, so that what is outside of the picture, or on
-// the far side of a closed surface, need not be drawn.
+// Large meshes: triangles in the order of space, so that what is outside of the picture need not be
+// drawn, and a thinned mesh to draw while the picture moves.
 
 /** Triangles of a cluster: fewer cost more draws than they save. */
-const CLUSTER = 512;
+const CLUSTER = 2048;
 
 /** Interleave the low 10 bits of three numbers. */
 function morton(x, y, z) {
@@ -16,76 +16,95 @@ function morton(x, y, z) {
   return spread(x) | (spread(y) << 1) | (spread(z) << 2);
 }
 
-/** The triangles in the order of a curve that fills the cube from -1 to 1. */
-export function sortedBySpace(count, middleOf) {
-  const bits = 1024;
-  const keys = new Float64Array(count);
-  for (let t = 0; t < count; ++t) {
-    const [x, y, z] = middleOf(t).map((c) => Math.min(bits - 1, Math.max(0, (c + 1) * (bits / 2))));
-    keys[t] = morton(x || 0, y || 0, z || 0) * count + t;
+/** The cell of a coordinate from -1 to 1, of so many. */
+function cell(x, count) {
+  const i = ((x + 1) * count) >> 1;
+  return i < 0 ? 0 : i >= count ? count - 1 : i;
+}
+
+/** The triangles in the order of a curve that fills space, by their first corners. */
+export function sortedBySpace({ points, triangleNodes, triangleCount }, vertexOf) {
+  const BITS = 1024;
+  const keys = new Float64Array(triangleCount);
+  for (let t = 0; t < triangleCount; ++t) {
+    const at = 3 * vertexOf(triangleNodes[3 * t]);
+    const place = morton(cell(points[at], BITS), cell(points[at + 1], BITS), cell(points[at + 2], BITS));
+    keys[t] = place * triangleCount + t;
   }
   keys.sort();
-  return Uint32Array.from(keys, (key) => key % count);
+  return Uint32Array.from(keys, (key) => key % triangleCount);
 }
 
-/** A cone around the normals of a cluster, and a sphere around its points. */
-function boundsOf(first, end, positions, normals) {
-  const sum = [0, 0, 0];
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 3 * first; i < 3 * end; ++i) {
-    for (let k = 0; k < 3; ++k) {
-      low[k] = Math.min(low[k], positions[3 * i + k]);
-      high[k] = Math.max(high[k], positions[3 * i + k]);
-      sum[k] += normals[4 * i + k];
-    }
-  }
-  const size = Math.hypot(...sum) || 1;
-  const axis = sum.map((x) => x / size);
-  let cosine = 1;
-  for (let i = 3 * first; i < 3 * end; i += 3) {
-    const n = [0, 1, 2].map((k) => normals[4 * i + k]);
-    const length = Math.hypot(...n);
-    if (length > 0) cosine = Math.min(cosine, (n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2]) / length);
-  }
-  const centre = low.map((x, k) => (x + high[k]) / 2);
-  const radius = Math.hypot(...low.map((x, k) => high[k] - x)) / 2;
-  return { first, end, axis, cosine, centre, radius };
-}
-
-export function makeClusters(count, positions, normals) {
+/** Spheres around clusters of triangles, from the positions of their corners. */
+export function makeClusters(count, positions) {
   const clusters = [];
   for (let first = 0; first < count; first += CLUSTER) {
-    clusters.push(boundsOf(first, Math.min(count, first + CLUSTER), positions, normals));
+    const end = Math.min(count, first + CLUSTER);
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    for (let i = 9 * first; i < 9 * end; i += 3) {
+      for (let k = 0; k < 3; ++k) {
+        low[k] = Math.min(low[k], positions[i + k]);
+        high[k] = Math.max(high[k], positions[i + k]);
+      }
+    }
+    const centre = low.map((x, k) => (x + high[k]) / 2);
+    clusters.push({ first, end, centre, radius: Math.hypot(...low.map((x, k) => high[k] - x)) / 2 });
   }
   return clusters;
 }
 
-/** True if no point of the cluster can be seen from the eye, on its outer side. */
-function isTurnedAway({ axis, cosine, centre, radius }, eye) {
-  if (cosine <= 0) return false;
-  const step = [eye[0] - centre[0], eye[1] - centre[1], eye[2] - centre[2]];
-  const distance = Math.hypot(...step);
-  if (distance <= radius) return false;
-  // The eye sees no outer side if its direction is more than 90° from all normals: those within
-  // the cone, seen from anywhere in the sphere.
-  const along = (step[0] * axis[0] + step[1] * axis[1] + step[2] * axis[2]) / distance;
-  const spread = Math.acos(Math.min(1, cosine)) + Math.asin(radius / distance);
-  return Math.acos(Math.max(-1, Math.min(1, along))) > Math.PI / 2 + spread;
+/**
+ * The ranges of triangles to draw, as [first, end]; `isInside(centre, radius)` tells whether a
+ * sphere is in the picture.
+ */
+export function visibleRanges(clusters, isInside) {
+  const ranges = [];
+  for (const { first, end, centre, radius } of clusters) {
+    if (!isInside(centre, radius)) continue;
+    const last = ranges[ranges.length - 1];
+    if (last && last[1] === first) last[1] = end;
+    else ranges.push([first, end]);
+  }
+  return ranges;
+}
+
+/** The area of all triangles. */
+function areaOf({ points, triangleNodes, triangleCount }, vertexOf) {
+  let area = 0;
+  for (let t = 0; t < triangleCount; ++t) {
+    const [a, b, c] = [0, 1, 2].map((k) => 3 * vertexOf(triangleNodes[3 * t + k]));
+    const ux = points[b] - points[a], uy = points[b + 1] - points[a + 1], uz = points[b + 2] - points[a + 2];
+    const vx = points[c] - points[a], vy = points[c + 1] - points[a + 1], vz = points[c + 2] - points[a + 2];
+    area += Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
+  }
+  return area;
 }
 
 /**
- * The ranges of triangles to draw, as [first, end]. `eye` is null where both sides may be seen;
- * `isInside(centre, radius)` tells whether a sphere is in the picture.
+ * Thin a mesh to about `wanted` triangles: all vertices in one cell of a grid become one, and
+ * triangles with two corners in one cell vanish (Rossignac and Borrel 1993,
+ * doi 10.1007/978-3-642-78114-8_29).
+ *
+ * Returns the triangles that stay, and the vertex that stands for each.
  */
-export function visibleRanges(clusters, eye, isInside) {
-  const ranges = [];
-  for (const cluster of clusters) {
-    if (eye && isTurnedAway(cluster, eye)) continue;
-    if (!isInside(cluster.centre, cluster.radius)) continue;
-    const last = ranges[ranges.length - 1];
-    if (last && last[1] === cluster.first) last[1] = cluster.end;
-    else ranges.push([cluster.first, cluster.end]);
+export function thinned(surface, vertexOf, wanted) {
+  const MOST_CELLS = 256; // along a side
+  // Two triangles a cell, where the surface passes through.
+  const size = Math.sqrt((2 * areaOf(surface, vertexOf)) / wanted);
+  const count = Math.max(2, Math.min(MOST_CELLS, Math.floor(2 / size)));
+  const { points, triangleNodes, triangleCount, vertexCount } = surface;
+  const first = new Int32Array(count ** 3).fill(-1);
+  const standsFor = new Uint32Array(vertexCount);
+  for (let v = 0; v < vertexCount; ++v) {
+    const [x, y, z] = [0, 1, 2].map((k) => cell(points[3 * v + k], count));
+    const at = (x * count + y) * count + z;
+    if (first[at] < 0) first[at] = v;
+    standsFor[v] = first[at];
   }
-  return ranges;
+  const kept = [];
+  for (let t = 0; t < triangleCount; ++t) {
+    const [a, b, c] = [0, 1, 2].map((k) => standsFor[vertexOf(triangleNodes[3 * t + k])]);
+    if (a !== b && b !== c && c !== a) kept.push(t);
+  }
+  return { triangles: Uint32Array.from(kept), standsFor };
 }

@@ -5,7 +5,7 @@
 // lines for them would cost as much as the triangles again.
 import { BufferAttribute, BufferGeometry, DoubleSide, GLSL3, Mesh, RawShaderMaterial } from "three";
 
-import { makeClusters, sortedBySpace, visibleRanges } from "./clusters.js";
+import { makeClusters, sortedBySpace, thinned, visibleRanges } from "./clusters.js";
 
 /** In the alpha of a colour, beside the three bits of the sides. */
 const HIDDEN = 8;
@@ -40,7 +40,7 @@ void main() {
   bool isBack = dot(n, place.xyz) > 0.0;
   if (isBack) n = -n;
   // A light at the eye, and one above it to the left.
-  float light = 0.42 + 0.28 * max(n.z, 0.0) + 0.34 * max(dot(n, vec3(-0.45, 0.62, 0.64)), 0.0);
+  float light = 0.55 + 0.22 * max(n.z, 0.0) + 0.28 * max(dot(n, vec3(-0.45, 0.62, 0.64)), 0.0);
   if (isFlat) light = 1.0;
   colour = tint.rgb * (isBack && !isFlat ? vec3(0.78, 0.8, 0.86) : vec3(1.0)) * light;
 #ifdef SIDES
@@ -69,7 +69,7 @@ void main() {
   float line = 1.0 - smoothstep(0.5 * lineWidth - 0.5, 0.5 * lineWidth + 0.5, nearest);
   // Sides of triangles of a few pixels would leave nothing of their colours.
   float height = 1.0 / max(max(step.x, step.y), step.z);
-  result.rgb *= 1.0 - 0.72 * line * smoothstep(1.5 * lineWidth, 7.0 * lineWidth, height);
+  result.rgb *= 1.0 - 0.62 * line * smoothstep(1.5 * lineWidth, 7.0 * lineWidth, height);
 #endif
 }`;
 
@@ -151,7 +151,7 @@ export class MeshDrawing {
   }
 
   divide() {
-    this.clusters = makeClusters(this.triangles.length, this.positions, this.normals);
+    this.clusters = makeClusters(this.triangles.length, this.positions);
     this.mesh.material = [this.materials[1]];
     this.mesh.geometry.addGroup(0, Infinity, 0);
   }
@@ -162,13 +162,16 @@ export class MeshDrawing {
     this.mesh.material = this.clusters ? [chosen] : chosen;
   }
 
-  /** Draw only what may be seen; see visibleRanges. */
-  chooseRanges(eye, isInside) {
-    if (!this.clusters) return;
+  /** Draw only what is in the picture, see visibleRanges. Returns the number of triangles. */
+  chooseRanges(isInside) {
+    if (!this.clusters) return this.triangles.length;
     this.geometry.clearGroups();
-    for (const [first, end] of visibleRanges(this.clusters, eye, isInside)) {
+    let count = 0;
+    for (const [first, end] of visibleRanges(this.clusters, isInside)) {
       this.geometry.addGroup(3 * first, 3 * (end - first), 0);
+      count += end - first;
     }
+    return count;
   }
 
   /** Give each corner its colour. `isHidden` is asked for patches, `marked` is a face or -1. */
@@ -230,25 +233,31 @@ function distanceAlong(o, d, p, a) {
   return (vx * qx + vy * qy + vz * qz) / volume;
 }
 
+/** Writes the point of a corner, or of the vertex that stands for it. */
+function pointWriter({ points, triangleNodes }, vertexOf) {
+  return (triangle, corner, positions, at) => {
+    const vertex = 3 * vertexOf(triangleNodes[3 * triangle + corner]);
+    positions[at] = points[vertex];
+    positions[at + 1] = points[vertex + 1];
+    positions[at + 2] = points[vertex + 2];
+  };
+}
+
 /** All triangles of the surface; in the order of space where there are many. */
 export function wholeDrawing(surface) {
-  const { points, triangleNodes, triangleCount } = surface;
-  const positionOf = (triangle, corner, positions, at) => {
-    const vertex = surface.vertexOf(triangleNodes[3 * triangle + corner]);
-    positions[at] = points[3 * vertex];
-    positions[at + 1] = points[3 * vertex + 1];
-    positions[at + 2] = points[3 * vertex + 2];
-  };
-  const corner = new Float32Array(9);
-  const middleOf = (t) => {
-    for (let k = 0; k < 3; ++k) positionOf(t, k, corner, 3 * k);
-    return [0, 1, 2].map((i) => (corner[i] + corner[i + 3] + corner[i + 6]) / 3);
-  };
+  const vertexOf = (node) => surface.vertexOf(node);
+  const count = surface.triangleCount;
   const triangles =
-    triangleCount >= WORTH_CLUSTERS
-      ? sortedBySpace(triangleCount, middleOf)
-      : Uint32Array.from({ length: triangleCount }, (_, i) => i);
-  return new MeshDrawing(surface, triangles, positionOf);
+    count >= WORTH_CLUSTERS
+      ? sortedBySpace(surface, vertexOf)
+      : Uint32Array.from({ length: count }, (_, i) => i);
+  return new MeshDrawing(surface, triangles, pointWriter(surface, vertexOf));
+}
+
+/** About so many triangles, for pictures that move. */
+export function thinDrawing(surface, wanted) {
+  const { triangles, standsFor } = thinned(surface, (node) => surface.vertexOf(node), wanted);
+  return new MeshDrawing(surface, triangles, pointWriter(surface, (n) => standsFor[surface.vertexOf(n)]));
 }
 
 /** The triangles of one patch over its parameters; `map` gives x, y of u, v. */

@@ -12,14 +12,8 @@ function addFieldChoice(state) {
     choice.append(make("option", { value: field.name }, field.name === "plain" ? field.text : field.name));
   }
   choice.value = state.field.name;
-  const meaning = make("p", { class: "soft" });
-  const show = () => {
-    choice.value = state.field.name;
-    meaning.textContent = state.field.name === "plain" ? "" : state.field.text;
-  };
-  state.on("colours", show);
-  show();
-  body.append(choice, meaning);
+  state.on("colours", () => (choice.value = state.field.name));
+  body.append(choice);
 }
 
 /** A list with a filter; `rows` gives elements with the names by which they are found. */

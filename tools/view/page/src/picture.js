@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A canvas that is drawn when something has changed. Where the browser draws by the processor, the
-// picture is coarser while it moves, and sharp when it stands still.
+// picture has more pixels when it stands still, and isSlow tells where frames take long.
 import { WebGLRenderer } from "three";
 
 /** How long nothing must move before a picture is drawn at its best, in milliseconds. */
 const STILL = 180;
 
-/** A frame that takes longer, in milliseconds, is drawn coarser while it moves. */
-const SLOW = 90;
+/** Frames that take longer, in milliseconds, are slow. */
+const SLOW = 60;
 
 /** A picture that is drawn faster may have four times the pixels when it stands still. */
 const FAST = 45;
-
-/** Pixels to a pixel of the page, along each side, where frames are slow. */
-const COARSE = 0.6;
 
 function isDrawnByProcessor(gl) {
   const names = gl.getExtension("WEBGL_debug_renderer_info");
@@ -32,19 +29,18 @@ function drawsByProcessor() {
 let byProcessor = null;
 
 export class Picture {
-  /** `draw(renderer, isMoving)` draws one frame. */
+  /** `draw(renderer, isMoving)` draws a frame, and returns true if it leaves nothing out. */
   constructor(container, draw) {
     byProcessor ??= drawsByProcessor();
     this.container = container;
     this.draw = draw;
-    this.renderer = new WebGLRenderer({ antialias: !byProcessor, powerPreference: "high-performance" });
-    this.renderer.setClearColor(0xffffff, 0);
+    this.renderer = new WebGLRenderer({ antialias: !byProcessor, alpha: false, powerPreference: "high-performance" });
+    this.renderer.setClearColor(0xf7f9fb);
     this.canvas = this.renderer.domElement;
     container.append(this.canvas);
     this.ratio = 0;
     this.isWanted = false;
-    this.cost = 0; // of a frame at one pixel to a pixel, in milliseconds
-    this.lastFrame = 0;
+    this.cost = 0; // of a whole frame at one pixel to a pixel, in milliseconds
     this.frames = 0;
     new ResizeObserver(() => this.invalidate()).observe(container);
     this.canvas.addEventListener("webglcontextrestored", () => this.invalidate());
@@ -68,11 +64,14 @@ export class Picture {
     requestAnimationFrame(() => this.frame());
   }
 
+  /** True if a whole frame takes long. The first one does not count: shaders are compiled. */
+  get isSlow() {
+    return this.frames > 1 && this.cost > SLOW;
+  }
+
   bestRatio() {
     if (!byProcessor) return Math.min(2, window.devicePixelRatio);
-    if (this.frames < 2) return 1; // the first one takes longer: shaders are compiled
-    if (this.isMoving) return this.cost > SLOW ? COARSE : 1;
-    return this.cost < FAST ? 2 : 1;
+    return this.frames > 1 && !this.isMoving && this.cost < FAST ? 2 : 1;
   }
 
   frame() {
@@ -80,19 +79,17 @@ export class Picture {
     if (this.width === 0 || this.height === 0) return;
     const start = performance.now();
     this.fit();
-    this.draw(this.renderer, this.isMoving);
-    if (byProcessor) this.measure(start);
+    const isWhole = this.draw(this.renderer, this.isMoving);
+    if (byProcessor) this.measure(start, isWhole);
+    ++this.frames;
   }
 
   /** Wait for the frame: it shows what frames cost, and keeps others from piling up behind it. */
-  measure(start) {
+  measure(start, isWhole) {
     const gl = this.renderer.getContext();
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
-    this.lastFrame = performance.now() - start;
-    if (this.ratio === 1) this.cost = this.lastFrame;
-    // Much less is to be seen now, and a frame will be fast at full resolution, too.
-    if (this.ratio < 1 && this.lastFrame < SLOW / 4) this.cost = 0;
-    if (++this.frames < 3) this.invalidate(true);
+    if (isWhole && this.ratio === 1) this.cost = performance.now() - start;
+    if (this.frames < 2) this.invalidate(true);
   }
 
   fit() {

@@ -7,8 +7,8 @@ import { goToPatch } from "./parts_panel.js";
 /** Elements that are listed. */
 const LISTED = 25;
 
-/** By what elements are worst: the first field that the mesh has. */
-const JUDGES = ["quality", "shape"];
+/** By what elements may be worst: the field that is shown, else the first that the mesh has. */
+const JUDGES = ["quality", "shape", "length", "stretch", "sag"];
 
 /** How bad a value is; the worst is the greatest. */
 function badness(field) {
@@ -62,8 +62,7 @@ export function addWorst(state, space) {
     );
   };
   const judge = () => {
-    const isOfFaces = state.field.of === "faces" && !state.field.category;
-    const chosen = isOfFaces ? state.field : JUDGES.map((name) => state.fields.find(name)).find(Boolean);
+    const chosen = JUDGES.includes(state.field.name) ? state.field : JUDGES.map((name) => state.fields.find(name)).find(Boolean);
     if (chosen === field) return;
     field = chosen;
     faces = worstFaces(field);

@@ -8,8 +8,11 @@ import { paint, planeDrawing } from "./mesh_drawing.js";
 import { Picture } from "./picture.js";
 import { onClick } from "./space_view.js";
 
-/** More ellipses hide each other. */
+/** More ellipses take too long to draw. */
 const MOST_ELLIPSES = 800;
+
+/** Of more points a part is tried, evenly. */
+const MOST_TRIED = 20000;
 
 /** Corners of the polygon that an ellipse is drawn as. */
 const ELLIPSE_CORNERS = 28;
@@ -36,7 +39,6 @@ export class PlaneView {
       this.scene.add(lines.object);
     });
     this.picture = new Picture(container, (renderer) => this.draw(renderer));
-    this.afterDraw = [];
     this.listen();
     this.listenToPointer();
     this.show();
@@ -139,16 +141,9 @@ export class PlaneView {
 
   /** The ellipses of steps of metric length ½: as wide across as the elements asked for. */
   setEllipses() {
-    const positions = [];
-    if (this.state.planeShows.ellipses !== "none") {
-      const points = this.metricPoints();
-      const every = Math.max(1, Math.ceil(points.length / MOST_ELLIPSES));
-      for (let i = 0; i < points.length; i += every) {
-        const corners = this.ellipse(points[i]);
-        if (corners.flat().every(Number.isFinite)) positions.push(...closedLine(corners));
-      }
-    }
-    this.ellipses.set(positions);
+    const { ellipses } = this.state.planeShows;
+    const corners = ellipses === "none" ? [] : apart(this.metricPoints()).map((p) => this.ellipse(p));
+    this.ellipses.set(corners.filter((c) => c.flat().every(Number.isFinite)).flatMap(closedLine));
     this.picture.invalidate();
   }
 
@@ -186,7 +181,7 @@ export class PlaneView {
     camera.updateProjectionMatrix();
     this.drawing.showSides(this.state.showsSides, picture.ratio > 1 ? picture.ratio * 0.8 : 1);
     renderer.render(this.scene, camera);
-    for (const follow of this.afterDraw) follow();
+    return true;
   }
 
   fit() {
@@ -264,4 +259,19 @@ export class PlaneView {
     const x = (event.offsetX + other.offsetX) / 2, y = (event.offsetY + other.offsetY) / 2;
     if (distance(before) > 0) this.zoomAt(distance(event) / distance(before), x, y);
   }
+}
+
+/** Points of which no two are nearer than the metric length 1, so that their ellipses stay apart. */
+function apart(points) {
+  const chosen = [];
+  const every = Math.max(1, Math.ceil(points.length / MOST_TRIED));
+  for (let i = 0; i < points.length && chosen.length < MOST_ELLIPSES; i += every) {
+    if (!chosen.some((other) => isNear(other, points[i]))) chosen.push(points[i]);
+  }
+  return chosen;
+}
+
+function isNear({ uv: a, metric: [m11, m12, m22] }, { uv: b }) {
+  const u = b[0] - a[0], v = b[1] - a[1];
+  return m11 * u * u + 2 * m12 * u * v + m22 * v * v < 1;
 }

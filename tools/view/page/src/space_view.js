@@ -3,9 +3,10 @@
 import { Frustum, Matrix4, PerspectiveCamera, Raycaster, Scene, Sphere, Vector2, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
-import { Lines, closedLine, linear } from "./lines.js";
-import { paint, wholeDrawing } from "./mesh_drawing.js";
+import { HairLines, Lines, closedLine, linear } from "./lines.js";
+import { paint, thinDrawing, wholeDrawing } from "./mesh_drawing.js";
 import { Picture } from "./picture.js";
+import { cross, minus } from "./surface.js";
 
 const CONTOUR = [22, 33, 62];
 const CHOSEN_CONTOUR = [232, 62, 40];
@@ -17,6 +18,9 @@ const UP = new Vector3(0, 0, 1);
 /** Of the picture, in degrees: little perspective, as in drawings. */
 const ANGLE = 24;
 
+/** More triangles in a picture are thinned to so many while it moves, if whole ones are slow. */
+const MOVING_TRIANGLES = 80000;
+
 export class SpaceView {
   constructor(container, state) {
     this.state = state;
@@ -25,8 +29,10 @@ export class SpaceView {
     this.camera.up.copy(UP);
     this.drawing = wholeDrawing(state.surface);
     this.contours = new Lines({ width: 2, hasColours: true });
+    this.movingContours = new HairLines();
     this.outline = new Lines({ width: 3, colour: 0xd9480f, isOnTop: true });
-    this.scene.add(this.drawing.mesh, this.contours.object, this.outline.object);
+    this.scene.add(this.drawing.mesh, this.contours.object, this.movingContours.object);
+    this.scene.add(this.outline.object);
     this.picture = new Picture(container, (renderer, isMoving) => this.draw(renderer, isMoving));
     this.controls = new OrbitControls(this.camera, this.picture.canvas);
     this.controls.zoomToCursor = true;
@@ -52,13 +58,14 @@ export class SpaceView {
   }
 
   colour() {
-    const { state } = this;
-    this.drawing.colour(
-      paint(state.fields, state.field),
-      (patch) => state.isHidden(patch),
-      state.marked,
-    );
+    this.isThinColoured = false;
+    this.colourDrawing(this.drawing);
     this.picture.invalidate();
+  }
+
+  colourDrawing(drawing) {
+    const { fields, field, marked } = this.state;
+    drawing.colour(paint(fields, field), (patch) => this.state.isHidden(patch), marked);
   }
 
   setContours() {
@@ -72,6 +79,7 @@ export class SpaceView {
       colours.push(...colour, ...colour);
     }
     this.contours.set(positions, colours);
+    this.movingContours.set(positions, colours);
     this.picture.invalidate();
   }
 
@@ -83,10 +91,29 @@ export class SpaceView {
 
   draw(renderer, isMoving) {
     this.placeCamera();
-    this.chooseRanges(isMoving);
-    this.drawing.showSides(this.state.showsSides, this.picture.ratio > 1 ? this.picture.ratio * 0.8 : 1);
+    const count = this.chooseRanges();
+    const isThin = isMoving && this.picture.isSlow && count > MOVING_TRIANGLES;
+    if (isThin) this.prepareThin();
+    const { ratio } = this.picture;
+    const shown = isThin ? this.thin : this.drawing;
+    shown.showSides(this.state.showsSides, ratio > 1 ? 0.8 * ratio : 1);
+    this.drawing.mesh.visible = !isThin;
+    if (this.thin) this.thin.mesh.visible = isThin;
+    this.contours.show(!isThin);
+    this.movingContours.object.visible = isThin;
     renderer.render(this.scene, this.camera);
     for (const follow of this.afterDraw) follow();
+    return !isThin;
+  }
+
+  /** The thinned mesh is made when it is first needed, and coloured likewise. */
+  prepareThin() {
+    if (!this.thin) {
+      this.thin = thinDrawing(this.state.surface, MOVING_TRIANGLES);
+      this.scene.add(this.thin.mesh);
+    }
+    if (!this.isThinColoured) this.colourDrawing(this.thin);
+    this.isThinColoured = true;
   }
 
   /** Between the near and the far plane lies no more than the mesh, for depths are coarse. */
@@ -100,20 +127,17 @@ export class SpaceView {
     camera.updateMatrixWorld();
   }
 
-  /** Far sides of a closed mesh are left out while it moves. */
-  chooseRanges(isMoving) {
-    const { camera, state } = this;
-    const seesOneSide = isMoving && state.surface.isClosed && state.hidden.size === 0;
-    const isOutside = camera.position.length() > 1.01;
-    const eye = seesOneSide && isOutside ? camera.position.toArray() : null;
-    this.frustum.setFromProjectionMatrix(
+  /** Leave out what is not in the picture. Returns the number of triangles that are. */
+  chooseRanges() {
+    const { camera, frustum } = this;
+    frustum.setFromProjectionMatrix(
       new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse),
     );
     const sphere = new Sphere();
-    this.drawing.chooseRanges(eye, (centre, radius) => {
+    return this.drawing.chooseRanges((centre, radius) => {
       sphere.center.fromArray(centre);
       sphere.radius = radius;
-      return this.frustum.intersectsSphere(sphere);
+      return frustum.intersectsSphere(sphere);
     });
   }
 
@@ -167,10 +191,10 @@ export class SpaceView {
   }
 
   /** Go to a point, near enough to see something of the given radius. */
-  goTo(point, radius, normal = null) {
+  goTo(point, radius, from = null) {
     const target = new Vector3(...point);
-    const direction = normal
-      ? new Vector3(...normal).normalize()
+    const direction = from
+      ? new Vector3(...from).normalize()
       : this.camera.position.clone().sub(this.controls.target).normalize();
     // Along z, "up" would have no direction.
     if (Math.abs(direction.z) > 0.999) direction.add(new Vector3(0.05, -0.05, 0)).normalize();
@@ -203,14 +227,26 @@ export class SpaceView {
     });
   }
 
+  /** From where a face is seen well: from here, if it is now, else from in front of it. */
+  directionTo(points) {
+    const now = this.camera.position.clone().sub(this.controls.target).normalize();
+    const normal = new Vector3(...cross(minus(points[1], points[0]), minus(points[2], points[0])));
+    normal.normalize();
+    const isSeen = normal.length() === 0 || normal.dot(now) > SEEN_WELL;
+    return (isSeen ? now : normal.addScaledVector(now, 0.3)).toArray();
+  }
+
   goToFace(face) {
     const { surface } = this.state;
     const points = surface.pointsOf(face);
     const middle = surface.middleOf(face);
-    const size = Math.max(...points.map((p) => Math.hypot(...p.map((x, i) => x - middle[i]))));
-    this.goTo(middle, Math.min(1, 7 * size));
+    const size = Math.max(...points.map((p) => Math.hypot(...minus(p, middle))));
+    this.goTo(middle, Math.min(1, 7 * size), this.directionTo(points));
   }
 }
+
+/** Cosine of the angle to its normal up to which a face is seen well. */
+const SEEN_WELL = 0.6;
 
 /** Call `act(x, y)` where the pointer goes down and up at one place. */
 export function onClick(canvas, act) {

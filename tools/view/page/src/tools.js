@@ -14,7 +14,7 @@ export function togglePlane(state, views) {
   plane.hidden = !plane.hidden;
   if (!plane.hidden && !views.plane) views.plane = new PlaneView(plane, state);
   byId("plane-button").setAttribute("aria-pressed", String(!plane.hidden));
-  state.tell("plane-shown");
+  views.space.fit(); // there is more, or less, room for it
 }
 
 function toggleButton(name, title, isOn, act) {
