@@ -32,11 +32,17 @@ function tellCounts({ surface, facts }) {
   for (let f = 0; f < surface.faceCount; ++f) {
     ++kinds[Math.min(2, surface.first[f + 1] - surface.first[f] - 3)];
   }
-  const names = ["triangles", "quads", "polygons"];
-  const parts = kinds.map((n, i) => (n > 0 ? `${whole(n)} ${names[i]}` : null)).filter(Boolean);
-  parts.push(`${whole(surface.vertexCount)} vertices`);
-  if (facts.patches.length > 0) parts.push(`${whole(facts.patches.length)} patches`);
-  byId("counts").textContent = parts.join(" · ");
+  const counts = [
+    [kinds[0], "triangle", "triangles"],
+    [kinds[1], "quad", "quads"],
+    [kinds[2], "polygon", "polygons"],
+    [surface.vertexCount, "vertex", "vertices"],
+    [facts.patches.length, "patch", "patches"],
+  ];
+  const parts = counts.filter(([n]) => n > 0);
+  byId("counts").textContent = parts
+    .map(([n, one, more]) => `${whole(n)} ${n === 1 ? one : more}`)
+    .join(" · ");
 }
 
 async function start() {

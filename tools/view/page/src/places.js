@@ -86,8 +86,19 @@ function placeOf(notice, state, space) {
   if (notice.point) {
     return () => space.goTo(state.pagePoint(notice.point), 0.08);
   }
+  if (notice.contour !== null && state.contourOfLine?.includes(notice.contour)) {
+    return () => goToContour(state, space, notice.contour);
+  }
   const isPatch = notice.patch >= 0 && notice.patch < state.facts.patches.length;
   return isPatch ? () => goToPatch(state, { space }, notice.patch) : null;
+}
+
+/** Mark a contour, and go to the middle of it. */
+function goToContour(state, space, contour) {
+  const { lines, contourOfLine, surface } = state;
+  const segments = [...contourOfLine.keys()].filter((i) => contourOfLine[i] === contour);
+  if (state.chosenContour !== contour) state.chooseContour(contour);
+  space.goTo(surface.point(lines[2 * segments[segments.length >> 1]]), 0.3);
 }
 
 export function addNotices(state, space) {

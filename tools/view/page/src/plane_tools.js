@@ -18,6 +18,7 @@ function box(state, what, name) {
     checked: state.planeShows[what],
     onchange: () => state.showInPlane(what, input.checked),
   });
+  state.on("plane", () => (input.checked = state.planeShows[what]));
   return make("label", {}, input, name);
 }
 
@@ -28,6 +29,7 @@ function ellipseChoice(state) {
     title: "An ellipse is as wide as the elements asked for: its diameters have the metric length 1.",
     onchange: () => state.showInPlane("ellipses", choice.value),
   });
+  state.on("plane", () => (choice.value = state.planeShows.ellipses));
   choice.append(make("option", { value: "none" }, "no ellipses"));
   if (state.surface.metric) choice.append(make("option", { value: "mesh" }, "metric at vertices"));
   if (state.facts.control) choice.append(make("option", { value: "control" }, "metric at control nodes"));

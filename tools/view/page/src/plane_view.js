@@ -9,9 +9,9 @@ import { Picture } from "./picture.js";
 import { onClick } from "./space_view.js";
 
 /** More ellipses take too long to draw. */
-const MOST_ELLIPSES = 800;
+const MOST_ELLIPSES = 500;
 
-/** Of more points a part is tried, evenly. */
+/** Of more points a part is tried. */
 const MOST_TRIED = 20000;
 
 /** Corners of the polygon that an ellipse is drawn as. */
@@ -261,12 +261,16 @@ export class PlaneView {
   }
 }
 
-/** Points of which no two are nearer than the metric length 1, so that their ellipses stay apart. */
+/**
+ * Points of which no two are nearer than the metric length 1, so that their ellipses stay apart.
+ * They are tried in steps of a golden share of their number, which are spread evenly at any time.
+ */
 function apart(points) {
+  const GOLDEN = 0.6180339887498949;
   const chosen = [];
-  const every = Math.max(1, Math.ceil(points.length / MOST_TRIED));
-  for (let i = 0; i < points.length && chosen.length < MOST_ELLIPSES; i += every) {
-    if (!chosen.some((other) => isNear(other, points[i]))) chosen.push(points[i]);
+  for (let i = 0; i < Math.min(points.length, MOST_TRIED) && chosen.length < MOST_ELLIPSES; ++i) {
+    const point = points[Math.floor(((i * GOLDEN) % 1) * points.length)];
+    if (!chosen.some((other) => isNear(other, point))) chosen.push(point);
   }
   return chosen;
 }

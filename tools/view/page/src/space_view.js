@@ -148,10 +148,29 @@ export class SpaceView {
     return radius / Math.sin(Math.atan(Math.tan(half) * aspect));
   }
 
-  /** Look at the whole mesh along a direction towards it. */
+  /** The least distance from which all vertices are in the picture, a little more for a margin. */
+  distanceForAll(direction) {
+    const MARGIN = 1.06;
+    const { points } = this.state.surface;
+    const right = new Vector3().crossVectors(UP, direction).normalize();
+    const up = new Vector3().crossVectors(direction, right);
+    const half = Math.tan((this.camera.fov * Math.PI) / 360) / MARGIN;
+    const aspect = this.picture.width / Math.max(1, this.picture.height) || 1;
+    let distance = 0;
+    for (let i = 0; i < points.length; i += 3) {
+      const x = points[i], y = points[i + 1], z = points[i + 2];
+      const across = Math.abs(right.x * x + right.y * y + right.z * z) / aspect;
+      const along = Math.abs(up.x * x + up.y * y + up.z * z);
+      const needed = direction.x * x + direction.y * y + direction.z * z + Math.max(across, along) / half;
+      if (needed > distance) distance = needed;
+    }
+    return Math.max(distance, 1e-3);
+  }
+
+  /** Look at the whole mesh, from a direction. */
   look(direction) {
     this.controls.target.set(0, 0, 0);
-    this.camera.position.copy(direction).multiplyScalar(this.fittingDistance(0.92));
+    this.camera.position.copy(direction).multiplyScalar(this.distanceForAll(direction));
     this.controls.update();
     this.picture.invalidate();
   }
