@@ -17,6 +17,11 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// A model of ours as a word of a command line.
+std::string quoted_model(const std::string& name) {
+  return std::string("'").append(own_model(name)).append("'");
+}
+
 /// Runs the program as if it were installed, with a short script in place of the viewer: no test
 /// here needs npm.
 class ViewProgram : public Program {
@@ -82,7 +87,7 @@ TEST_F(ViewProgram, ShowsAMeshAsItIs) {
 }
 
 TEST_F(ViewProgram, MeshesACageIfMeshingIsAskedFor) {
-  const std::string knob = "'" + own_model("knob.obj") + "'";
+  const std::string knob = quoted_model("knob.obj");
   EXPECT_EQ(view(knob + " -o p.html"), 0) << err_;
   EXPECT_EQ(facts().at("report"), nullptr);
   EXPECT_EQ(view(knob + " --mesh -o p.html"), 0) << err_;
@@ -102,7 +107,7 @@ TEST_F(ViewProgram, MeshesACageIfMeshingIsAskedFor) {
 }
 
 TEST_F(ViewProgram, MeshesModels) {
-  EXPECT_EQ(view("'" + own_model("cylinder.json") + "' -o p.html"), 0) << err_;
+  EXPECT_EQ(view(quoted_model("cylinder.json") + " -o p.html"), 0) << err_;
   EXPECT_EQ(err_, "");
   const Json all = facts();
   const Json& control = all.at("control").at(0);
@@ -121,7 +126,7 @@ TEST_F(ViewProgram, MeshesModels) {
 }
 
 TEST_F(ViewProgram, AddsWhatOnlyAModelKnows) {
-  const std::string model = "'" + own_model("cylinder.json") + "'";
+  const std::string model = quoted_model("cylinder.json");
   EXPECT_EQ(run("mesh " + model + " -o m.om --quiet"), 0) << err_;
   EXPECT_EQ(view("m.om -o p.html"), 0) << err_;
   Names names = fields();
@@ -140,8 +145,8 @@ TEST_F(ViewProgram, AddsWhatOnlyAModelKnows) {
 }
 
 TEST_F(ViewProgram, RefusesAModelOfAnotherMesh) {
-  EXPECT_EQ(run("mesh '" + own_model("knob.obj") + "' -o m.om --quiet"), 0) << err_;
-  EXPECT_EQ(view("m.om --model '" + own_model("wave.json") + "' -o p.html"), 1);
+  EXPECT_EQ(run("mesh " + quoted_model("knob.obj") + " -o m.om --quiet"), 0) << err_;
+  EXPECT_EQ(view("m.om --model " + quoted_model("wave.json") + " -o p.html"), 1);
   EXPECT_TRUE(says("m.om is no mesh of ")) << err_;
   EXPECT_TRUE(says("and the model has 1")) << err_;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "p.html"));
@@ -266,8 +271,7 @@ TEST(ViewerScript, IsToldToBeMissingWithTheCommandThatMakesIt) {
   EXPECT_NE(fault_of_places(places).find("\"tools/setup.sh --viewer\" in the sources"),
             std::string::npos);
   write_text(places.setup, "");
-  EXPECT_NE(fault_of_places(places).find("\"" + places.setup.string() + " --viewer\""),
-            std::string::npos);
+  EXPECT_NE(fault_of_places(places).find(places.setup.string() + " --viewer\""), std::string::npos);
   EXPECT_NE(fault_of_places(places).find(places.built.string()), std::string::npos);
 }
 

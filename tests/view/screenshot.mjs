@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes the picture of libsurfmesh/VIEW.md: a page of a model with its parameter plane.
+// Makes the picture of libsurfmesh/VIEW.md: a page of a cage that was meshed.
 //
 //   node tests/view/screenshot.mjs build/release/tools/surfmesh libsurfmesh/pictures/view.png
 import { execFileSync } from "node:child_process";
@@ -11,7 +11,7 @@ import { fileURLToPath } from "node:url";
 import { Browser, whatIsMissing } from "./browser.mjs";
 
 const SOURCES = fileURLToPath(new URL("../..", import.meta.url));
-const MODEL = ["models/wave.json", "--curvature", "0.7"];
+const MODEL = ["models/knob.obj", "--mesh", "--curvature", "0.5"];
 
 const [program, picture] = process.argv.slice(2);
 const missing = whatIsMissing(SOURCES);
@@ -25,13 +25,8 @@ try {
   const path = join(folder, "page.html");
   execFileSync(resolve(program), ["view", ...MODEL, "-o", path], { cwd: SOURCES });
   const page = await browser.open(path, { width: 1120, height: 620 });
-  await page.locator("#plane-button").click();
-  await page.evaluate(async () => {
-    const { state, views } = await window.surfmeshViewer;
-    state.choose("size");
-    state.showInPlane("ellipses", "mesh");
-    state.showInPlane("control", false);
-  });
+  await page.selectOption("#field", "size");
+  await page.locator("#groups > summary").click();
   await page.waitForTimeout(3000); // until the picture is drawn at its best
   await page.screenshot({ path: picture });
 } finally {

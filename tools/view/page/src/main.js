@@ -50,7 +50,7 @@ async function start() {
   layOut(page.facts);
   const state = new State(page);
   tellCounts(state);
-  const space = new SpaceView(byId("space"), state);
+  const space = new SpaceView(byId("space-picture"), state);
   const views = { space, plane: null };
   addTools(state, views);
   addShortcuts(state, views);

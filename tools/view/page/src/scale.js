@@ -77,8 +77,7 @@ export function addScale(state) {
     if (card.hidden) return;
     card.replaceChildren(
       make("div", { class: "what" }, make("b", {}, field.name), make("span", { class: "soft-text" }, field.text)),
-      bar(fields, field.scale),
-      numbers(field.scale),
+      make("div", { class: "numbers" }, bar(fields, field.scale), numbers(field.scale)),
       rangeRow(state),
     );
   };

@@ -12,7 +12,7 @@ export function togglePlane(state, views) {
   if (!state.hasPlane) return;
   const plane = byId("plane");
   plane.hidden = !plane.hidden;
-  if (!plane.hidden && !views.plane) views.plane = new PlaneView(plane, state);
+  if (!plane.hidden && !views.plane) views.plane = new PlaneView(byId("plane-picture"), state);
   byId("plane-button").setAttribute("aria-pressed", String(!plane.hidden));
   views.space.fit(); // there is more, or less, room for it
 }
