@@ -64,6 +64,7 @@ async function start() {
   addHistograms(state);
   addFigures(state);
   addPlaneTools(state, views);
+  space.reset(); // now that all around the picture has its size
   return { state, views };
 }
 

@@ -3,16 +3,17 @@
 import { byId, css, make } from "./elements.js";
 import { text, valueAt } from "./fields.js";
 
-/** Numbers along a linear bar. */
+/** Parts of a linear bar between numbers; fewer where the numbers are long. */
 const PARTS = 4;
+const PARTS_OF_LONG = 2;
+const LONG = 5; // characters
 
 /** A bar of a logarithmic scale has numbers at 1, 2 and 5 times powers of ten, at most so many. */
 const MOST_TICKS = 7;
 
 /** Shares of a scale at which numbers stand; ends are always there. */
 function ticks(scale) {
-  const even = Array.from({ length: PARTS + 1 }, (_, i) => i / PARTS);
-  if (!scale.log || !(scale.to > scale.from)) return even.map((s) => [s, valueAt(scale, s)]);
+  if (!scale.log || !(scale.to > scale.from)) return evenTicks(scale);
   const low = Math.log10(scale.from), width = Math.log10(scale.to) - low;
   for (const digits of [[1, 2, 5], [1], [1, 3]]) {
     const values = [];
@@ -24,7 +25,14 @@ function ticks(scale) {
     if (shown.length > MOST_TICKS || shown.length === 0) continue;
     return [[0, scale.from], ...shown, [1, scale.to]];
   }
-  return even.map((s) => [s, valueAt(scale, s)]);
+  return evenTicks(scale);
+}
+
+function evenTicks(scale) {
+  const ticksOf = (parts) =>
+    Array.from({ length: parts + 1 }, (_, i) => [i / parts, valueAt(scale, i / parts)]);
+  const all = ticksOf(PARTS);
+  return all.every(([, value]) => text(value).length <= LONG) ? all : ticksOf(PARTS_OF_LONG);
 }
 
 function bar(fields, scale) {
