@@ -14,6 +14,7 @@
 #include "mesh_command.hh"
 #include "picture_command.hh"
 #include "surfmesh/core/version.hh"
+#include "view_command.hh"
 
 namespace surfmesh {
 namespace {
@@ -25,6 +26,7 @@ constexpr const char* kFooter =
     "  surfmesh mesh model.json -o mesh.obj     mesh what a model file describes\n"
     "  surfmesh check mesh.om --model cage.obj  tell how good the mesh is\n"
     "  surfmesh convert mesh.om mesh.ply        write it in another format\n"
+    "  surfmesh view mesh.om -o mesh.html       look at the mesh in a browser\n"
     "  surfmesh picture mesh.om -o mesh.png     draw it, for papers and pages\n"
     "  surfmesh control model.json -o sizes.vtu look at the sizes it asks for\n"
     "Exit status: 0 done; 1 not done; 2 wrong usage; 3 done, but something asked for was not\n"
@@ -51,6 +53,7 @@ CommandLine::CommandLine()
   add<ConvertCommand>();
   add<ControlCommand>();
   add<PictureCommand>();
+  add<ViewCommand>();
   add<CompletionCommand>();
   add<ManCommand>();
 }

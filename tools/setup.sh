@@ -1,10 +1,15 @@
 #!/usr/bin/env bash
 # Install what the build needs, if anything is missing (Debian 12). Needs root only then.
 # --readers adds programs that read what surfmesh writes, meshes, pictures, completions and manual pages:
-# half a minute and 450 MB. Tests that need them are skipped without, so it is no error if they cannot
+# a minute and 900 MB. Tests that need them are skipped without, so it is no error if they cannot
 # be installed.
 # --cad adds OpenCASCADE, by which surfmesh reads STEP, IGES and BREP files: 40 MB to load, 250 MB
-# installed. Both may be given.
+# installed.
+# --viewer makes the script of the pages that `surfmesh view` writes: it needs npm, which is installed
+# if there is none (Debian's, 400 MB), and loads three.js, esbuild and what drives a browser in tests
+# (50 MB), whose versions tools/view/page/package-lock.json keeps. With --readers, tests open such pages
+# in Chromium.
+# All may be given.
 set -euo pipefail
 
 required=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libosd-dev nlohmann-json3-dev
@@ -14,17 +19,19 @@ required=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libosd-dev nlohman
 # where the system has them.
 optional=(ccache python3-numpy)
 readers=()
+viewer=
 
 for argument in "$@"; do
   case "$argument" in
     --readers)
       readers=(python3-meshio python3-vtk9 gmsh python3-gmsh calculix-ccx admesh
-        librsvg2-bin zsh man-db mandoc)
+        librsvg2-bin chromium zsh man-db mandoc)
       ;;
     # The second only because CMake files of the first name what is in it.
     --cad) required+=(libocct-data-exchange-dev libocct-modeling-algorithms-dev) ;;
+    --viewer) viewer=yes ;;
     *)
-      echo "usage: $0 [--readers] [--cad]" >&2
+      echo "usage: $0 [--readers] [--cad] [--viewer]" >&2
       exit 2
       ;;
   esac
@@ -47,14 +54,30 @@ install() {
     apt-get install --yes --no-install-recommends "$@"
 }
 
+# The script of the pages. Nothing that the packages bring is run while they are installed.
+make_viewer() {
+  [ -n "$viewer" ] || return 0
+  cd "$(dirname "${BASH_SOURCE[0]}")/view/page"
+  npm ci --ignore-scripts --no-audit --no-fund
+  npm run --silent build
+  echo "setup: made $PWD/dist/viewer.js"
+}
+
 if ! command -v dpkg-query >/dev/null; then
   echo "setup: this is no Debian system; the build needs what Debian calls: ${required[*]}" >&2
+  make_viewer
   exit 0
+fi
+if [ -n "$viewer" ] && ! command -v npm >/dev/null; then
+  required+=(nodejs npm)
 fi
 
 mapfile -t missing < <(missing_of "${required[@]}")
 mapfile -t missing_readers < <(missing_of "${readers[@]}")
-[ "${#missing[@]}" -gt 0 ] || [ "${#missing_readers[@]}" -gt 0 ] || exit 0
+if [ "${#missing[@]}" -eq 0 ] && [ "${#missing_readers[@]}" -eq 0 ]; then
+  make_viewer
+  exit
+fi
 echo "setup: missing packages: ${missing[*]} ${missing_readers[*]}"
 
 as_root=()
@@ -62,7 +85,7 @@ if [ "$(id -u)" -ne 0 ]; then
   if ! command -v sudo >/dev/null; then
     echo "setup: cannot install them without root or sudo; as root, run" >&2
     echo "  apt-get install --no-install-recommends ${missing[*]} ${missing_readers[*]}" >&2
-    [ "${#missing[@]}" -eq 0 ]
+    [ "${#missing[@]}" -eq 0 ] && make_viewer
     exit
   fi
   as_root=(sudo)
@@ -82,3 +105,4 @@ fi
 for package in "${missing_readers[@]}"; do
   install "$package" || echo "setup: cannot install $package; its tests are skipped" >&2
 done
+make_viewer

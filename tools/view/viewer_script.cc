@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view/viewer_script.hh"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "surfmesh/core/error.hh"
+#include "surfmesh/io/input_file.hh"
+
+namespace surfmesh {
+
+namespace fs = std::filesystem;
+
+ViewerPlaces viewer_places() {
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  return {.installed = program.parent_path().parent_path() / "share" / "surfmesh" / "viewer.js",
+          .built = fs::path(SURFMESH_VIEW_SOURCES) / "page" / "dist" / "viewer.js",
+          .setup = fs::path(SURFMESH_VIEW_SOURCES).parent_path() / "setup.sh"};
+}
+
+std::string read_viewer_script(const ViewerPlaces& places) {
+  std::error_code ignored;
+  for (const fs::path& path : {places.installed, places.built}) {
+    if (fs::is_regular_file(path, ignored)) return read_file(path);
+  }
+  if (fs::is_regular_file(places.setup, ignored)) {
+    throw Error(ErrorCode::Io, fmt::format("the script of the page, {}, is not there; make it with "
+                                           "\"{} --viewer\"",
+                                           places.built.string(), places.setup.string()));
+  }
+  throw Error(ErrorCode::Io,
+              fmt::format("the script of the page, {}, is not there; make it with "
+                          "\"tools/setup.sh --viewer\" in the sources of surfmesh and install "
+                          "them again, or copy tools/view/page/dist/viewer.js there",
+                          places.installed.string()));
+}
+
+}  // namespace surfmesh

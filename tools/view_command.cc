@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view_command.hh"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <system_error>
+
+#include "mesh_command.hh"
+#include "output_paths.hh"
+#include "outputs.hh"
+#include "standard_output.hh"
+#include "surfmesh/core/parallel.hh"
+#include "surfmesh/core/properties.hh"
+#include "surfmesh/formats/mesh_endings.hh"
+#include "surfmesh/formats/read_mesh.hh"
+#include "surfmesh/io/input_file.hh"
+#include "surfmesh/model/cad_input.hh"
+#include "surfmesh/pipeline/control_spaces.hh"
+#include "surfmesh/pipeline/given_options.hh"
+#include "surfmesh/pipeline/load_model.hh"
+#include "surfmesh/pipeline/mesh_model.hh"
+#include "surfmesh/pipeline/set_option.hh"
+#include "surfmesh/quality/project_mesh.hh"
+#include "surfmesh/quality/sag.hh"
+#include "surfmesh/quality/statistics.hh"
+#include "surfmesh/quality/surface_search.hh"
+#include "view/page.hh"
+#include "view/viewer_script.hh"
+
+namespace surfmesh {
+namespace {
+
+constexpr const char* kFooter =
+    "A mesh is shown as it is, a CAD or model file is meshed first. An .obj or .off file counts "
+    "as\n"
+    "a mesh, but as a cage with --mesh or any option of meshing.\n"
+    "The page needs no network. Its script is made once, by tools/setup.sh --viewer.\n"
+    "Examples:\n"
+    "  surfmesh view part.om -o part.html                     show a mesh\n"
+    "  surfmesh view part.om --model part.step -o part.html   with names, sag and control meshes\n"
+    "  surfmesh view knob.obj --hmax 5% -o knob.html          mesh a cage and show the mesh\n";
+
+/// A model with the options and the notices of the page.
+struct ViewedModel {
+  ModelInput input = {};
+  std::vector<GivenOption> given = {};
+  Notices notices = {};  ///< of the model, and of its control spaces
+  ControlSpaces control = {};
+};
+
+/// Read a model and make its control spaces.
+ViewedModel read_viewed_model(const std::string& path, Scheme scheme, const Settings& settings,
+                              Progress& progress) {
+  ViewedModel viewed{.input = load_model(path, load_options(scheme, settings), &progress)};
+  ModelInput& input = viewed.input;
+  viewed.given = options_of_file(input.options, input.model);
+  for (const auto& [name, value] : settings) {
+    set_option(input.options, name, value);
+    add_given({name, value, OptionOrigin::CommandLine}, viewed.given);
+  }
+  with_threads(input.options.threads, [&] {
+    at_input(path, [&] {
+      viewed.control = make_control_spaces(input.model, input.sources,
+                                           resolve(input.options.sizing, input.model),
+                                           input.options.control, RunContext(&progress));
+    });
+  });
+  viewed.notices = input.model.notices;
+  append(viewed.control.notices, viewed.notices);
+  throw_if_signalled();
+  return viewed;
+}
+
+/// The distance from the surface, where the mesh does not have it from its run.
+void add_sag(PolyMesh& mesh, const Model& model, Progress& progress) {
+  if (find(mesh, keys::face_sag).is_valid()) return;
+  const std::vector<double> sag = estimate_sag(mesh, model, RunContext(&progress));
+  mesh.property(attach(mesh, keys::face_sag)).data_vector() = sag;
+}
+
+/// Throws   InvalidInput where a face is on a patch that the model does not have
+void check_patches(const PolyMesh& mesh, const Model& model, const std::string& mesh_path,
+                   const std::string& model_path) {
+  const auto patch_of = find(mesh, keys::face_patch);
+  if (!patch_of.is_valid()) return;
+  for (const FaceHandle fh : mesh.faces()) {
+    const int patch = mesh.property(patch_of, fh);
+    if (patch >= 0 && static_cast<std::size_t>(patch) < model.patches.size()) continue;
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("{} is no mesh of {}: face {} is on patch {}, and the model has {}",
+                            mesh_path, model_path, fh.idx(), patch, model.patches.size()));
+  }
+}
+
+/// Write the page and tell what it is. Returns the exit status.
+int finish_page(const PageContents& contents, const std::string& script, const std::string& path,
+                bool is_quiet, Progress& progress) {
+  int status = has_shortfall(contents.notices) ? kFellShort : kDone;
+  Outputs outputs;
+  write_page(contents, script, outputs.add(path));
+  outputs.commit(status);
+  progress.clear();
+  std::error_code ignored;
+  const auto size = static_cast<double>(std::filesystem::file_size(path, ignored));
+  constexpr double megabyte = 1e6;
+  if (!is_quiet) {
+    status = print_summary(
+        fmt::format("{}: {} vertices, {} faces, {:.1f} MB\n", path, contents.mesh.n_vertices(),
+                    contents.mesh.n_faces(), size / megabyte),
+        status);
+  }
+  print_notices(contents.notices);
+  return status;
+}
+
+}  // namespace
+
+void ViewCommand::add_to(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "view", "Write a page that shows a mesh, or the mesh of a model, in a browser.");
+  command->footer(kFooter);
+  add_files(*command);
+  using enum OptionGroup;
+  add_flags(*command, named_, std::array{Sizes, ControlSpace, Meshing, Cages});
+  add_scheme(*command, scheme_);
+  add_set(*command, set_, "set any option by its name; beats the other flags and the model file");
+}
+
+void ViewCommand::add_files(CLI::App& command) {
+  command
+      .add_option("INPUT", input_,
+                  fmt::format("mesh ({}), CAD file or model file (.json)", mesh_endings()))
+      ->required()
+      ->type_name("");
+  command.add_option("-o,--output", output_, "page to write: .html")->required()->type_name("FILE");
+  CLI::Option* model =
+      command.add_option("--model", model_, "what INPUT is a mesh of: cage, CAD or model file")
+          ->type_name("FILE");
+  command.add_flag("--mesh", is_meshed_, "mesh an .obj or .off file, which is a cage then")
+      ->excludes(model);
+  command.add_flag("--quiet", is_quiet_, "print warnings and errors only");
+  command.parse_complete_callback([this] { check_usage(); });
+}
+
+Settings ViewCommand::settings() const {
+  Settings settings = named_;
+  settings.insert(settings.end(), set_.begin(), set_.end());
+  return settings;
+}
+
+bool ViewCommand::asks_for_meshing() const {
+  return is_meshed_ || !named_.empty() || !set_.empty() || scheme_ != Scheme::Auto;
+}
+
+/// True for what is meshed first.
+bool ViewCommand::is_model() const {
+  if (lower_case_ending(input_) == ".json" || has_cad_ending(input_)) return true;
+  return model_.empty() && has_cage_ending(input_) && asks_for_meshing();
+}
+
+void ViewCommand::check_usage() const {
+  if (is_model() && !model_.empty()) {
+    throw CLI::ValidationError(fmt::format("--model: {} is a model itself", input_));
+  }
+  if (!is_model() && model_.empty() && asks_for_meshing()) {
+    throw CLI::ValidationError(
+        fmt::format("{} is a mesh, which is shown as it is: options of meshing are for models, or "
+                    "go with --model",
+                    input_));
+  }
+}
+
+/// An .obj or .off file may be a mesh or a cage: say what it was taken for.
+void ViewCommand::tell_choice() const {
+  if (is_quiet_ || !has_cage_ending(input_) || !model_.empty()) return;
+  tell(is_model()
+           ? fmt::format("surfmesh: {} is meshed as a cage; to see the file itself, leave "
+                         "out the options of meshing\n",
+                         input_)
+           : fmt::format("surfmesh: {} is shown as it is; to mesh it as a cage, add --mesh\n",
+                         input_));
+}
+
+int ViewCommand::view_model(const std::string& script, Progress& progress) const {
+  ViewedModel viewed = read_viewed_model(input_, scheme_, settings(), progress);
+  ModelInput& input = viewed.input;
+  check_not_overwritten(input.files, output_);
+  MeshResult result = at_input(
+      input_, [&] { return mesh_model(input.model, input.sources, input.options, &progress); });
+  result.report.input = input_;
+  result.report.files = input.files;
+  result.report.given = viewed.given;
+  throw_if_signalled();
+  add_sag(result.mesh, input.model, progress);
+  return finish_page({.title = std::filesystem::path(input_).filename().string(),
+                      .model = input_,
+                      .mesh = result.mesh,
+                      .names = result.names,
+                      .notices = result.report.notices,
+                      .report = &result.report,
+                      .control = &viewed.control},
+                     script, output_, is_quiet_, progress);
+}
+
+int ViewCommand::view_mesh(const std::string& script, Progress& progress) const {
+  check_mesh_ending(input_);
+  MeshFile file = read_mesh(input_);
+  ViewedModel viewed;
+  if (!model_.empty()) {
+    viewed = read_viewed_model(model_, scheme_, settings(), progress);
+    check_not_overwritten(viewed.input.files, output_);
+    const Model& model = viewed.input.model;
+    if (has_parameters(file.mesh)) {
+      check_patches(file.mesh, model, input_, model_);
+    } else {
+      project_mesh(file.mesh, file.names.patches, model, SurfaceSearch(model),
+                   RunContext(&progress));
+    }
+    file.names = mesh_names(model);
+    add_sag(file.mesh, model, progress);
+    append(viewed.notices, file.notices);
+  }
+  return finish_page({.title = std::filesystem::path(input_).filename().string(),
+                      .model = model_,
+                      .mesh = file.mesh,
+                      .names = file.names,
+                      .notices = file.notices,
+                      .control = model_.empty() ? nullptr : &viewed.control},
+                     script, output_, is_quiet_, progress);
+}
+
+int ViewCommand::view(Progress& progress) const {
+  const std::string ending = lower_case_ending(output_);
+  if (ending != ".html" && ending != ".htm") {
+    throw Error(ErrorCode::InvalidInput, fmt::format("{}: a page is written as .html", output_));
+  }
+  check_writable(output_);
+  check_not_overwritten(std::array{std::filesystem::path(input_)}, output_);
+  if (!is_model()) check_mesh_ending(input_);
+  // Missed now, not after minutes of meshing.
+  const std::string script = read_viewer_script(viewer_places());
+  tell_choice();
+  return is_model() ? view_model(script, progress) : view_mesh(script, progress);
+}
+
+int ViewCommand::run() const {
+  catch_signals();
+  Progress progress(!is_quiet_ && is_terminal());
+  try {
+    return view(progress);
+  } catch (const std::exception& error) {
+    return tell_failure(error, progress);
+  }
+}
+
+}  // namespace surfmesh
