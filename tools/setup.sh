@@ -4,7 +4,7 @@
 # half a minute and 450 MB. Those tests are skipped without them, so it is no error if they cannot
 # be installed.
 # --cad adds OpenCASCADE, by which surfmesh reads STEP, IGES and BREP files: 40 MB to load, 250 MB
-# installed. Both may be given.
+# installed. --python adds what the Python module and its examples take: 200 MB. All may be given.
 set -euo pipefail
 
 required=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libosd-dev nlohmann-json3-dev
@@ -19,8 +19,11 @@ for argument in "$@"; do
     --readers) readers=(python3-meshio python3-vtk9 gmsh admesh) ;;
     # The second only because CMake files of the first name what is in it.
     --cad) required+=(libocct-data-exchange-dev libocct-modeling-algorithms-dev) ;;
+    --python)
+      required+=(pybind11-dev python3-dev python3-numpy python3-scipy python3-matplotlib)
+      ;;
     *)
-      echo "usage: $0 [--readers] [--cad]" >&2
+      echo "usage: $0 [--readers] [--cad] [--python]" >&2
       exit 2
       ;;
   esac
