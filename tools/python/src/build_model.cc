@@ -213,7 +213,6 @@ Model patches_of(const Builder& builder, const LoadOptions& options) {
   if (!options.joining && error > model.joining) {
     joining.joining = Length::units(error);
     model = model_from_patches(builder.patches, builder.contours, joining);
-    model.made_with.clear();
   }
   for (const Group& group : builder.groups) model.groups.push_back(group);
   return model;
