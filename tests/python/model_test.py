@@ -159,7 +159,7 @@ class Functions(unittest.TestCase):
             (lambda u, v: u, "shape"),
             (lambda u, v: np.stack([u, v], axis=1), "shape"),
             (lambda u, v: np.stack([u, v, u])[:, :3], "shape"),
-            (lambda u, v: None, "numbers"),
+            (lambda u, v: None, "shape"),
             (lambda u, v: "abc", "numbers"),
             (lambda u, v: (u, v), "shape|numbers"),
             (lambda u, v: (u, v, u[:3]), "arrays"),

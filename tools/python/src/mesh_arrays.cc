@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -18,8 +19,6 @@
 
 namespace surfmesh::python {
 namespace {
-
-using Held = std::shared_ptr<const HeldMesh>;
 
 /// OpenMesh's own points; the array keeps the mesh.
 py::array points(const py::object& self) {
@@ -117,7 +116,7 @@ py::array beyond(const HeldMesh& held) {
   for_all_corners(mesh, [&](HalfedgeHandle heh) {
     *next++ = is_beyond.is_valid() && mesh.property(is_beyond, heh) != 0;
   });
-  return std::move(array);
+  return array;
 }
 
 py::object patch(const HeldMesh& held) {

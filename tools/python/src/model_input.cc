@@ -11,6 +11,7 @@
 #include "arrays.hh"
 #include "bindings.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/option_range.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/pipeline/set_option.hh"
 #include "watched_run.hh"

@@ -13,12 +13,7 @@ from ._errors import InvalidInput
 
 def array(name: str, value: Any, shape: Sequence[Optional[int]], least: int = 0) -> np.ndarray:
     """A contiguous array of finite doubles of a shape; None stands for any number from `least`."""
-    try:
-        result = np.ascontiguousarray(value, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise InvalidInput(f"{name} is no array of numbers: {error}") from None
-    if np.iscomplexobj(value):
-        raise InvalidInput(f"{name} has complex numbers")
+    result = doubles(f"{name} is", value)
     fits = result.ndim == len(shape) and all(
         n == given if n is not None else given >= least
         for n, given in zip(shape, result.shape)
@@ -29,6 +24,17 @@ def array(name: str, value: Any, shape: Sequence[Optional[int]], least: int = 0)
         raise InvalidInput(f"{name} has the shape {result.shape}, not ({wanted}){at_least}")
     check_finite(name, result)
     return result
+
+
+def doubles(subject: str, value: Any) -> np.ndarray:
+    """A contiguous array of doubles; `subject` begins the message, "points is" no array."""
+    try:
+        raw = np.asarray(value)
+        if raw.dtype.kind in "cSUmM":
+            raise TypeError(f"its entries are of type {raw.dtype}")
+        return np.asarray(raw, dtype=np.float64, order="C")
+    except (TypeError, ValueError) as error:
+        raise InvalidInput(f"{subject} no array of real numbers: {error}") from None
 
 
 def check_finite(name: str, values: np.ndarray) -> None:
@@ -144,19 +150,12 @@ def batched(function: Callable[..., Any], width: int, what: str) -> Callable[...
         count = len(coordinates[0])
         result = function(*coordinates)
         if width > 1 and isinstance(result, (tuple, list)) and len(result) == width:
+            parts = [doubles(f"{what} returned", part) for part in result]
             try:
-                result = np.stack(
-                    [np.broadcast_to(np.asarray(part, dtype=np.float64), count) for part in result],
-                    axis=1,
-                )
-            except (TypeError, ValueError) as error:
+                result = np.stack([np.broadcast_to(part, count) for part in parts], axis=1)
+            except ValueError as error:
                 raise InvalidInput(f"{what} returned no {width} arrays of {count}: {error}") from None
-        if np.iscomplexobj(result):
-            raise InvalidInput(f"{what} returned complex numbers")
-        try:
-            values = np.ascontiguousarray(result, dtype=np.float64)
-        except (TypeError, ValueError) as error:
-            raise InvalidInput(f"{what} returned no array of numbers: {error}") from None
+        values = doubles(f"{what} returned", result)
         wanted = (count, width) if width > 1 else (count,)
         if values.shape == () and width == 1:
             values = np.full(count, float(values))
