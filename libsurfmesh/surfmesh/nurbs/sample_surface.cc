@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/geometry/quasirandom.hh"
 #include "surfmesh/geometry/surface_checks.hh"
 #include "surfmesh/nurbs/sampled_surface.hh"
@@ -98,11 +99,14 @@ class Sampler {
 
   static Greatest difference(const SampledSurface& surface, const std::vector<Uv>& uvs,
                              const std::vector<Vec3>& points) {
+    std::vector<double> errors(uvs.size());
+    share_ranges(uvs.size(), [&](std::size_t first, std::size_t end) {
+      for (std::size_t i = first; i < end; ++i) {
+        errors[i] = (surface.evaluate(uvs[i], Order::Position).point - points[i]).norm();
+      }
+    });
     Greatest greatest;
-    for (std::size_t i = 0; i < uvs.size(); ++i) {
-      const Vec3 point = surface.evaluate(uvs[i], Order::Position).point;
-      greatest.take((point - points[i]).norm(), uvs[i]);
-    }
+    for (std::size_t i = 0; i < uvs.size(); ++i) greatest.take(errors[i], uvs[i]);
     return greatest;
   }
 
