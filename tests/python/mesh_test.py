@@ -214,8 +214,8 @@ def without_clocks(report):
 class Reports(support.FolderTest):
     def test_are_those_of_the_command_line(self):
         for source in (support.KNOB, support.model("sizes.json")):
-            support.run("mesh", source, "-o", self.path("mesh.om"), "--hmax", "10%", "--grade", "1.3",
-                        "--quiet", "--report", self.path("report.json"))
+            support.run("mesh", source, "-o", self.path("mesh.om"), "--hmax", "10%", "--grade",
+                        "1.3", "--quiet", "--report", self.path("report.json"))
             with open(self.path("report.json")) as file:
                 expected = json.load(file)
             report = surfmesh.mesh(source, hmax="10%", grade=1.3).report

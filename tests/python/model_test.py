@@ -38,8 +38,8 @@ class Cages(support.FolderTest):
 
     def test_have_creases_corners_holes_and_groups(self):
         model = surfmesh.Model()
-        model.add_cage(support.CUBE, support.CUBE_FACES, name="box", creases=[([4, 5, 7, 6, 4], 10)],
-                       corners=[(0, 10)], holes=[0], groups={"top": [1]})
+        model.add_cage(support.CUBE, support.CUBE_FACES, name="box",
+                       creases=[([4, 5, 7, 6, 4], 10)], corners=[(0, 10)], holes=[0], groups={"top": [1]})
         mesh = surfmesh.mesh(model, hmax="10%")
         self.assertEqual(set(mesh.groups), {"top", "box"})
         self.assertFalse(mesh.report["mesh"]["closed"])
@@ -202,8 +202,8 @@ class Grids(unittest.TestCase):
 class Formulas(unittest.TestCase):
     def test_are_surfaces(self):
         model = surfmesh.Model()
-        model.add_patch("roll", ("r*cos(w)", "r*sin(w)", "v"), (0, 1), (0, 2), where={"w": "2*pi*u"},
-                        constants={"r": 2})
+        model.add_patch("roll", ("r*cos(w)", "r*sin(w)", "v"), (0, 1), (0, 2),
+                        where={"w": "2*pi*u"}, constants={"r": 2})
         point, du, dv = model.evaluate("roll", 0.25, 1, order=1)
         np.testing.assert_allclose(point, [0, 2, 1], atol=1e-12)
         np.testing.assert_allclose(du, [-4 * math.pi, 0, 0], atol=1e-12)

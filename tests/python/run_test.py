@@ -30,7 +30,8 @@ class Options(unittest.TestCase):
                 self.assertIn(f"\n  {option.name}: ", function.__doc__)
 
     def test_take_values_of_python(self):
-        cases = [({"hmax": 0.5}, "0.5"), ({"hmax": "10%"}, "10%"), ({"hmax": np.float64(0.5)}, "0.5"),
+        cases = [({"hmax": 0.5}, "0.5"), ({"hmax": "10%"}, "10%"),
+                 ({"hmax": np.float64(0.5)}, "0.5"),
                  ({"hmax": 1}, "1"), ({"nodes": np.int32(100)}, 100), ({"features": False}, False),
                  ({"features": np.bool_(False)}, False), ({"grade": "off"}, "off"),
                  ({"grade": None}, 1.5)]
@@ -45,8 +46,8 @@ class Options(unittest.TestCase):
     def test_refuse_what_is_none(self):
         with self.assertRaisesRegex(surfmesh.InvalidOption, "hmax"):
             surfmesh.mesh(support.KNOB, hmx=1)
-        for keywords in ({"hmax": -1}, {"hmax": "big"}, {"hmax": [1]}, {"hmax": {}}, {"threads": 0.5},
-                         {"quads": "maybe"}, {"grade": float("nan")}, {"scheme": "cubic"}):
+        for keywords in ({"hmax": -1}, {"hmax": "big"}, {"hmax": [1]}, {"hmax": {}},
+                         {"threads": 0.5}, {"quads": "maybe"}, {"grade": float("nan")}, {"scheme": "cubic"}):
             with self.assertRaises(surfmesh.InvalidOption, msg=keywords):
                 surfmesh.mesh(support.KNOB, **keywords)
         with self.assertRaises(surfmesh.InvalidOption):

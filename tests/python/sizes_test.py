@@ -76,7 +76,8 @@ class Sizes(unittest.TestCase):
         asks = [
             lambda m: m.size_at("square", (0.5, 0.5), 0.01, radius=0.1),
             lambda m: m.size_at(0, [0.5, 0.5], 0.01, radius="5%", outer=0.1, outer_radius=0.2),
-            lambda m: m.size_inside("square", [[0.3, 0.3], [0.7, 0.3], [0.7, 0.7], [0.3, 0.7]], 0.01),
+            lambda m: m.size_inside("square", [[0.3, 0.3], [0.7, 0.3], [0.7, 0.7], [0.3, 0.7]],
+                                    0.01),
             lambda m: m.size_near([0.5, 0.5, 0.01], 0.01, radius=0.1),
             lambda m: m.size_near([[0.4, 0.5, 0], [0.6, 0.5, 0]], 0.01, radius=0.1, where="square"),
             lambda m: m.size_in_box([0.3, 0.3, -1], (0.7, 0.7, 1), "0.7071067811865476%"),

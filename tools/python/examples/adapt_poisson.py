@@ -4,8 +4,8 @@
 
 -Δu = f on the unit square, u given on its boundary. The exact solution is 1 on one side of a
 circle, -1 on the other, and changes between over a width of 0.01: u = tanh((r - 0.5) / 0.01), r
-from a corner of the square. Linear elements, solved by SciPy. Five cycles: solve, recover the second
-derivatives, ask for the metric that spreads the error of interpolation evenly, mesh again.
+from a corner of the square. Linear elements, solved by SciPy. Five cycles: solve, recover the
+second derivatives, ask for the metric that spreads the error of interpolation evenly, mesh again.
 """
 
 import sys

@@ -76,36 +76,43 @@ py::array offsets(const HeldMesh& held) {
   return to_array(std::move(first));
 }
 
-/// Values of the corners in rows; none if the mesh does not have the property.
-template <class Value, class Take>
+/// Values of the corners in rows; none if the mesh does not have the property. `take` writes those
+/// of one.
+template <std::size_t width, class Value, class Take>
 py::object of_corners(const PolyMesh& mesh, const PropertyKey<HalfedgeHandle, Value>& key,
-                      std::size_t width, Take take) {
+                      Take take) {
   const auto values = find(mesh, key);
   if (!values.is_valid()) return py::none();
-  std::vector<double> rows;
-  rows.reserve(width * corner_count(mesh));
-  for_all_corners(mesh, [&](HalfedgeHandle heh) { take(mesh.property(values, heh), rows); });
-  return to_array(std::move(rows), width);
+  py::array_t<double> rows({corner_count(mesh), width});
+  double* next = rows.mutable_data();
+  for_all_corners(mesh, [&](HalfedgeHandle heh) {
+    take(mesh.property(values, heh), next);
+    next += width;
+  });
+  return rows;
 }
 
 py::object uv(const HeldMesh& held) {
-  return of_corners(held.mesh(), keys::corner_uv, 2, [](const Uv& uv, std::vector<double>& rows) {
-    rows.insert(rows.end(), {uv.u, uv.v});
+  return of_corners<2>(held.mesh(), keys::corner_uv, [](const Uv& uv, double* row) {
+    row[0] = uv.u;
+    row[1] = uv.v;
   });
 }
 
 py::object metric(const HeldMesh& held) {
-  return of_corners(held.mesh(), keys::corner_metric, 3,
-                    [](const Metric& m, std::vector<double>& rows) {
-                      rows.insert(rows.end(), {m.m11, m.m12, m.m22});
-                    });
+  return of_corners<3>(held.mesh(), keys::corner_metric, [](const Metric& m, double* row) {
+    row[0] = m.m11;
+    row[1] = m.m12;
+    row[2] = m.m22;
+  });
 }
 
 py::object normals(const HeldMesh& held) {
-  return of_corners(held.mesh(), keys::corner_normal, 3,
-                    [](const Normal& n, std::vector<double>& rows) {
-                      rows.insert(rows.end(), {n.x, n.y, n.z});
-                    });
+  return of_corners<3>(held.mesh(), keys::corner_normal, [](const Normal& n, double* row) {
+    row[0] = n.x;
+    row[1] = n.y;
+    row[2] = n.z;
+  });
 }
 
 py::array beyond(const HeldMesh& held) {

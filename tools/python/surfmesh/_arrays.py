@@ -154,7 +154,9 @@ def batched(function: Callable[..., Any], width: int, what: str) -> Callable[...
             try:
                 result = np.stack([np.broadcast_to(part, count) for part in parts], axis=1)
             except ValueError as error:
-                raise InvalidInput(f"{what} returned no {width} arrays of {count}: {error}") from None
+                raise InvalidInput(
+                    f"{what} returned no {width} arrays of {count}: {error}"
+                ) from None
         values = doubles(f"{what} returned", result)
         wanted = (count, width) if width > 1 else (count,)
         if values.shape == () and width == 1:

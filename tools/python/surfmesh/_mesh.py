@@ -160,7 +160,7 @@ class Mesh:
 
     @cached_property
     def report(self) -> Optional[Dict[str, Any]]:
-        """The report of the run, as `surfmesh mesh --report` writes it; None for a mesh of a file."""
+        """The report of the run as `surfmesh mesh --report` has it; None for a mesh of a file."""
         text = self._held.report()
         return None if text is None else json.loads(text)
 

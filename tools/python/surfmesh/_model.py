@@ -161,7 +161,8 @@ class Model:
         lines = [_arrays.array("knots", row, (None,)).tolist() for row in knots]
         part = None
         if domain is not None:
-            part = _arrays.interval("domain[0]", domain[0]), _arrays.interval("domain[1]", domain[1])
+            part = (_arrays.interval("domain[0]", domain[0]),
+                    _arrays.interval("domain[1]", domain[1]))
         self._building().add_nurbs(name, net, lines, list(degree), weight, list(periodic), part,
                                    [_arrays.names("loops", loop) for loop in loops])
         self._names.append(name)
