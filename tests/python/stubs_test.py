@@ -42,6 +42,17 @@ class Stubs(unittest.TestCase):
             members = {part.name for part in node.body if isinstance(part, ast.FunctionDef)}
             self.assertEqual(public(members), public(dir(getattr(_surfmesh, node.name))), node.name)
 
+    def test_have_the_parameters_of_the_runs(self):
+        functions = {node.name: node for node in stub("_run.pyi").body
+                     if isinstance(node, ast.FunctionDef)}
+        expected = {name for name, entry in vars(_run).items() if inspect.isfunction(entry)
+                    and entry.__module__ == "surfmesh._run" and not name.startswith("_")}
+        self.assertEqual(set(functions), expected)
+        for name, node in functions.items():
+            written = [a.arg for a in node.args.args + node.args.kwonlyargs]
+            written += [node.args.kwarg.arg] if node.args.kwarg else []
+            self.assertEqual(written, list(inspect.signature(getattr(_run, name)).parameters))
+
     def test_of_options_are_made_from_the_table(self):
         with open(os.path.join(PACKAGE, "_options.pyi")) as file:
             self.assertEqual(file.read(), make_option_stub.stub())
