@@ -9,7 +9,15 @@
 namespace surfmesh {
 
 std::string_view name(OptionOrigin origin) {
-  return origin == OptionOrigin::ModelFile ? "model file" : "command line";
+  switch (origin) {
+    case OptionOrigin::ModelFile:
+      return "model file";
+    case OptionOrigin::CommandLine:
+      return "command line";
+    case OptionOrigin::Python:
+      return "python";
+  }
+  return "";
 }
 
 std::vector<GivenOption> options_of_file(const PipelineOptions& options, const Model& model) {

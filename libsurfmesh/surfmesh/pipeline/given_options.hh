@@ -11,9 +11,9 @@
 namespace surfmesh {
 
 /// Where the value of an option is from.
-enum class OptionOrigin { ModelFile, CommandLine };
+enum class OptionOrigin { ModelFile, CommandLine, Python };
 
-/// The name of an origin in reports: "model file", "command line".
+/// The name of an origin in reports: "model file", "command line", "python".
 std::string_view name(OptionOrigin origin);
 
 /// An option that was given, with its value as text.
