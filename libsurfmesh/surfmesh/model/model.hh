@@ -138,8 +138,8 @@ struct Model {
 /// A patch for messages: "patch wing", after its origin if it has one.
 std::string label(const Patch& patch);
 
-/// The names of the patches and contours, and the groups that have patches. Groups of the same name become one.
-/// They are in the order of their first patch.
+/// The names of the patches and contours, and the groups that have patches. Groups of the same name
+/// become one. They are in the order of their first patch.
 MeshNames mesh_names(const Model& model);
 
 /// The index of the contour of a name; -1 if there is none.
