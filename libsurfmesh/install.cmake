@@ -29,6 +29,6 @@ endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
   DESTINATION ${document_folder})
 # In a folder as here, so that documents find each other and their pictures.
-install(FILES DECISIONS.md LIBRARY.md PAPER.md README.md REFERENCE.md
+install(FILES DECISIONS.md FORMATS.md LIBRARY.md PAPER.md README.md REFERENCE.md
   DESTINATION ${document_folder}/libsurfmesh)
 install(DIRECTORY pictures DESTINATION ${document_folder}/libsurfmesh)
