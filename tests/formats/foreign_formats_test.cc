@@ -226,7 +226,7 @@ TEST_P(ForeignFormat, MeshioReadsAllVersionsOfMsh) {
         word.word.front() == '2'
             ? "['all of it', 'the rim'] 25\n"
             : "['all of it', \"it's one\", \"left 'wing' \xC3\xBC\", 'the rim'] 25\n";
-    EXPECT_EQ(printed(kMeshioMsh), "\n" + same("a.msh") + names) << word.word;
+    EXPECT_EQ(printed(kMeshioMsh), fmt::format("\n{}{}", same("a.msh"), names)) << word.word;
   }
 }
 
@@ -366,7 +366,7 @@ TEST_P(ForeignFormat, MeshioReadsInp) {
   names.groups.clear();
   write_mesh(mesh_, folder_ / "a.inp", names);
   EXPECT_EQ(printed(kMeshioInp),
-            "True\n" + same("a.inp") +
+            fmt::format("True\n{}", same("a.inp")) +
                 "['PATCH_2', 'SURFACE', 'left__wing___'] ['the_rim'] 16\n"
                 "['** patch left__wing___: left \"wing\" \xC3\xBC', '** patch PATCH_2: PATCH_2', "
                 "'** contour the_rim: the rim']\n");
@@ -425,7 +425,7 @@ TEST_P(ForeignFormat, MeshioReadsBdf) {
   write("a.bdf");
   const int in_first = GetParam().faces / 2;
   EXPECT_EQ(printed(kMeshioBdf),
-            "True\n" + same("a.bdf") +
+            fmt::format("True\n{}", same("a.bdf")) +
                 fmt::format("$ surfmesh\nSOL 101\nCEND\n"
                             "$HMSET        1        2 \"all of it\"\n"
                             "SET 1 = 1 THRU {},{} THRU {}\n"
