@@ -117,7 +117,7 @@ TEST(WhatIsLost, InFormatsOfViewersAndSolvers) {
             "the names of patches, groups and contours");
   EXPECT_EQ(what_is_lost(mesh, "a.glb"),
             (Texts{"the digits of positions beyond single precision: vertices move by up to "
-                   "2.98e-08",
+                   "4.72e-08",
                    "8 faces of more than three corners, which are split", uv, metric,
                    "the contours of the edges"}));
   EXPECT_EQ(what_is_lost(mesh, "a.glb", {}, {.uv = true}).size(), 4U);

@@ -20,7 +20,9 @@ std::string lower_case(std::string text) {
 /// Makes words differ.
 class DifferentWords {
  public:
-  explicit DifferentWords(const WordRule& rule) : rule_(rule) {}
+  explicit DifferentWords(const WordRule& rule) : rule_(rule) {
+    for (const std::string_view word : rule.taken) different_.add(lower_case(std::string(word)));
+  }
 
   std::string add(const std::string& name) {
     if (name.empty()) return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,7 @@ namespace surfmesh {
 struct WordRule {
   std::string (*word_of)(std::string_view name);  ///< a name by itself
   bool has_case = true;                           ///< "Rim" and "rim" differ
+  std::span<const std::string_view> taken = {};   ///< words that the file has besides
 };
 
 /// The names of a mesh as the words of a file; empty for no name.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "surfmesh/core/properties.hh"
@@ -40,7 +41,10 @@ std::string word_of(std::string_view name) {
   return shortened(word, kLongestName);
 }
 
-constexpr WordRule kWords = {word_of, false};
+/// The sets of all elements and of all nodes.
+constexpr std::array<std::string_view, 2> kTaken = {"SURFACE", "NODES"};
+
+constexpr WordRule kWords = {word_of, false, kTaken};
 
 class InpWriter {
  public:

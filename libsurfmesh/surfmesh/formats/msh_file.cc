@@ -93,18 +93,13 @@ class Sections {
 struct Entity {
   int dimension = 2;
   int tag = 0;
-  bool has_name = false;           ///< the first physical group is the entity itself
-  std::vector<int> physical = {};  ///< tags of the physical groups
+  std::vector<int> physical = {};  ///< tags of its physical groups; the first is its own
   IndexRange segments = {};
   IndexRange triangles = {};
   IndexRange quads = {};
 
-  /// The first group, else the entity itself, else 0 for none.
-  int single_physical() const {
-    const std::size_t group = has_name ? 1 : 0;
-    if (physical.size() > group) return physical[group];
-    return has_name ? physical.front() : 0;
-  }
+  /// The first group of a patch, else the entity itself.
+  int single_physical() const { return physical.size() > 1 ? physical[1] : physical.front(); }
 };
 
 /// Box of the points of an entity; that of no points is at the origin.
@@ -161,11 +156,10 @@ class Entities {
  private:
   void add_curves(const MeshElements& elements, const FileWords& words) {
     for (const ContourElements& contour : elements.contours) {
-      Entity curve{.dimension = 1, .tag = contour.contour + 1, .segments = contour.segments};
+      const int tag = contour.contour + 1;
+      Entity curve{.dimension = 1, .tag = tag, .physical = {tag}, .segments = contour.segments};
       const auto c = static_cast<std::size_t>(contour.contour);
       if (c < words.contours.size() && !words.contours[c].empty()) {
-        curve.has_name = true;
-        curve.physical = {curve.tag};
         names_.push_back({1, curve.tag, words.contours[c]});
       }
       all_.push_back(std::move(curve));
@@ -178,23 +172,26 @@ class Entities {
     for (const PatchElements& patch : elements.patches) {
       count = std::max(count, static_cast<std::size_t>(patch.patch + 1));
     }
-    for (std::size_t p = 0; p < count; ++p) all_.push_back({.tag = static_cast<int>(p) + 1});
+    for (std::size_t p = 0; p < count; ++p) add_surface(p);
     patch_count_ = count;
     for (const PatchElements& patch : elements.patches) {
-      if (patch.patch < 0) all_.push_back({.tag = static_cast<int>(count) + 1});
+      if (patch.patch < 0) add_surface(count);
       const std::size_t slot = patch.patch < 0 ? count : static_cast<std::size_t>(patch.patch);
       all_[curve_count_ + slot].triangles = patch.triangles;
       all_[curve_count_ + slot].quads = patch.quads;
     }
-    if (all_.empty()) all_.push_back({.tag = 1});
+    if (all_.empty()) add_surface(0);
+  }
+
+  void add_surface(std::size_t number) {
+    const int tag = static_cast<int>(number) + 1;
+    all_.push_back({.tag = tag, .physical = {tag}});
   }
 
   void add_patch_names(const MeshNames& names, const FileWords& words) {
     for (std::size_t p = 0; p < words.patches.size(); ++p) {
       if (words.patches[p].empty()) continue;
-      Entity& surface = all_[curve_count_ + p];
-      surface.has_name = true;
-      surface.physical = {surface.tag};
+      const Entity& surface = all_[curve_count_ + p];
       names_.push_back({2, surface.tag, words.patches[p]});
     }
     for (std::size_t g = 0; g < names.groups.size(); ++g) {
@@ -229,7 +226,7 @@ NodeOrder node_order(const MeshElements& elements, const std::vector<Entity>& en
     if (known == none) known = entity;
   };
   for (std::size_t e = 0; e < none; ++e) {
-    const auto& [dimension, tag, has_name, physical, segments, triangles, quads] = entities[e];
+    const auto& [dimension, tag, physical, segments, triangles, quads] = entities[e];
     for (std::size_t i = segments.first; i < segments.end; ++i) {
       claim(elements.segments[i].from, e);
       claim(elements.segments[i].to, e);

@@ -10,6 +10,7 @@
 
 #include "surfmesh/formats/mesh_format.hh"
 #include "surfmesh/formats/vtu_reader.hh"
+#include "surfmesh/io/base64.hh"
 #include "surfmesh/io/file_writer.hh"
 
 namespace surfmesh {
@@ -49,7 +50,7 @@ std::string escaped(std::string_view name) {
 class VtuWriter {
  public:
   VtuWriter(const VtkGrid& grid, VtuNumbers numbers, OutputFile& file)
-      : grid_(grid), is_raw_(numbers == VtuNumbers::Raw), writer_(file) {}
+      : grid_(grid), is_binary_(numbers == VtuNumbers::Binary), writer_(file) {}
 
   void write() {
     write_head();
@@ -59,7 +60,7 @@ class VtuWriter {
     writer_.text("</Cells>\n");
     write_values("CellData", grid_.at_cells, {});
     writer_.text("</Piece>\n</UnstructuredGrid>\n");
-    if (is_raw_) append();
+    if (is_binary_) append();
     writer_.text("</VTKFile>\n");
     writer_.flush();
   }
@@ -74,7 +75,7 @@ class VtuWriter {
                     "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"{}\"{}>\n"
                     "<UnstructuredGrid>\n",
                     std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian",
-                    is_raw_ ? " header_type=\"UInt64\"" : ""));
+                    is_binary_ ? " header_type=\"UInt64\"" : ""));
     if (!grid_.whole.empty()) {
       writer_.text("<FieldData>\n");
       for (const VtkValues& values : grid_.whole) write_array(values, true);
@@ -114,11 +115,11 @@ class VtuWriter {
         fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"{} format=\"{}\"",
                     kType<Number>, escaped(name), components,
                     is_whole ? fmt::format(" NumberOfTuples=\"{}\"", numbers.size()) : "",
-                    is_raw_ ? "appended" : "ascii"));
-    if (is_raw_) {
+                    is_binary_ ? "appended" : "ascii"));
+    if (is_binary_) {
       writer_.text(fmt::format(" offset=\"{}\"/>\n", offset_));
       appended_.push_back(std::as_bytes(numbers));
-      offset_ += sizeof(std::uint64_t) + appended_.back().size();
+      offset_ += base64_size(sizeof(std::uint64_t) + appended_.back().size());
       return;
     }
     writer_.text(">\n");
@@ -138,19 +139,19 @@ class VtuWriter {
   }
 
   void append() {
-    writer_.text("<AppendedData encoding=\"raw\">\n_");
+    writer_.text("<AppendedData encoding=\"base64\">\n_");
+    Base64Writer base64(writer_);
     for (const Bytes bytes : appended_) {
       const std::uint64_t size = bytes.size();
-      const Bytes head = std::as_bytes(std::span(&size, 1));
-      for (const Bytes part : {head, bytes}) {
-        writer_.text({reinterpret_cast<const char*>(part.data()), part.size()});
-      }
+      base64.add(std::as_bytes(std::span(&size, 1)));
+      base64.add(bytes);
+      base64.finish();
     }
     writer_.text("\n</AppendedData>\n");
   }
 
   const VtkGrid& grid_;
-  bool is_raw_;
+  bool is_binary_;
   FileWriter writer_;
   std::vector<std::uint8_t> types_;
   std::vector<Bytes> appended_;
@@ -159,7 +160,7 @@ class VtuWriter {
 
 void write_mesh_as_vtu(const PolyMesh& mesh, const MeshNames& names, const OutputOptions&,
                        OutputFile& file) {
-  write_vtu(vtk_grid(mesh, names), VtuNumbers::Raw, file);
+  write_vtu(vtk_grid(mesh, names), VtuNumbers::Binary, file);
 }
 
 std::vector<std::string> lost_in_vtu(const PolyMesh& mesh, const MeshNames&, const OutputOptions&) {
