@@ -180,7 +180,7 @@ inline constexpr const char* kVtu = R"(<?xml version="1.0"?>
         </DataArray>
       </Points>
       <Cells>
-        <DataArray type="Int64" Name="connectivity" format="ascii">0 1  0 1 3 2  1 4 2  0 1 2 4</DataArray>
+<DataArray type="Int64" Name="connectivity" format="ascii">0 1  0 1 3 2  1 4 2  0 1 2 4</DataArray>
         <DataArray type="Int32" Name="offsets" format="ascii">2 6 9 13</DataArray>
         <DataArray type="UInt8" Name="types" format="ascii">3 8 5 10</DataArray>
       </Cells>

@@ -442,14 +442,12 @@ class SpaceSourceAdder {
   }
 
   void operator()(const BackgroundInput& background) const {
-    at_location(origin_, [&] {
-      for (const int patch : patches_) {
-        FieldSource field = background_field(background.sizes, patch, model_.patch(patch).surface);
-        field.precision = background.precision;
-        field.origin = origin_;
-        sources_.fields.push_back(std::move(field));
-      }
-    });
+    for (const int patch : patches_) {
+      FieldSource field = background_field(background.sizes, patch, model_.patch(patch).surface);
+      field.precision = background.precision;
+      field.origin = origin_;
+      sources_.fields.push_back(std::move(field));
+    }
   }
 
  private:
@@ -463,10 +461,10 @@ class SpaceSourceAdder {
 void add_space_sources(const ModelFile& file, const std::string& name,
                        const std::set<std::size_t>& whole_cages, ModelInput& input) {
   for (const SpaceSource& source : file.space_sources) {
+    const std::string origin = fmt::format("{}: {}", name, source.origin);
     const SpaceSourceAdder add(patches_of(source, file, name, whole_cages, input.model),
-                               source.group.empty(), fmt::format("{}: {}", name, source.origin),
-                               input.model, input.sources);
-    std::visit(add, source.wish);
+                               source.group.empty(), origin, input.model, input.sources);
+    at_file(origin, [&] { std::visit(add, source.wish); });
   }
 }
 
