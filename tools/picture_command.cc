@@ -259,10 +259,7 @@ void PictureCommand::add_view(CLI::App& command) {
                                        "patch, by name or number from 0: show its (u,v), not space")
                            ->type_name("PATCH");
   for (CLI::Option* option : of_space) plane->excludes(option);
-  command
-      .add_flag("--ellipses", has_ellipses_,
-                "the metric as ellipses, as wide as edges should be "
-                "long, over the plane")
+  command.add_flag("--ellipses", has_ellipses_, "the metric as ellipses over the plane")
       ->needs(plane);
 }
 

@@ -204,7 +204,17 @@ TEST(DrawMesh, ShowsThePlaneOfAPatch) {
   for (const char* text : {">u<", ">v<", ">0<", ">4<", "#b2182b"}) {
     EXPECT_NE(svg.find(text), svg.npos) << text;
   }
+  EXPECT_EQ(svg.find("times as wide"), svg.npos);
   EXPECT_EQ(PngPixels(png(mesh, options)).width(), 900U);
+}
+
+TEST(DrawMesh, TellsThatEllipsesAreLargerThanTheMetricAsks) {
+  PictureOptions options;
+  options.plane = 0;
+  options.has_ellipses = true;
+  const PolyMesh mesh = testing::plane_grid(4, 4, {1e6, 0, 1e6});
+  EXPECT_NE(draw_mesh(mesh, {}, options, PictureFormat::Svg).find("times as wide<"),
+            std::string::npos);
 }
 
 TEST(DrawMesh, ColoursByValuesOfVertices) {

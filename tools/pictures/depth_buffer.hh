@@ -32,7 +32,7 @@ class DepthPlane {
 class DepthBuffer {
  public:
   /// Of the pixels from (0,0) to (width,height), with `samples` samples along each side of a pixel.
-  /// Cost     about 60 ns a triangle and 4 ns a sample that it covers
+  /// Cost     O(triangles and the samples that they cover)
   DepthBuffer(const Scene& scene, std::size_t width, std::size_t height, int samples);
 
   int samples() const { return samples_; }

@@ -172,6 +172,10 @@ class Drawing {
     const PictureFrame plane{a, b.x - a.x, b.y - a.y};
     const MetricEllipses ellipses = metric_ellipses(mesh_, *options_.plane, place_, plane);
     canvas.add_polygons(ellipses.outlines, {"none", "#b2182b", 2 * options_.lines.edge_width});
+    if (!(ellipses.factor > 1)) return;
+    canvas.add_text({a.x + 0.75 * plane.width, b.y + 1.4 * text_height_},
+                    fmt::format("ellipses {:.2g} times as wide", ellipses.factor), text_height_,
+                    TextAnchor::Middle);
   }
 
   /// The names of the parameters and their range.

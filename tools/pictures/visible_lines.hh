@@ -27,7 +27,7 @@ struct StyledLines {
 /// their faces, so that a fine mesh stays bright.
 ///
 /// Error    lines end within half a pixel of where something hides them
-/// Cost     about 0.2 µs for each edge and each half pixel of its length
+/// Cost     O(edges and the half pixels of their lengths)
 std::vector<StyledLines> visible_lines(const Scene& scene, const DepthBuffer& buffer,
                                        const LineOptions& options);
 
