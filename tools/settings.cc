@@ -29,8 +29,12 @@ class HelpFormatter : public CLI::Formatter {
 
   std::string make_help(const CLI::App* app, std::string name,
                         CLI::AppFormatMode mode) const override {
-    return CLI::detail::find_and_replace(CLI::Formatter::make_help(app, name, mode), "\n\n\n",
-                                         "\n\n");
+    std::string help = CLI::Formatter::make_help(app, name, mode);
+    // Each hidden group leaves an empty line.
+    while (help.find("\n\n\n") != std::string::npos) {
+      help = CLI::detail::find_and_replace(std::move(help), "\n\n\n", "\n\n");
+    }
+    return help;
   }
 
   std::string make_group(std::string group, bool is_positional,
@@ -178,7 +182,7 @@ std::string fault_of(const std::string& name, const std::string& value) {
 }
 
 std::vector<CLI::Option*> add_flags(CLI::App& command, Settings& settings,
-                                    std::span<const OptionGroup> groups) {
+                                    std::span<const OptionGroup> groups, ShortHelp short_help) {
   const auto formatter = std::make_shared<HelpFormatter>();
   command.formatter(formatter);
   add_help_all(command, formatter);
@@ -187,7 +191,8 @@ std::vector<CLI::Option*> add_flags(CLI::App& command, Settings& settings,
     for (const Option& option : option_table()) {
       if (option.group != group) continue;
       flags.push_back(add_flag(command, settings, option));
-      if (!option.is_common) formatter->hide(flags.back());
+      const bool is_shown = option.is_common && short_help == ShortHelp::MostUsed;
+      if (!is_shown) formatter->hide(flags.back());
     }
   }
   return flags;
