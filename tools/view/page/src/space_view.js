@@ -19,7 +19,7 @@ const UP = new Vector3(0, 0, 1);
 const ANGLE = 24;
 
 /** More triangles in a picture are thinned to so many while it moves, if whole ones are slow. */
-const MOVING_TRIANGLES = 80000;
+const MOVING_TRIANGLES = 60000;
 
 export class SpaceView {
   constructor(container, state) {
@@ -96,7 +96,8 @@ export class SpaceView {
     if (isThin) this.prepareThin();
     const { ratio } = this.picture;
     const shown = isThin ? this.thin : this.drawing;
-    shown.showSides(this.state.showsSides, ratio > 1 ? 0.8 * ratio : 1);
+    // Sides of thinned triangles are none of the mesh, and those would hardly be seen.
+    shown.showSides(this.state.showsSides && !isThin, ratio > 1 ? 0.8 * ratio : 1);
     this.drawing.mesh.visible = !isThin;
     if (this.thin) this.thin.mesh.visible = isThin;
     this.contours.show(!isThin);
