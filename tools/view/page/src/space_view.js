@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The mesh in space. It fills the ball of radius 1 around the origin, whatever its size.
-import { Frustum, Matrix4, PerspectiveCamera, Raycaster, Scene, Sphere, Vector2, Vector3 } from "three";
+import {
+  Frustum,
+  Matrix4,
+  PerspectiveCamera,
+  Raycaster,
+  Scene,
+  Sphere,
+  Vector2,
+  Vector3,
+} from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 import { HairLines, Lines, closedLine, linear } from "./lines.js";
@@ -70,7 +79,8 @@ export class SpaceView {
 
   setContours() {
     const { lines, contourOfLine, surface, chosenContour, showsContours } = this.state;
-    const positions = [], colours = [];
+    const positions = [],
+      colours = [];
     for (let i = 0; i < lines.length / 2; ++i) {
       const isChosen = contourOfLine !== null && contourOfLine[i] === chosenContour;
       if (!showsContours && !isChosen) continue;
@@ -159,10 +169,13 @@ export class SpaceView {
     const aspect = this.picture.width / Math.max(1, this.picture.height) || 1;
     let distance = 0;
     for (let i = 0; i < points.length; i += 3) {
-      const x = points[i], y = points[i + 1], z = points[i + 2];
+      const x = points[i],
+        y = points[i + 1],
+        z = points[i + 2];
       const across = Math.abs(right.x * x + right.y * y + right.z * z) / aspect;
       const along = Math.abs(up.x * x + up.y * y + up.z * z);
-      const needed = direction.x * x + direction.y * y + direction.z * z + Math.max(across, along) / half;
+      const needed =
+        direction.x * x + direction.y * y + direction.z * z + Math.max(across, along) / half;
       if (needed > distance) distance = needed;
     }
     return Math.max(distance, 1e-3);
@@ -187,7 +200,9 @@ export class SpaceView {
 
   lookAlong(axis) {
     // Not quite along z, where "up" would have no direction.
-    this.look(new Vector3(axis === 0 ? 1 : 0, axis === 1 ? -1 : -1e-4, axis === 2 ? 1 : 0).normalize());
+    this.look(
+      new Vector3(axis === 0 ? 1 : 0, axis === 1 ? -1 : -1e-4, axis === 2 ? 1 : 0).normalize(),
+    );
   }
 
   /** Turn by angles in radians. */
