@@ -225,7 +225,10 @@ export class MeshDrawing {
   }
 }
 
-/** Of a ray to a triangle (Möller and Trumbore 1997, doi 10.1080/10867651.1997.10487468); -1 for none. */
+/**
+ * Along a ray to a triangle, -1 for none (Möller and Trumbore 1997,
+ * doi 10.1080/10867651.1997.10487468).
+ */
 function distanceAlong(o, d, p, a) {
   const ux = p[a + 3] - p[a],
     uy = p[a + 4] - p[a + 1],
