@@ -207,7 +207,7 @@ std::string fault_of(const std::string& name, const std::string& value) {
 }
 
 std::vector<CLI::Option*> add_flags(CLI::App& command, Settings& settings,
-                                    std::span<const OptionGroup> groups) {
+                                    std::span<const OptionGroup> groups, ShortHelp short_help) {
   const auto formatter = std::make_shared<HelpFormatter>();
   command.formatter(formatter);
   add_help_all(command, formatter);
@@ -216,7 +216,8 @@ std::vector<CLI::Option*> add_flags(CLI::App& command, Settings& settings,
     for (const Option& option : option_table()) {
       if (option.group != group) continue;
       flags.push_back(add_flag(command, settings, option));
-      if (!option.is_common) formatter->hide(flags.back());
+      const bool is_shown = option.is_common && short_help == ShortHelp::MostUsed;
+      if (!is_shown) formatter->hide(flags.back());
     }
   }
   return flags;

@@ -20,11 +20,15 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 /// Returns the reason, empty if there is none.
 std::string fault_of(const std::string& name, const std::string& value);
 
+/// What the short help of a command shows of its flags.
+enum class ShortHelp { MostUsed, None };
+
 /// Add a flag for each option of these groups, `--max-elements` for `max_elements`; the short help
-/// shows those that are most used, --help-all every one with its range. A switch without a value is
-/// on. Returns the flags.
+/// shows those that are most used, or none, --help-all every one with its range. A switch without a
+/// value is on. Returns the flags.
 std::vector<CLI::Option*> add_flags(CLI::App& command, Settings& settings,
-                                    std::span<const OptionGroup> groups);
+                                    std::span<const OptionGroup> groups,
+                                    ShortHelp short_help = ShortHelp::MostUsed);
 
 /// The option of the table that a flag sets, null for other flags.
 const Option* table_option(const CLI::Option& flag);

@@ -36,7 +36,9 @@ constexpr const char* kFooter =
     "A mesh is shown as it is, a CAD or model file is meshed first. An .obj or .off file counts "
     "as\n"
     "a mesh, but as a cage with --mesh or any option of meshing.\n"
-    "The page needs no network. Its script is made once, by tools/setup.sh --viewer.\n"
+    "All options of \"surfmesh mesh\" are there for models. The page needs no network. Its script "
+    "is\n"
+    "made once, by tools/setup.sh --viewer.\n"
     "Examples:\n"
     "  surfmesh view part.om -o part.html                     show a mesh\n"
     "  surfmesh view part.om --model part.step -o part.html   with names, sag and control meshes\n"
@@ -123,7 +125,7 @@ void ViewCommand::add_to(CLI::App& app) {
   command->footer(kFooter);
   add_files(*command);
   using enum OptionGroup;
-  add_flags(*command, named_, std::array{Sizes, ControlSpace, Meshing, Cages});
+  add_flags(*command, named_, std::array{Sizes, ControlSpace, Meshing, Cages}, ShortHelp::None);
   add_scheme(*command, scheme_);
   add_set(*command, set_, "set any option by its name; beats the other flags and the model file");
 }
@@ -135,11 +137,9 @@ void ViewCommand::add_files(CLI::App& command) {
       ->required()
       ->type_name("");
   command.add_option("-o,--output", output_, "page to write: .html")->required()->type_name("FILE");
-  CLI::Option* model =
-      command.add_option("--model", model_, "what INPUT is a mesh of: cage, CAD or model file")
-          ->type_name("FILE");
-  command.add_flag("--mesh", is_meshed_, "mesh an .obj or .off file, which is a cage then")
-      ->excludes(model);
+  command.add_option("--model", model_, "what INPUT is a mesh of: cage, CAD or model file")
+      ->type_name("FILE");
+  command.add_flag("--mesh", is_meshed_, "mesh an .obj or .off file, which is a cage then");
   command.add_flag("--quiet", is_quiet_, "print warnings and errors only");
   command.parse_complete_callback([this] { check_usage(); });
 }
@@ -161,6 +161,9 @@ bool ViewCommand::is_model() const {
 }
 
 void ViewCommand::check_usage() const {
+  if (is_meshed_ && !model_.empty()) {
+    throw CLI::ValidationError("--mesh: a mesh with its --model is not meshed");
+  }
   if (is_model() && !model_.empty()) {
     throw CLI::ValidationError(fmt::format("--model: {} is a model itself", input_));
   }

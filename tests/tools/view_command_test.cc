@@ -163,6 +163,15 @@ TEST_F(ViewProgram, TellsWrongUsage) {
   }
 }
 
+TEST_F(ViewProgram, HelpsOnOneScreen) {
+  EXPECT_EQ(view("--help"), 0);
+  EXPECT_LE(std::count(out_.begin(), out_.end(), '\n'), 45);
+  EXPECT_EQ(out_.find("\n\n\n"), std::string::npos);
+  EXPECT_EQ(out_.find("--hmax "), out_.rfind("--hmax ")) << "in an example only";
+  EXPECT_EQ(view("--help-all"), 0);
+  EXPECT_TRUE(says("  --max-elements"));
+}
+
 TEST_F(ViewProgram, TellsBadInput) {
   write_text(folder_ / "bad.obj", "v 0 0 0\nf 1 2 3\n");
   EXPECT_EQ(view("bad.obj -o p.html"), 1);

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Opens pages of `surfmesh view` in headless Chromium, drawn by the processor, and notes every error
-// and every request that leaves the page.
+// Opens pages of `surfmesh view` in headless Chromium, drawn by the processor, and notes every
+// error and every request that leaves the page.
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 
 /** Where Debian and others have it; the variable is for another place. */
-const CHROMIUM = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+const CHROMIUM = [
+  process.env.CHROMIUM,
+  "/usr/bin/chromium",
+  "/usr/bin/chromium-browser",
+  "/usr/bin/google-chrome",
+];
 
 /** What is missing for a test in a browser, in words; empty if nothing is. */
 export function whatIsMissing(sources) {
@@ -68,9 +73,12 @@ export class Browser {
    */
   processorTime() {
     const MILLISECONDS_A_TICK = 10; // of /proc/*/stat, on all Linux systems
-    const processes = readdirSync("/proc").filter((name) => /^\d+$/.test(name)).map(statOf).filter(Boolean);
+    const processes = readdirSync("/proc")
+      .filter((name) => /^\d+$/.test(name))
+      .map(statOf)
+      .filter(Boolean);
     const own = new Set([process.pid]);
-    for (let before = 0; before !== own.size; ) {
+    for (let before = 0; before !== own.size;) {
       before = own.size;
       for (const { pid, parent } of processes) if (own.has(parent)) own.add(pid);
     }
@@ -88,7 +96,11 @@ export class Browser {
 function statOf(pid) {
   try {
     const words = readFileSync(`/proc/${pid}/stat`, "utf8").split(") ").pop().split(" ");
-    return { pid: Number(pid), parent: Number(words[1]), ticks: Number(words[11]) + Number(words[12]) };
+    return {
+      pid: Number(pid),
+      parent: Number(words[1]),
+      ticks: Number(words[11]) + Number(words[12]),
+    };
   } catch {
     return null;
   }

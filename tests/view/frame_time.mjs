@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures pages of `surfmesh view` in headless Chromium, drawn by the processor: how long they take
-// to write and to open, and how long a frame takes while the mesh turns.
+// Measures pages of `surfmesh view` in headless Chromium, drawn by the processor: how long they
+// take to write and to open, and how long a frame takes while the mesh turns.
 //
 //   node tests/view/frame_time.mjs build/release/tools/surfmesh [elements ...]
 //
@@ -24,7 +24,10 @@ const MODELS = [
 
 function run(program, ...words) {
   const start = performance.now();
-  const text = execFileSync(program, words, { encoding: "utf8", stdio: ["ignore", "pipe", "inherit"] });
+  const text = execFileSync(program, words, {
+    encoding: "utf8",
+    stdio: ["ignore", "pipe", "inherit"],
+  });
   return { seconds: (performance.now() - start) / 1000, text };
 }
 
@@ -35,7 +38,20 @@ function meshWith(program, folder, model, elements) {
   const path = join(folder, "mesh.om");
   const input = join(SOURCES, "models", model.name);
   const mesh = (percent) =>
-    run(program, "mesh", input, "-o", path, "--set", "curvature=off", "--size", `${percent}%`, "--set", "max_elements=20000000", "--quiet");
+    run(
+      program,
+      "mesh",
+      input,
+      "-o",
+      path,
+      "--set",
+      "curvature=off",
+      "--size",
+      `${percent}%`,
+      "--set",
+      "max_elements=20000000",
+      "--quiet",
+    );
   if (model.triangles === 0) {
     mesh(model.percent);
     model.triangles = faces(run(program, "view", path, "-o", join(folder, "page.html")).text);
@@ -102,7 +118,9 @@ const folder = mkdtempSync(join(tmpdir(), "surfmesh_frames."));
 const browser = await Browser.start(SOURCES);
 try {
   console.log("Frames: median milliseconds between frames (processor time; a whole frame)\n");
-  console.log("model         elements   written       page     first    frame with edges     without edges");
+  console.log(
+    "model         elements   written       page     first    frame with edges     without edges",
+  );
   for (const model of MODELS) {
     for (const elements of numbers.length > 0 ? numbers.map(Number) : [50000, 150000, 500000]) {
       await measure(browser, resolve(program), folder, model, elements);

@@ -30,7 +30,14 @@ class Pages {
   /** Make a page of an input and open it. */
   async open(input, options = [], size = {}) {
     const path = join(this.folder, "page.html");
-    const { status, stderr } = spawnSync(this.program, ["view", input, "-o", path, "--quiet", ...options]);
+    const { status, stderr } = spawnSync(this.program, [
+      "view",
+      input,
+      "-o",
+      path,
+      "--quiet",
+      ...options,
+    ]);
     // 3: done, but something was not reached, of which a notice tells.
     assert.ok(status === 0 || status === 3, stderr.toString());
     return this.browser.open(path, size);
@@ -76,7 +83,11 @@ const inPage = (page, act) =>
 
 /** The colour that the list of patches shows for a patch. */
 const swatchOf = async (page, patch) => {
-  const text = await page.locator("#patches li").nth(patch).locator(".swatch").evaluate((e) => getComputedStyle(e).backgroundColor);
+  const text = await page
+    .locator("#patches li")
+    .nth(patch)
+    .locator(".swatch")
+    .evaluate((e) => getComputedStyle(e).backgroundColor);
   return text.match(/\d+/g).map(Number);
 };
 
@@ -111,7 +122,10 @@ const TESTS = {
   async "shows names as they are, whatever they are"(pages, page) {
     assert.equal(await page.locator("#patches li .name").nth(1).textContent(), EVIL);
     assert.equal(await page.locator("b").count(), 0);
-    assert.equal(await page.locator("#counts").textContent(), "1 triangle · 2 quads · 7 vertices · 3 patches");
+    assert.equal(
+      await page.locator("#counts").textContent(),
+      "1 triangle · 2 quads · 7 vertices · 3 patches",
+    );
   },
 
   async "draws quads with their own edges"(pages, page) {
@@ -166,7 +180,12 @@ const TESTS = {
     await page.keyboard.press("ArrowUp");
     const turned = await camera();
     assert.ok(Math.abs(Math.hypot(...turned) - Math.hypot(...before)) < 1e-6);
-    assert.ok(differ(turned.map((x) => 255 * x), before.map((x) => 255 * x)));
+    assert.ok(
+      differ(
+        turned.map((x) => 255 * x),
+        before.map((x) => 255 * x),
+      ),
+    );
     await page.keyboard.press("+");
     assert.ok(Math.hypot(...(await camera())) < 0.9 * Math.hypot(...before));
     await page.keyboard.press("r");
@@ -191,9 +210,15 @@ const TESTS = {
       return Array.from({ length: 120 }, (_, i) => at(middle[0] - 60 + i, middle[1]));
     };
     const before = await picture();
-    assert.ok(before.every((colour) => differ(colour, BACKGROUND)), "the patch fills the middle");
+    assert.ok(
+      before.every((colour) => differ(colour, BACKGROUND)),
+      "the patch fills the middle",
+    );
     await page.selectOption("#ellipses", "control");
-    assert.ok((await picture()).some((colour, i) => differ(colour, before[i])), "ellipses are seen");
+    assert.ok(
+      (await picture()).some((colour, i) => differ(colour, before[i])),
+      "ellipses are seen",
+    );
     await page.mouse.click(...middle);
     assert.match(await page.locator("#element .body").textContent(), /m11/);
     assert.match(await page.locator("#element .body").textContent(), /metric length/);
@@ -227,7 +252,10 @@ const TESTS = {
     await link.click();
     const after = await inPage(page, "return views.space.controls.target.toArray()");
     assert.notDeepEqual(after, before);
-    const [x] = await page.evaluate(async ([p]) => (await window.surfmeshViewer).state.modelPoint(p), [after]);
+    const [x] = await page.evaluate(
+      async ([p]) => (await window.surfmeshViewer).state.modelPoint(p),
+      [after],
+    );
     assert.ok(Math.abs(x - 0.77) < 0.01, `the jump is at u = 0.77, this is ${x}`);
     checkFaults(page);
     await page.close();

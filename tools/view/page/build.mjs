@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Put our modules and three.js into one script, dist/viewer.js. The licence of three.js stays in it.
+// Put our modules and three.js into one script, dist/viewer.js. The licence of three.js stays in
+// it.
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
@@ -16,9 +17,9 @@ await build({
   bundle: true,
   minify: true,
   format: "iife",
-  target: ["chrome103", "firefox113", "safari16.4"],  // the first with DecompressionStream
+  target: ["chrome103", "firefox113", "safari16.4"], // the first with DecompressionStream
   charset: "utf8",
-  legalComments: "none",  // the banner has the licence in full
+  legalComments: "none", // the banner has the licence in full
   banner: { js: banner },
   loader: { ".css": "text", ".html": "text" },
   logLevel: "warning",

@@ -28,7 +28,11 @@ export function sortedBySpace({ points, triangleNodes, triangleCount }, vertexOf
   const keys = new Float64Array(triangleCount);
   for (let t = 0; t < triangleCount; ++t) {
     const at = 3 * vertexOf(triangleNodes[3 * t]);
-    const place = morton(cell(points[at], BITS), cell(points[at + 1], BITS), cell(points[at + 2], BITS));
+    const place = morton(
+      cell(points[at], BITS),
+      cell(points[at + 1], BITS),
+      cell(points[at + 2], BITS),
+    );
     keys[t] = place * triangleCount + t;
   }
   keys.sort();
@@ -40,7 +44,8 @@ export function makeClusters(count, positions) {
   const clusters = [];
   for (let first = 0; first < count; first += CLUSTER) {
     const end = Math.min(count, first + CLUSTER);
-    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    const low = [Infinity, Infinity, Infinity],
+      high = [-Infinity, -Infinity, -Infinity];
     for (let i = 9 * first; i < 9 * end; i += 3) {
       for (let k = 0; k < 3; ++k) {
         low[k] = Math.min(low[k], positions[i + k]);
@@ -48,7 +53,12 @@ export function makeClusters(count, positions) {
       }
     }
     const centre = low.map((x, k) => (x + high[k]) / 2);
-    clusters.push({ first, end, centre, radius: Math.hypot(...low.map((x, k) => high[k] - x)) / 2 });
+    clusters.push({
+      first,
+      end,
+      centre,
+      radius: Math.hypot(...low.map((x, k) => high[k] - x)) / 2,
+    });
   }
   return clusters;
 }
@@ -73,8 +83,12 @@ function areaOf({ points, triangleNodes, triangleCount }, vertexOf) {
   let area = 0;
   for (let t = 0; t < triangleCount; ++t) {
     const [a, b, c] = [0, 1, 2].map((k) => 3 * vertexOf(triangleNodes[3 * t + k]));
-    const ux = points[b] - points[a], uy = points[b + 1] - points[a + 1], uz = points[b + 2] - points[a + 2];
-    const vx = points[c] - points[a], vy = points[c + 1] - points[a + 1], vz = points[c + 2] - points[a + 2];
+    const ux = points[b] - points[a],
+      uy = points[b + 1] - points[a + 1],
+      uz = points[b + 2] - points[a + 2];
+    const vx = points[c] - points[a],
+      vy = points[c + 1] - points[a + 1],
+      vz = points[c + 2] - points[a + 2];
     area += Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
   }
   return area;

@@ -16,8 +16,12 @@ function middles(state) {
   });
   for (const [contour, list] of segments) {
     const i = list[list.length >> 1];
-    const a = surface.point(lines[2 * i]), b = surface.point(lines[2 * i + 1]);
-    segments.set(contour, a.map((x, k) => (x + b[k]) / 2));
+    const a = surface.point(lines[2 * i]),
+      b = surface.point(lines[2 * i + 1]);
+    segments.set(
+      contour,
+      a.map((x, k) => (x + b[k]) / 2),
+    );
   }
   return segments;
 }

@@ -20,7 +20,8 @@ function metricLength(surface, a, b) {
     const [m11, m12, m22] = surface.metric.subarray(3 * node, 3 * node + 3);
     return Math.sqrt(m11 * step[0] ** 2 + 2 * m12 * step[0] * step[1] + m22 * step[1] ** 2);
   };
-  const l0 = length(a), l1 = length(b);
+  const l0 = length(a),
+    l1 = length(b);
   // As edge_length of metric/tensor.hh: exact where sizes change geometrically.
   return Math.abs(l0 - l1) < 1e-3 * (l0 + l1) ? (l0 + l1) / 2 : (l0 - l1) / Math.log(l0 / l1);
 }
@@ -55,7 +56,10 @@ function sideTable(state, face) {
   const rows = nodes.map((node, i) => {
     const next = nodes[(i + 1) % nodes.length];
     const [a, b] = [node, next].map((n) => surface.vertexOf(n));
-    const row = [`${whole(a)} – ${whole(b)}`, text(facts.radius * distance(surface.point(a), surface.point(b)))];
+    const row = [
+      `${whole(a)} – ${whole(b)}`,
+      text(facts.radius * distance(surface.point(a), surface.point(b))),
+    ];
     if (surface.metric) row.push(text(metricLength(surface, node, next)));
     return row;
   });
@@ -64,7 +68,10 @@ function sideTable(state, face) {
 
 function table(title, head, rows) {
   const line = (tag, cells) => make("tr", {}, ...cells.map((cell) => make(tag, {}, cell)));
-  return [make("h3", {}, title), make("table", {}, line("th", head), ...rows.map((row) => line("td", row)))];
+  return [
+    make("h3", {}, title),
+    make("table", {}, line("th", head), ...rows.map((row) => line("td", row))),
+  ];
 }
 
 function valuesOf(state, face) {
@@ -82,7 +89,14 @@ function showElement(state, views, body) {
   const { surface, marked } = state;
   const patch = surface.patchOf(marked);
   const kind = ["Triangle", "Quad"][surface.nodesOf(marked).length - 3] ?? "Polygon";
-  const link = patch >= 0 ? make("button", { class: "link", onclick: () => goToPatch(state, views, patch) }, state.patchName(patch)) : null;
+  const link =
+    patch >= 0
+      ? make(
+          "button",
+          { class: "link", onclick: () => goToPatch(state, views, patch) },
+          state.patchName(patch),
+        )
+      : null;
   const middle = state.modelPoint(surface.middleOf(marked)).map(text).join(", ");
   body.replaceChildren(
     pairs([
@@ -95,7 +109,12 @@ function showElement(state, views, body) {
     ...cornerTable(state, marked),
     ...metricTable(state, marked),
     ...sideTable(state, marked),
-    make("div", { class: "row" }, make("button", { onclick: () => views.space.goToFace(marked) }, "go to"), make("button", { onclick: () => state.mark(-1) }, "unmark")),
+    make(
+      "div",
+      { class: "row" },
+      make("button", { onclick: () => views.space.goToFace(marked) }, "go to"),
+      make("button", { onclick: () => state.mark(-1) }, "unmark"),
+    ),
   );
 }
 
@@ -117,7 +136,10 @@ export function addElementPanel(state, views) {
   body.append(details, make("div", { class: "row" }, "Find", find));
   const show = () => {
     if (state.marked >= 0) showElement(state, views, details);
-    else details.replaceChildren(make("p", { class: "soft" }, "Click on an element to see its values."));
+    else
+      details.replaceChildren(
+        make("p", { class: "soft" }, "Click on an element to see its values."),
+      );
   };
   state.on("marked", () => {
     show();

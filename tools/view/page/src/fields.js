@@ -67,7 +67,7 @@ function categoriesOf(name, facts, patch) {
   const patches = new Int32Array(patch.buffer);
   if (name === "patch") return patches;
   const groupOf = new Int32Array(facts.patches.length).fill(-1);
-  for (let g = facts.groups.length; g-- > 0; ) {
+  for (let g = facts.groups.length; g-- > 0;) {
     for (const p of facts.groups[g].patches) groupOf[p] = g;
   }
   return patches.map((p) => (p >= 0 ? groupOf[p] : -1));

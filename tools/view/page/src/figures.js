@@ -5,7 +5,10 @@ import { text } from "./fields.js";
 
 /** Of a field of faces: least, mean, greatest. */
 function extremes(field) {
-  let least = Infinity, greatest = -Infinity, sum = 0, count = 0;
+  let least = Infinity,
+    greatest = -Infinity,
+    sum = 0,
+    count = 0;
   for (const value of field.values) {
     if (Number.isNaN(value)) continue;
     least = Math.min(least, value);
@@ -37,11 +40,19 @@ function reportFigures(report) {
   const { control, seconds, mesh, sag } = report;
   return [
     ["Euler characteristic", text(mesh?.euler)],
-    ["control space", control ? `${control.kind}, ${whole(control.nodes)} nodes, ${whole(control.faces)} faces` : null],
+    [
+      "control space",
+      control
+        ? `${control.kind}, ${whole(control.nodes)} nodes, ${whole(control.faces)} faces`
+        : null,
+    ],
     ["sag asked for", sag?.asked != null ? text(sag.asked) : null],
     ["sag reached", sag?.reached != null ? text(sag.reached) : null],
     ["processor time", seconds ? `${text(seconds.total)} s` : null],
-    ["elements a second", report.triangles_per_second_in_all ? whole(report.triangles_per_second_in_all) : null],
+    [
+      "elements a second",
+      report.triangles_per_second_in_all ? whole(report.triangles_per_second_in_all) : null,
+    ],
   ];
 }
 
@@ -52,7 +63,11 @@ function tree(name, value) {
   }
   const entries = Object.entries(value);
   if (entries.length === 0) return make("div", {}, make("b", {}, `${name}: `), "none");
-  const element = make("details", {}, make("summary", {}, Array.isArray(value) ? `${name} (${entries.length})` : name));
+  const element = make(
+    "details",
+    {},
+    make("summary", {}, Array.isArray(value) ? `${name} (${entries.length})` : name),
+  );
   element.addEventListener(
     "toggle",
     () => element.append(...entries.map(([key, inner]) => tree(inner?.name || key, inner))),
@@ -69,7 +84,13 @@ export function addFigures(state) {
     () => {
       body.append(pairs([...meshFigures(state), ...reportFigures(report)]));
       if (report) body.append(make("div", { class: "tree" }, tree("Report of the run", report)));
-      body.append(make("p", { class: "soft" }, `Made by surfmesh ${state.facts.version}; drawn with three.js.`));
+      body.append(
+        make(
+          "p",
+          { class: "soft" },
+          `Made by surfmesh ${state.facts.version}; drawn with three.js.`,
+        ),
+      );
     },
     { once: true },
   );

@@ -19,10 +19,18 @@ function svg(tag, attributes, ...children) {
 /** Bars of equal width; `bins` have from, to, count and a colour. */
 function chart(bins, name) {
   const greatest = Math.max(1, ...bins.map((bin) => bin.count));
-  const total = Math.max(1, bins.reduce((sum, bin) => sum + bin.count, 0));
+  const total = Math.max(
+    1,
+    bins.reduce((sum, bin) => sum + bin.count, 0),
+  );
   const step = (WIDTH - 20) / bins.length;
   const height = (count) => ((HEIGHT - FOOT - HEAD) * count) / greatest;
-  const drawing = svg("svg", { class: "histogram", viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": name });
+  const drawing = svg("svg", {
+    class: "histogram",
+    viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
+    role: "img",
+    "aria-label": name,
+  });
   const every = Math.ceil(bins.length / 10);
   bins.forEach((bin, i) => {
     const h = height(bin.count);
@@ -30,17 +38,33 @@ function chart(bins, name) {
     drawing.append(
       svg(
         "rect",
-        { x: 10 + i * step + 0.5, y: HEIGHT - FOOT - h, width: step - 1, height: bin.count > 0 ? Math.max(1, h) : 0, fill: css(bin.colour), stroke: "#00000022" },
+        {
+          x: 10 + i * step + 0.5,
+          y: HEIGHT - FOOT - h,
+          width: step - 1,
+          height: bin.count > 0 ? Math.max(1, h) : 0,
+          fill: css(bin.colour),
+          stroke: "#00000022",
+        },
         svg("title", {}, title),
       ),
     );
     if (bin.count === greatest) {
-      drawing.append(svg("text", { x: 10 + (i + 0.5) * step, y: HEAD - 3 }, `${((100 * bin.count) / total).toPrecision(3)} %`));
+      drawing.append(
+        svg(
+          "text",
+          { x: 10 + (i + 0.5) * step, y: HEAD - 3 },
+          `${((100 * bin.count) / total).toPrecision(3)} %`,
+        ),
+      );
     }
-    if (i % every === 0) drawing.append(svg("text", { x: 10 + i * step, y: HEIGHT - 4 }, text(bin.from)));
+    if (i % every === 0)
+      drawing.append(svg("text", { x: 10 + i * step, y: HEIGHT - 4 }, text(bin.from)));
   });
   drawing.append(svg("text", { x: WIDTH - 10, y: HEIGHT - 4 }, text(bins[bins.length - 1].to)));
-  drawing.append(svg("line", { class: "axis", x1: 8, y1: HEIGHT - FOOT, x2: WIDTH - 8, y2: HEIGHT - FOOT }));
+  drawing.append(
+    svg("line", { class: "axis", x1: 8, y1: HEIGHT - FOOT, x2: WIDTH - 8, y2: HEIGHT - FOOT }),
+  );
   return drawing;
 }
 
@@ -90,13 +114,20 @@ function addLengths(state, body) {
   const scale = { from: 0.5, to: 2, log: true };
   const bins = edges.histogram.map((bin) => ({
     ...bin,
-    colour: state.fields.mapColour("deviations", shareOf(scale, Math.sqrt(Math.max(bin.from, 0.1) * bin.to))),
+    colour: state.fields.mapColour(
+      "deviations",
+      shareOf(scale, Math.sqrt(Math.max(bin.from, 0.1) * bin.to)),
+    ),
   }));
   const share = (100 * edges.unit_share).toFixed(1);
   body.append(
     make("h3", {}, "Metric length of edges"),
     chart(bins, "Metric length of edges"),
-    make("p", { class: "soft" }, `mean ${text(edges.mean)}, deviation ${text(edges.deviation)}, from ${text(edges.min)} to ${text(edges.max)}; ${share} % in [1/√2, √2]`),
+    make(
+      "p",
+      { class: "soft" },
+      `mean ${text(edges.mean)}, deviation ${text(edges.deviation)}, from ${text(edges.min)} to ${text(edges.max)}; ${share} % in [1/√2, √2]`,
+    ),
   );
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines of some pixels of width: contours, the outline of the marked face, control meshes, ellipses.
+// Lines of some pixels of width: contours, the outline of the marked face, control meshes and
+// ellipses.
 import { BufferAttribute, BufferGeometry, Color, LineBasicMaterial, LineSegments } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
@@ -40,14 +41,20 @@ export class Lines {
 /** The same of one pixel, which cost a tenth. */
 export class HairLines {
   constructor() {
-    this.object = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ vertexColors: true }));
+    this.object = new LineSegments(
+      new BufferGeometry(),
+      new LineBasicMaterial({ vertexColors: true }),
+    );
     this.object.frustumCulled = false;
   }
 
   set(positions, colours) {
     this.object.geometry.dispose();
     this.object.geometry = new BufferGeometry();
-    this.object.geometry.setAttribute("position", new BufferAttribute(new Float32Array(positions), 3));
+    this.object.geometry.setAttribute(
+      "position",
+      new BufferAttribute(new Float32Array(positions), 3),
+    );
     this.object.geometry.setAttribute("color", new BufferAttribute(new Float32Array(colours), 3));
   }
 }

@@ -71,5 +71,7 @@ async function start() {
 /** For tests and measurements: resolves when the page is there. */
 window.surfmeshViewer = start();
 window.surfmeshViewer.catch((error) => {
-  document.body.append(make("p", { class: "fault" }, `This page cannot be shown: ${error.message}`));
+  document.body.append(
+    make("p", { class: "fault" }, `This page cannot be shown: ${error.message}`),
+  );
 });

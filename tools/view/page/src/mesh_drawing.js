@@ -138,9 +138,15 @@ export class MeshDrawing {
   setNormal(i) {
     const p = this.positions;
     const a = 9 * i;
-    const ux = p[a + 3] - p[a], uy = p[a + 4] - p[a + 1], uz = p[a + 5] - p[a + 2];
-    const vx = p[a + 6] - p[a], vy = p[a + 7] - p[a + 1], vz = p[a + 8] - p[a + 2];
-    const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+    const ux = p[a + 3] - p[a],
+      uy = p[a + 4] - p[a + 1],
+      uz = p[a + 5] - p[a + 2];
+    const vx = p[a + 6] - p[a],
+      vy = p[a + 7] - p[a + 1],
+      vz = p[a + 8] - p[a + 2];
+    const x = uy * vz - uz * vy,
+      y = uz * vx - ux * vz,
+      z = ux * vy - uy * vx;
     const scale = 127 / (Math.sqrt(x * x + y * y + z * z) || 1);
     for (let k = 0; k < 3; ++k) {
       const at = 12 * i + 4 * k;
@@ -198,8 +204,10 @@ export class MeshDrawing {
   /** Find the visible triangle that a ray meets first; returns its face, or -1. */
   pick({ origin, direction }) {
     const p = this.positions;
-    const o = origin.toArray(), d = direction.toArray();
-    let best = Infinity, found = -1;
+    const o = origin.toArray(),
+      d = direction.toArray();
+    let best = Infinity,
+      found = -1;
     for (let i = 0; i < this.triangles.length; ++i) {
       if (this.tints[12 * i + 3] >= HIDDEN) continue;
       const t = distanceAlong(o, d, p, 9 * i);
@@ -217,17 +225,30 @@ export class MeshDrawing {
   }
 }
 
-/** Of a ray to a triangle (Möller and Trumbore 1997, doi 10.1080/10867651.1997.10487468); -1 for none. */
+/**
+ * Along a ray to a triangle, -1 for none (Möller and Trumbore 1997,
+ * doi 10.1080/10867651.1997.10487468).
+ */
 function distanceAlong(o, d, p, a) {
-  const ux = p[a + 3] - p[a], uy = p[a + 4] - p[a + 1], uz = p[a + 5] - p[a + 2];
-  const vx = p[a + 6] - p[a], vy = p[a + 7] - p[a + 1], vz = p[a + 8] - p[a + 2];
-  const hx = d[1] * vz - d[2] * vy, hy = d[2] * vx - d[0] * vz, hz = d[0] * vy - d[1] * vx;
+  const ux = p[a + 3] - p[a],
+    uy = p[a + 4] - p[a + 1],
+    uz = p[a + 5] - p[a + 2];
+  const vx = p[a + 6] - p[a],
+    vy = p[a + 7] - p[a + 1],
+    vz = p[a + 8] - p[a + 2];
+  const hx = d[1] * vz - d[2] * vy,
+    hy = d[2] * vx - d[0] * vz,
+    hz = d[0] * vy - d[1] * vx;
   const volume = ux * hx + uy * hy + uz * hz;
   if (volume === 0) return -1;
-  const sx = o[0] - p[a], sy = o[1] - p[a + 1], sz = o[2] - p[a + 2];
+  const sx = o[0] - p[a],
+    sy = o[1] - p[a + 1],
+    sz = o[2] - p[a + 2];
   const u = (sx * hx + sy * hy + sz * hz) / volume;
   if (!(u >= 0 && u <= 1)) return -1;
-  const qx = sy * uz - sz * uy, qy = sz * ux - sx * uz, qz = sx * uy - sy * ux;
+  const qx = sy * uz - sz * uy,
+    qy = sz * ux - sx * uz,
+    qz = sx * uy - sy * ux;
   const v = (d[0] * qx + d[1] * qy + d[2] * qz) / volume;
   if (!(v >= 0 && u + v <= 1)) return -1;
   return (vx * qx + vy * qy + vz * qz) / volume;
@@ -257,7 +278,11 @@ export function wholeDrawing(surface) {
 /** About so many triangles, for pictures that move. */
 export function thinDrawing(surface, wanted) {
   const { triangles, standsFor } = thinned(surface, (node) => surface.vertexOf(node), wanted);
-  return new MeshDrawing(surface, triangles, pointWriter(surface, (n) => standsFor[surface.vertexOf(n)]));
+  return new MeshDrawing(
+    surface,
+    triangles,
+    pointWriter(surface, (n) => standsFor[surface.vertexOf(n)]),
+  );
 }
 
 /** The triangles of one patch over its parameters; `map` gives x, y of u, v. */

@@ -7,9 +7,15 @@ const MOST_ROWS = 400;
 
 function addFieldChoice(state) {
   const { body } = section("colours", "Colour");
-  const choice = make("select", { id: "field", "aria-label": "Colour by", onchange: () => state.choose(choice.value) });
+  const choice = make("select", {
+    id: "field",
+    "aria-label": "Colour by",
+    onchange: () => state.choose(choice.value),
+  });
   for (const field of state.fields.list) {
-    choice.append(make("option", { value: field.name }, field.name === "plain" ? field.text : field.name));
+    choice.append(
+      make("option", { value: field.name }, field.name === "plain" ? field.text : field.name),
+    );
   }
   choice.value = state.field.name;
   state.on("colours", () => (choice.value = state.field.name));
@@ -54,17 +60,29 @@ function partRow(state, { name, patches, faces, colour, jump }) {
     onchange: () => state.show(patches, box.checked),
   });
   box.indeterminate = box.checked && patches.some((p) => state.isHidden(p));
-  const only = make("button", { class: "link", title: "show only this one", onclick: () => showOnly(state, patches) }, "only");
+  const only = make(
+    "button",
+    { class: "link", title: "show only this one", onclick: () => showOnly(state, patches) },
+    "only",
+  );
   const title = jump
     ? make("button", { class: "link name", title: `go to ${name}`, onclick: jump }, name)
     : make("span", { class: "name" }, name);
   const parts = [colour ? swatch(colour) : null, title];
-  return make("li", {}, make("label", {}, box, ...parts.filter(Boolean)), make("span", { class: "number" }, whole(faces)), only);
+  return make(
+    "li",
+    {},
+    make("label", {}, box, ...parts.filter(Boolean)),
+    make("span", { class: "number" }, whole(faces)),
+    only,
+  );
 }
 
 function showOnly(state, patches) {
   const chosen = new Set(patches);
-  state.facts.patches.forEach((_, p) => (chosen.has(p) ? state.hidden.delete(p) : state.hidden.add(p)));
+  state.facts.patches.forEach((_, p) =>
+    chosen.has(p) ? state.hidden.delete(p) : state.hidden.add(p),
+  );
   state.tell("colours");
 }
 
@@ -95,14 +113,21 @@ function addPatches(state, views) {
       }),
   }));
   const { parts, refresh } = filteredList(rows);
-  body.append(switches(state, facts.patches.map((_, p) => p)), ...parts);
+  body.append(
+    switches(
+      state,
+      facts.patches.map((_, p) => p),
+    ),
+    ...parts,
+  );
   state.on("colours", refresh);
 }
 
 /** Show a patch in space, and in the plane. */
 export function goToPatch(state, views, patch) {
   const { surface } = state;
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  const low = [Infinity, Infinity, Infinity],
+    high = [-Infinity, -Infinity, -Infinity];
   for (let f = 0; f < surface.faceCount; ++f) {
     if (surface.patchOf(f) !== patch) continue;
     for (const p of surface.pointsOf(f)) {
@@ -114,7 +139,10 @@ export function goToPatch(state, views, patch) {
   }
   if (!Number.isFinite(low[0])) return;
   const radius = Math.hypot(...low.map((x, k) => high[k] - x)) / 2;
-  views.space.goTo(low.map((x, k) => (x + high[k]) / 2), Math.max(1e-4, radius));
+  views.space.goTo(
+    low.map((x, k) => (x + high[k]) / 2),
+    Math.max(1e-4, radius),
+  );
   state.choosePlane(patch);
 }
 
@@ -156,7 +184,11 @@ function addContours(state) {
     name: state.contourName(contour),
     element: () => {
       const isChosen = contour === state.chosenContour;
-      const button = make("button", { class: "link name", onclick: () => state.chooseContour(contour) }, state.contourName(contour));
+      const button = make(
+        "button",
+        { class: "link name", onclick: () => state.chooseContour(contour) },
+        state.contourName(contour),
+      );
       return make("li", { class: isChosen ? "chosen" : "" }, button);
     },
   }));

@@ -34,7 +34,11 @@ export class Picture {
     byProcessor ??= drawsByProcessor();
     this.container = container;
     this.draw = draw;
-    this.renderer = new WebGLRenderer({ antialias: !byProcessor, alpha: false, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({
+      antialias: !byProcessor,
+      alpha: false,
+      powerPreference: "high-performance",
+    });
     this.renderer.setClearColor(0xf7f9fb);
     this.canvas = this.renderer.domElement;
     container.append(this.canvas);

@@ -16,7 +16,10 @@ function badness(field) {
     case "goodness":
       return (value) => -value;
     case "deviations":
-      return (value) => Math.abs(field.scale.log ? Math.log(value) : value - (field.whole.from + field.whole.to) / 2);
+      return (value) =>
+        Math.abs(
+          field.scale.log ? Math.log(value) : value - (field.whole.from + field.whole.to) / 2,
+        );
     default:
       return (value) => value;
   }
@@ -49,7 +52,11 @@ export function addWorst(state, space) {
   const show = () => {
     list.replaceChildren(
       ...faces.map((face) => {
-        const button = make("button", { class: "link", onclick: () => goTo(face) }, `element ${whole(face)}`);
+        const button = make(
+          "button",
+          { class: "link", onclick: () => goTo(face) },
+          `element ${whole(face)}`,
+        );
         const patch = state.surface.patchOf(face);
         return make(
           "li",
@@ -62,7 +69,9 @@ export function addWorst(state, space) {
     );
   };
   const judge = () => {
-    const chosen = JUDGES.includes(state.field.name) ? state.field : JUDGES.map((name) => state.fields.find(name)).find(Boolean);
+    const chosen = JUDGES.includes(state.field.name)
+      ? state.field
+      : JUDGES.map((name) => state.fields.find(name)).find(Boolean);
     if (chosen === field) return;
     field = chosen;
     faces = worstFaces(field);
@@ -113,7 +122,11 @@ export function addNotices(state, space) {
       make(
         "div",
         { class: `notice ${notice.severity}` },
-        make("span", { class: "kind" }, notice.severity === "shortfall" ? "not reached: " : "warning: "),
+        make(
+          "span",
+          { class: "kind" },
+          notice.severity === "shortfall" ? "not reached: " : "warning: ",
+        ),
         `${notice.text}${times} `,
         jump ? make("button", { class: "link", onclick: jump }, "go there") : null,
       ),

@@ -5,8 +5,13 @@ import { byId, make, swatch, whole } from "./elements.js";
 import { text } from "./fields.js";
 
 function patchChoice(state) {
-  const choice = make("select", { "aria-label": "patch", onchange: () => state.choosePlane(Number(choice.value)) });
-  state.facts.patches.forEach((_, p) => choice.append(make("option", { value: String(p) }, state.patchName(p))));
+  const choice = make("select", {
+    "aria-label": "patch",
+    onchange: () => state.choosePlane(Number(choice.value)),
+  });
+  state.facts.patches.forEach((_, p) =>
+    choice.append(make("option", { value: String(p) }, state.patchName(p))),
+  );
   state.on("plane", () => (choice.value = String(state.planePatch)));
   choice.value = String(state.planePatch);
   return choice;
@@ -26,13 +31,15 @@ function ellipseChoice(state) {
   const choice = make("select", {
     id: "ellipses",
     "aria-label": "ellipses of the metric",
-    title: "An ellipse is as wide as the elements asked for: its diameters have the metric length 1.",
+    title:
+      "An ellipse is as wide as the elements asked for: its diameters have the metric length 1.",
     onchange: () => state.showInPlane("ellipses", choice.value),
   });
   state.on("plane", () => (choice.value = state.planeShows.ellipses));
   choice.append(make("option", { value: "none" }, "no ellipses"));
   if (state.surface.metric) choice.append(make("option", { value: "mesh" }, "metric at vertices"));
-  if (state.facts.control) choice.append(make("option", { value: "control" }, "metric at control nodes"));
+  if (state.facts.control)
+    choice.append(make("option", { value: "control" }, "metric at control nodes"));
   return choice;
 }
 
@@ -42,7 +49,12 @@ function addLegend(state, card) {
     const control = state.planeShows.control ? controlMesh(state, state.planePatch) : null;
     legend.replaceChildren(
       ...(control ? control.counts() : []).map(({ name, text: meaning, colour, count }) =>
-        make("span", { title: `sizes from ${meaning}` }, swatch(colour), ` ${name} ${whole(count)}`),
+        make(
+          "span",
+          { title: `sizes from ${meaning}` },
+          swatch(colour),
+          ` ${name} ${whole(count)}`,
+        ),
       ),
     );
   };
@@ -67,7 +79,9 @@ export function addPlaneTools(state, views) {
   card.append(patchChoice(state), box(state, "mesh", "mesh"));
   if (state.facts.control) card.append(box(state, "control", "control mesh"));
   if (state.surface.metric || state.facts.control) card.append(ellipseChoice(state));
-  card.append(make("button", { title: "the whole patch", onclick: () => views.plane?.fit() }, "Fit"));
+  card.append(
+    make("button", { title: "the whole patch", onclick: () => views.plane?.fit() }, "Fit"),
+  );
   addLegend(state, card);
   addPlace(state, views);
 }

@@ -75,7 +75,8 @@ export class PlaneView {
   /** The box of the patch, and how u and v become x and y from -1 to 1 at most. */
   setAxes(patch) {
     const { surface } = this.state;
-    const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
+    const low = [Infinity, Infinity],
+      high = [-Infinity, -Infinity];
     for (let f = 0; f < surface.faceCount; ++f) {
       if (surface.patchOf(f) !== patch) continue;
       for (const node of surface.nodesOf(f)) {
@@ -105,13 +106,18 @@ export class PlaneView {
 
   colour() {
     const { state } = this;
-    this.drawing.colour(paint(state.fields, state.field), () => !state.planeShows.mesh, state.marked);
+    this.drawing.colour(
+      paint(state.fields, state.field),
+      () => !state.planeShows.mesh,
+      state.marked,
+    );
     this.picture.invalidate();
   }
 
   setControl() {
     const { state } = this;
-    const positions = [], colours = [];
+    const positions = [],
+      colours = [];
     const control = controlMesh(state, state.planePatch);
     if (control && state.planeShows.control) {
       for (const [a, b, rgb] of control.sides()) {
@@ -142,14 +148,17 @@ export class PlaneView {
   /** The ellipses of steps of metric length ½: as wide across as the elements asked for. */
   setEllipses() {
     const { ellipses } = this.state.planeShows;
-    const corners = ellipses === "none" ? [] : apart(this.metricPoints()).map((p) => this.ellipse(p));
+    const corners =
+      ellipses === "none" ? [] : apart(this.metricPoints()).map((p) => this.ellipse(p));
     this.ellipses.set(corners.filter((c) => c.flat().every(Number.isFinite)).flatMap(closedLine));
     this.picture.invalidate();
   }
 
   /** With M = L Lᵀ, the steps are L⁻ᵀ times the circle of radius ½. */
   ellipse({ uv, metric: [m11, m12, m22] }) {
-    const l11 = Math.sqrt(m11), l21 = m12 / l11, l22 = Math.sqrt(m22 - l21 * l21);
+    const l11 = Math.sqrt(m11),
+      l21 = m12 / l11,
+      l22 = Math.sqrt(m22 - l21 * l21);
     return Array.from({ length: ELLIPSE_CORNERS }, (_, i) => {
       const angle = (2 * Math.PI * i) / ELLIPSE_CORNERS;
       const v = (0.5 * Math.sin(angle)) / l22;
@@ -174,7 +183,12 @@ export class PlaneView {
   draw(renderer) {
     const { camera, picture, centre, scale } = this;
     const aspect = picture.width / picture.height;
-    Object.assign(camera, { left: -scale * aspect, right: scale * aspect, top: scale, bottom: -scale });
+    Object.assign(camera, {
+      left: -scale * aspect,
+      right: scale * aspect,
+      top: scale,
+      bottom: -scale,
+    });
     camera.position.set(centre[0], centre[1], 1);
     camera.near = 0.01;
     camera.far = 2;
@@ -256,7 +270,8 @@ export class PlaneView {
   pinch(pointers, before, event) {
     const other = [...pointers.values()].find((p) => p.pointerId !== event.pointerId);
     const distance = (p) => Math.hypot(p.offsetX - other.offsetX, p.offsetY - other.offsetY);
-    const x = (event.offsetX + other.offsetX) / 2, y = (event.offsetY + other.offsetY) / 2;
+    const x = (event.offsetX + other.offsetX) / 2,
+      y = (event.offsetY + other.offsetY) / 2;
     if (distance(before) > 0) this.zoomAt(distance(event) / distance(before), x, y);
   }
 }
@@ -276,6 +291,7 @@ function apart(points) {
 }
 
 function isNear({ uv: a, metric: [m11, m12, m22] }, { uv: b }) {
-  const u = b[0] - a[0], v = b[1] - a[1];
+  const u = b[0] - a[0],
+    v = b[1] - a[1];
   return m11 * u * u + 2 * m12 * u * v + m22 * v * v < 1;
 }

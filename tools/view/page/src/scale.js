@@ -14,7 +14,8 @@ const MOST_TICKS = 7;
 /** Shares of a scale at which numbers stand; ends are always there. */
 function ticks(scale) {
   if (!scale.log || !(scale.to > scale.from)) return evenTicks(scale);
-  const low = Math.log10(scale.from), width = Math.log10(scale.to) - low;
+  const low = Math.log10(scale.from),
+    width = Math.log10(scale.to) - low;
   for (const digits of [[1, 2, 5], [1], [1, 3]]) {
     const values = [];
     for (let power = Math.floor(low); power <= low + width; ++power) {
@@ -67,14 +68,29 @@ function rangeRow(state) {
       value: text(field.scale[end]),
       onchange: (event) => change(state, end, Number(event.target.value)),
     });
-  const reset = make("button", { onclick: () => state.setRange(field.whole.from, field.whole.to) }, "reset");
-  return make("div", { class: "range" }, "from", input("from", "least value"), "to", input("to", "greatest value"), reset);
+  const reset = make(
+    "button",
+    { onclick: () => state.setRange(field.whole.from, field.whole.to) },
+    "reset",
+  );
+  return make(
+    "div",
+    { class: "range" },
+    "from",
+    input("from", "least value"),
+    "to",
+    input("to", "greatest value"),
+    reset,
+  );
 }
 
 function change(state, end, value) {
   const range = { ...state.field.scale, [end]: value };
   const isGood = Number.isFinite(value) && range.from < range.to && (!range.log || range.from > 0);
-  state.setRange(isGood ? range.from : state.field.scale.from, isGood ? range.to : state.field.scale.to);
+  state.setRange(
+    isGood ? range.from : state.field.scale.from,
+    isGood ? range.to : state.field.scale.to,
+  );
 }
 
 export function addScale(state) {
@@ -84,7 +100,12 @@ export function addScale(state) {
     card.hidden = field.category || field.of === "none";
     if (card.hidden) return;
     card.replaceChildren(
-      make("div", { class: "what" }, make("b", {}, field.name), make("span", { class: "soft-text" }, field.text)),
+      make(
+        "div",
+        { class: "what" },
+        make("b", {}, field.name),
+        make("span", { class: "soft-text" }, field.text),
+      ),
       make("div", { class: "numbers" }, bar(fields, field.scale), numbers(field.scale)),
       rangeRow(state),
     );

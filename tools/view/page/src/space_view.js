@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The mesh in space. It fills the ball of radius 1 around the origin, whatever its size.
-import { Frustum, Matrix4, PerspectiveCamera, Raycaster, Scene, Sphere, Vector2, Vector3 } from "three";
+import {
+  Frustum,
+  Matrix4,
+  PerspectiveCamera,
+  Raycaster,
+  Scene,
+  Sphere,
+  Vector2,
+  Vector3,
+} from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 import { HairLines, Lines, closedLine, linear } from "./lines.js";
@@ -19,7 +28,7 @@ const UP = new Vector3(0, 0, 1);
 const ANGLE = 24;
 
 /** More triangles in a picture are thinned to so many while it moves, if whole ones are slow. */
-const MOVING_TRIANGLES = 80000;
+const MOVING_TRIANGLES = 60000;
 
 export class SpaceView {
   constructor(container, state) {
@@ -70,7 +79,8 @@ export class SpaceView {
 
   setContours() {
     const { lines, contourOfLine, surface, chosenContour, showsContours } = this.state;
-    const positions = [], colours = [];
+    const positions = [],
+      colours = [];
     for (let i = 0; i < lines.length / 2; ++i) {
       const isChosen = contourOfLine !== null && contourOfLine[i] === chosenContour;
       if (!showsContours && !isChosen) continue;
@@ -96,7 +106,8 @@ export class SpaceView {
     if (isThin) this.prepareThin();
     const { ratio } = this.picture;
     const shown = isThin ? this.thin : this.drawing;
-    shown.showSides(this.state.showsSides, ratio > 1 ? 0.8 * ratio : 1);
+    // Sides of thinned triangles are none of the mesh, and those would hardly be seen.
+    shown.showSides(this.state.showsSides && !isThin, ratio > 1 ? 0.8 * ratio : 1);
     this.drawing.mesh.visible = !isThin;
     if (this.thin) this.thin.mesh.visible = isThin;
     this.contours.show(!isThin);
@@ -158,10 +169,13 @@ export class SpaceView {
     const aspect = this.picture.width / Math.max(1, this.picture.height) || 1;
     let distance = 0;
     for (let i = 0; i < points.length; i += 3) {
-      const x = points[i], y = points[i + 1], z = points[i + 2];
+      const x = points[i],
+        y = points[i + 1],
+        z = points[i + 2];
       const across = Math.abs(right.x * x + right.y * y + right.z * z) / aspect;
       const along = Math.abs(up.x * x + up.y * y + up.z * z);
-      const needed = direction.x * x + direction.y * y + direction.z * z + Math.max(across, along) / half;
+      const needed =
+        direction.x * x + direction.y * y + direction.z * z + Math.max(across, along) / half;
       if (needed > distance) distance = needed;
     }
     return Math.max(distance, 1e-3);
@@ -186,7 +200,9 @@ export class SpaceView {
 
   lookAlong(axis) {
     // Not quite along z, where "up" would have no direction.
-    this.look(new Vector3(axis === 0 ? 1 : 0, axis === 1 ? -1 : -1e-4, axis === 2 ? 1 : 0).normalize());
+    this.look(
+      new Vector3(axis === 0 ? 1 : 0, axis === 1 ? -1 : -1e-4, axis === 2 ? 1 : 0).normalize(),
+    );
   }
 
   /** Turn by angles in radians. */

@@ -22,7 +22,7 @@ export class State {
     this.lines = page.arrays.lines;
     this.contourOfLine = page.arrays.line_contour ?? null;
     this.controlMeshes = [];
-    this.planePatch = this.surface.patch ? this.surface.patchOf(0) : -1;
+    this.planePatch = Math.max(0, this.surface.patchOf(0));
     this.planeShows = { mesh: true, control: Boolean(this.facts.control), ellipses: "none" };
     this.listeners = new Map();
   }

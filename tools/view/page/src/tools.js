@@ -23,9 +23,28 @@ function toggleButton(name, title, isOn, act) {
 
 export function addTools(state, views) {
   const { space } = views;
-  const edges = toggleButton("Edges", "edges of elements (E)", () => state.showsSides, () => state.toggleSides());
-  const contours = toggleButton("Contours", "contours (C)", () => state.showsContours, () => state.toggleContours());
-  const plane = make("button", { id: "plane-button", title: "the (u,v) plane of a patch (V)", "aria-pressed": "false", onclick: () => togglePlane(state, views) }, "(u,v) plane");
+  const edges = toggleButton(
+    "Edges",
+    "edges of elements (E)",
+    () => state.showsSides,
+    () => state.toggleSides(),
+  );
+  const contours = toggleButton(
+    "Contours",
+    "contours (C)",
+    () => state.showsContours,
+    () => state.toggleContours(),
+  );
+  const plane = make(
+    "button",
+    {
+      id: "plane-button",
+      title: "the (u,v) plane of a patch (V)",
+      "aria-pressed": "false",
+      onclick: () => togglePlane(state, views),
+    },
+    "(u,v) plane",
+  );
   plane.hidden = !state.hasPlane;
   state.on("sides", () => edges.setAttribute("aria-pressed", String(state.showsSides)));
   state.on("contours", () => contours.setAttribute("aria-pressed", String(state.showsContours)));
@@ -33,9 +52,17 @@ export function addTools(state, views) {
     edges,
     contours,
     plane,
-    make("button", { title: "the whole mesh, from this side (F)", onclick: () => space.fit() }, "Fit"),
+    make(
+      "button",
+      { title: "the whole mesh, from this side (F)", onclick: () => space.fit() },
+      "Fit",
+    ),
     make("button", { title: "the first view again (R)", onclick: () => space.reset() }, "Reset"),
-    make("button", { title: "keys and mouse (?)", onclick: () => byId("shortcuts").showModal() }, "Help"),
+    make(
+      "button",
+      { title: "keys and mouse (?)", onclick: () => byId("shortcuts").showModal() },
+      "Help",
+    ),
   );
 }
 
@@ -63,7 +90,14 @@ function bindings(state, views) {
     { keys: ["v"], act: () => togglePlane(state, views) },
     { keys: ["n"], act: () => state.step(1) },
     { keys: ["p"], act: () => state.step(-1) },
-    { keys: ["a"], act: () => state.show(state.facts.patches.map((_, p) => p), true) },
+    {
+      keys: ["a"],
+      act: () =>
+        state.show(
+          state.facts.patches.map((_, p) => p),
+          true,
+        ),
+    },
     { keys: ["Escape"], act: () => state.mark(-1) },
     { keys: ["?"], act: () => byId("shortcuts").showModal() },
   ];
@@ -95,13 +129,19 @@ function fillHelp() {
   byId("shortcuts").append(
     make("h2", {}, "Mouse, touch and keys"),
     make("dl", { class: "pairs" }, ...rows),
-    make("div", { class: "row" }, make("button", { onclick: () => byId("shortcuts").close() }, "Close")),
+    make(
+      "div",
+      { class: "row" },
+      make("button", { onclick: () => byId("shortcuts").close() }, "Close"),
+    ),
   );
 }
 
 export function addShortcuts(state, views) {
   fillHelp();
-  const table = new Map(bindings(state, views).flatMap(({ keys, act }) => keys.map((key) => [key, act])));
+  const table = new Map(
+    bindings(state, views).flatMap(({ keys, act }) => keys.map((key) => [key, act])),
+  );
   window.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || byId("shortcuts").open) return;
     if (document.activeElement?.matches("input:not([type=checkbox]), select")) return;

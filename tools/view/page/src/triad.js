@@ -30,7 +30,8 @@ export function addTriad(space) {
     turned.sort((a, b) => a.at.z - b.at.z);
     drawing.replaceChildren(
       ...turned.flatMap(({ name, colour, at }) => {
-        const x = LENGTH * at.x, y = -LENGTH * at.y;
+        const x = LENGTH * at.x,
+          y = -LENGTH * at.y;
         return [
           svg("line", { x1: 0, y1: 0, x2: x, y2: y, stroke: colour, "stroke-width": 2 }),
           svg("text", { x: 1.4 * x, y: 1.4 * y, fill: colour }, name),
