@@ -366,7 +366,8 @@ for i, block in enumerate(mesh.cells):
         patches.append(of_face[f])
 compare("a.inp", nearest(mesh.points, 1e-23), faces, patches)
 print(sorted(sets), sorted(mesh.point_sets), len(mesh.point_sets["the_rim"]))
-print([line for line in open("a.inp", encoding="utf-8").read().splitlines() if line.startswith("**")])
+text = open("a.inp", encoding="utf-8").read()
+print([line for line in text.splitlines() if line.startswith("**")])
 )";
 
 TEST_P(ForeignFormat, MeshioReadsInp) {
