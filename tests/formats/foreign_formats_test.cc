@@ -309,8 +309,8 @@ split = {"points": want["points"], "faces": [], "patches": []}
 for f, p in zip(want["faces"], want["patches"]):
     if len(f) == 3: parts = [f]
     else:
-        p = numpy.array([want["points"][i] for i in f])
-        if ((p[1] - p[3]) ** 2).sum() < ((p[0] - p[2]) ** 2).sum():
+        q = numpy.array([want["points"][i] for i in f])
+        if ((q[1] - q[3]) ** 2).sum() < ((q[0] - q[2]) ** 2).sum():
             parts = [[f[0], f[1], f[3]], [f[1], f[2], f[3]]]
         else:
             parts = [[f[0], f[1], f[2]], [f[0], f[2], f[3]]]
