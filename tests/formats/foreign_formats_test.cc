@@ -42,14 +42,17 @@ def compare(name, points, faces, patches, rounded=float, wanted=want):
     got = sorted(face(points, f, int(p), rounded) for f, p in zip(faces, patches))
     right = sorted(face(wanted["points"], f, p, rounded)
                    for f, p in zip(wanted["faces"], wanted["patches"]))
-    print(name, len(points), len(faces), "same" if got == right else ("differ", got[:1], right[:1]))
+    word = "same" if got == right else ("differ", got[:1], right[:1])
+    print(name, len(points), len(faces), word)
 def lines(points, pairs): return sorted(sorted(tuple(points[i]) for i in pair) for pair in pairs)
 def nearest(points, bound):
-    near = [min(want["points"], key=lambda q: sum((a - b) ** 2 for a, b in zip(p, q))) for p in points]
+    def distance(p, q): return sum((a - b) ** 2 for a, b in zip(p, q))
+    near = [min(want["points"], key=lambda q: distance(p, q)) for p in points]
     print(max(abs(a - b) for p, q in zip(points, near) for a, b in zip(p, q)) < bound)
     return near
 def compare_lines(name, points, pairs, contour):
-    print(name, len(pairs), lines(points, pairs) == lines(want["points"], want["contours"][contour]))
+    right = lines(want["points"], want["contours"][contour])
+    print(name, len(pairs), lines(points, pairs) == right)
 )";
 
 /// Every number of corners, and how its example is made.
@@ -137,7 +140,8 @@ for Reader, name in [(vtkXMLUnstructuredGridReader, "a.vtu"), (vtkUnstructuredGr
     print(len(right), all(right), sum(u.GetValue(i) != u.GetValue(i) for i in range(len(points))))
     print(sum(int(contour.GetValue(i)) == 0 for i in range(len(points))))
     size = [data.GetArray("size").GetValue(i) for i in range(len(faces))]
-    print(all(abs(s - 0.25) < 1e-9 for s in size), set(data.GetArray("group").GetValue(i) for i in range(len(faces))))
+    groups = set(data.GetArray("group").GetValue(i) for i in range(len(faces)))
+    print(all(abs(s - 0.25) < 1e-9 for s in size), groups)
 )";
 
 TEST_P(ForeignFormat, VtkReadsVtuAndVtk) {
@@ -161,7 +165,8 @@ import meshio
 for name in ["a.vtu", "a.vtk"]:
     mesh = meshio.read(name)
     faces = [list(f) for block in mesh.cells for f in block.data]
-    compare(name, mesh.points, faces, [p for part in mesh.cell_data["patch"] for p in numpy.ravel(part)])
+    patches = [p for part in mesh.cell_data["patch"] for p in numpy.ravel(part)]
+    compare(name, mesh.points, faces, patches)
 )";
 
 TEST_P(ForeignFormat, MeshioReadsVtuAndVtk) {
@@ -212,7 +217,8 @@ TEST_P(ForeignFormat, GmshReadsAllVersionsOfMsh) {
 constexpr const char* kMeshioMsh = R"(
 import meshio
 mesh = meshio.read("a.msh")
-patches = [p - 1 for b, part in zip(mesh.cells, mesh.cell_data["gmsh:geometrical"]) if b.type != "line" for p in part]
+tags = zip(mesh.cells, mesh.cell_data["gmsh:geometrical"])
+patches = [p - 1 for b, part in tags if b.type != "line" for p in part]
 faces = [list(f) for b in mesh.cells if b.type != "line" for f in b.data]
 compare("a.msh", mesh.points, faces, patches)
 print(sorted(mesh.field_data), len(mesh.point_data["size"]))
@@ -288,7 +294,8 @@ def array(index):
 faces, patches = [], []
 mesh = tree["meshes"][0]
 for primitive in mesh["primitives"]:
-    points, normals = array(primitive["attributes"]["POSITION"]), array(primitive["attributes"]["NORMAL"])
+    at = primitive["attributes"]
+    points, normals = array(at["POSITION"]), array(at["NORMAL"])
     material = tree["materials"][primitive["material"]]
     print(material["name"], material["extras"])
     triangles = array(primitive["indices"]).reshape(-1, 3)
@@ -302,12 +309,15 @@ split = {"points": want["points"], "faces": [], "patches": []}
 for f, p in zip(want["faces"], want["patches"]):
     if len(f) == 3: parts = [f]
     else:
-        d = [sum((want["points"][f[i]][k] - want["points"][f[i + 2]][k]) ** 2 for k in range(3)) for i in (0, 1)]
-        parts = [[f[0], f[1], f[3]], [f[1], f[2], f[3]]] if d[1] < d[0] else [[f[0], f[1], f[2]], [f[0], f[2], f[3]]]
+        q = numpy.array([want["points"][i] for i in f])
+        if ((q[1] - q[3]) ** 2).sum() < ((q[0] - q[2]) ** 2).sum():
+            parts = [[f[0], f[1], f[3]], [f[1], f[2], f[3]]]
+        else:
+            parts = [[f[0], f[1], f[2]], [f[0], f[2], f[3]]]
     split["faces"] += parts
     split["patches"] += [p] * len(parts)
 compare("a.glb", points, faces, patches, as_single, split)
-if "TEXCOORD_0" in primitive["attributes"]: print(array(primitive["attributes"]["TEXCOORD_0"])[:, 0].max() == as_single(4 / 3))
+if "TEXCOORD_0" in at: print(array(at["TEXCOORD_0"])[:, 0].max() == as_single(4 / 3))
 )";
 
 TEST_P(ForeignFormat, GlbHoldsTrianglesNormalsAndNames) {
@@ -356,7 +366,8 @@ for i, block in enumerate(mesh.cells):
         patches.append(of_face[f])
 compare("a.inp", nearest(mesh.points, 1e-23), faces, patches)
 print(sorted(sets), sorted(mesh.point_sets), len(mesh.point_sets["the_rim"]))
-print([line for line in open("a.inp", encoding="utf-8").read().splitlines() if line.startswith("**")])
+text = open("a.inp", encoding="utf-8").read()
+print([line for line in text.splitlines() if line.startswith("**")])
 )";
 
 TEST_P(ForeignFormat, MeshioReadsInp) {
