@@ -14,7 +14,7 @@ namespace surfmesh {
 /// contours, those of one physical name together. Elements of higher order give their corners.
 /// Values are those of views: of nodes, or means of those of the nodes of elements.
 /// Throws   InvalidInput with name:line, or name: byte, for what is wrong or cut short
-/// Cost     0.1 µs for an element in binary, 0.3 µs in text
+/// Cost     O(bytes)
 GridFile parse_msh_grid(std::string bytes, const std::string& name);
 
 /// The faces of such a file, for the table of mesh_format.cc.

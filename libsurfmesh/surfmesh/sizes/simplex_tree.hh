@@ -43,11 +43,11 @@ LinearBound linear_bound(const std::vector<Vec3>& points, const Simplex& simplex
 class SimplexTree {
  public:
   /// Pre      vertices in range; each triangle has an area, each tetrahedron a volume; there is one
-  /// Cost     O(n log n), 0.1 s for 100,000
+  /// Cost     O(n log n)
   SimplexTree(std::vector<Vec3> points, std::vector<Simplex> simplices);
 
   /// The nearest simplex, with distance 0 inside of a tetrahedron.
-  /// Cost     O(log n) near the simplices: about 0.6 µs for 100,000 triangles, 1 µs for tetrahedra
+  /// Cost     O(log n) near the simplices (tests/bench/background_bench.cc)
   NearSimplex nearest(const Vec3& point) const;
 
   /// The least values of the simplices below each node of the tree, for least_in.
