@@ -61,7 +61,6 @@ export class Picture {
   /** Ask for a frame; `isMoving` if others will follow. */
   invalidate(isMoving = false) {
     clearTimeout(this.timer);
-    if (isMoving) this.timer = setTimeout(() => this.invalidate(), STILL);
     this.isMoving = isMoving;
     if (this.isWanted) return;
     this.isWanted = true;
@@ -86,6 +85,10 @@ export class Picture {
     const isWhole = this.draw(this.renderer, this.isMoving);
     if (byProcessor) this.measure(start, isWhole);
     ++this.frames;
+    // Counted from the end of the frame, and longer after a slow one: else whole frames would be
+    // drawn while the mesh turns, which makes it slower still.
+    const wait = Math.max(STILL, 2 * (performance.now() - start));
+    if (this.isMoving) this.timer = setTimeout(() => this.invalidate(), wait);
   }
 
   /** Wait for the frame: it shows what frames cost, and keeps others from piling up behind it. */
