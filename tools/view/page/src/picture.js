@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A canvas that is drawn when something has changed. Where the browser draws by the processor, the
-// picture has more pixels when it stands still, and isSlow tells where frames take long.
+// picture has more pixels when it stands still, and fewer while it moves if frames are slow.
 import { WebGLRenderer } from "three";
 
 /** How long nothing must move before a picture is drawn at its best, in milliseconds. */
@@ -8,6 +8,9 @@ const STILL = 180;
 
 /** Frames that take longer, in milliseconds, are slow. */
 const SLOW = 60;
+
+/** Pixels to a pixel of the page, along each side, while a picture moves whose frames are slow. */
+const COARSE = 0.7;
 
 /** A picture that is drawn faster may have four times the pixels when it stands still. */
 const FAST = 45;
@@ -61,7 +64,6 @@ export class Picture {
   /** Ask for a frame; `isMoving` if others will follow. */
   invalidate(isMoving = false) {
     clearTimeout(this.timer);
-    if (isMoving) this.timer = setTimeout(() => this.invalidate(), STILL);
     this.isMoving = isMoving;
     if (this.isWanted) return;
     this.isWanted = true;
@@ -75,7 +77,8 @@ export class Picture {
 
   bestRatio() {
     if (!byProcessor) return Math.min(2, window.devicePixelRatio);
-    return this.frames > 1 && !this.isMoving && this.cost < FAST ? 2 : 1;
+    if (this.isMoving) return this.isSlow ? COARSE : 1;
+    return this.frames > 1 && this.cost < FAST ? 2 : 1;
   }
 
   frame() {
@@ -86,6 +89,10 @@ export class Picture {
     const isWhole = this.draw(this.renderer, this.isMoving);
     if (byProcessor) this.measure(start, isWhole);
     ++this.frames;
+    // Counted from the end of the frame, and longer after a slow one: else whole frames would be
+    // drawn while the mesh turns, which makes it slower still.
+    const wait = Math.max(STILL, 2 * (performance.now() - start));
+    if (this.isMoving) this.timer = setTimeout(() => this.invalidate(), wait);
   }
 
   /** Wait for the frame: it shows what frames cost, and keeps others from piling up behind it. */

@@ -28,7 +28,7 @@ const UP = new Vector3(0, 0, 1);
 const ANGLE = 24;
 
 /** More triangles in a picture are thinned to so many while it moves, if whole ones are slow. */
-const MOVING_TRIANGLES = 60000;
+const MOVING_TRIANGLES = 40000;
 
 export class SpaceView {
   constructor(container, state) {
