@@ -80,9 +80,13 @@ class SampledCurve : public Curve {
 /// A function of many points at once: the result has as many entries.
 using BatchFunction = std::function<void(std::span<const Uv>, std::span<Vec3>)>;
 
+/// Far below any element, and above the rounding of a function of some operations.
+inline constexpr double kSamplingShare = 1e-8;  ///< of the diagonal
+
 /// How far a surface may be from its function, and how many samples that may take.
 struct SamplingOptions {
-  Length tolerance = Length::share(1e-8);  ///< shares are of the diagonal of the samples' box
+  /// Shares are of the diagonal of the samples' box.
+  Length tolerance = Length::share(kSamplingShare);
   std::size_t max_samples = 4'000'000;
 };
 

@@ -21,10 +21,11 @@ from ._errors import (
     PrecisionWarning,
 )
 from ._mesh import Mesh
-from ._model import Model, Sampling, Tabulation
+from ._model import Model
 from ._options import Option, options
 from ._run import check, estimate, mesh, read, read_mesh
 from ._surfmesh import Notice, formula_functions
+from ._types import Sampling, Tabulation
 
 __version__: str = _surfmesh.version
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import threading
 import warnings
-from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -13,39 +13,10 @@ from . import _arrays, _surfmesh
 from ._errors import InvalidInput, PrecisionWarning
 from ._mesh import Mesh
 from ._options import Settings
-
-Length = Union[float, str]
-Size = Union[Length, Tuple[Length, Length]]
-Where = Union[None, int, str, Sequence[Union[int, str]]]
-Function = Callable[..., Any]
-Interval = Tuple[float, float]
-Loops = Sequence[Union[str, Sequence[str]]]
-Range = Sequence[float]
+from ._types import (CURVE_POINTS, Function, Interval, Length, Loops, Range, Sampling, Size,
+                     Tabulation, Where)
 
 _Wish = Callable[[_surfmesh.HeldSources, _surfmesh.HeldInput], None]
-
-#: Points at which a curve given as a function is taken.
-_CURVE_POINTS = 257
-
-
-class Sampling(NamedTuple):
-    """How a function became a surface.
-
-    error is the greatest distance measured between the two, model units, and `at` its (u, v);
-    samples are those along u and v that the spline passes through.
-    """
-
-    error: float
-    at: Tuple[float, float]
-    samples: Tuple[int, int]
-    evaluations: int
-
-
-class Tabulation(NamedTuple):
-    """How a function of sizes became a table: greatest relative error of sizes, and entries."""
-
-    error: float
-    entries: int
 
 
 class Model:
@@ -76,9 +47,8 @@ class Model:
         return model
 
     def __repr__(self) -> str:
-        if self._builder is None:
-            return f"<surfmesh.Model of {self._prepared().path()}>"
-        return "<surfmesh.Model built in Python>"
+        origin = "built in Python" if self._builder else f"of {self._prepared().path()}"
+        return f"<surfmesh.Model {origin}>"
 
     # Building.
 
@@ -135,7 +105,7 @@ class Model:
             builder.add_formulas(name, formulas, list((where or {}).items()),
                                  dict(constants or {}), u_range, v_range, all_loops)
         self._names.append(name)
-        self._changed()
+        self._input = None
         return result
 
     def add_nurbs(
@@ -166,7 +136,7 @@ class Model:
         self._building().add_nurbs(name, net, lines, list(degree), weight, list(periodic), part,
                                    [_arrays.names("loops", loop) for loop in loops])
         self._names.append(name)
-        self._changed()
+        self._input = None
 
     def add_contour(
         self,
@@ -200,13 +170,13 @@ class Model:
                                              dict(constants or {}))
             elif callable(curve):
                 function = _arrays.batched(curve, 2, f"contour {name}")
-                points = function(np.linspace(*_arrays.interval("t", t), _CURVE_POINTS))
+                points = function(np.linspace(*_arrays.interval("t", t), CURVE_POINTS))
                 _arrays.check_finite(f"contour {name}", points)
                 builder.add_contour_points(name, patch, points, True)
             else:
                 points = _arrays.array(f"contour {name}", curve, (None, 2), 6 if smooth else 2)
                 builder.add_contour_points(name, patch, points, bool(smooth))
-        self._changed()
+        self._input = None
 
     def add_cage(
         self,
@@ -244,7 +214,7 @@ class Model:
         builder.add_cage(name, points, flat, offsets, chains, sharp,
                          _arrays.integers("holes", holes).tolist(), named,
                          list((group_creases or {}).items()))
-        self._changed()
+        self._input = None
 
     def add_group(self, name: str, patches: Sequence[str]) -> None:
         """Name a set of patches that were added by name."""
@@ -253,7 +223,7 @@ class Model:
             if patch not in self._names:
                 raise InvalidInput(f"group {name}: there is no patch {patch}")
         self._building().add_group(name, [self._names.index(patch) for patch in wanted])
-        self._changed()
+        self._input = None
 
     # What the model is.
 
@@ -540,9 +510,6 @@ class Model:
             raise InvalidInput("a model that was read cannot get more patches, only sizes")
         return self._builder
 
-    def _changed(self) -> None:
-        self._input = None
-
     def _ask(self, wish: _Wish) -> None:
         """Keep a wish; if the model is there already, tell what is wrong with it right away."""
         with self._lock:
@@ -589,9 +556,7 @@ class Model:
             key = (settings, scheme)
             if self._input is None or key != self._key:
                 self._input = self._builder.build(settings, scheme or "auto")
-                self._key = key
-                self._tabulations = []
-                self._sources = None
+                self._key, self._tabulations, self._sources = key, [], None
             if self._sources is None:
                 sources = _surfmesh.HeldSources()
                 for wish in self._wishes:
