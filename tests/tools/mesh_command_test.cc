@@ -259,7 +259,7 @@ TEST_F(MeshProgram, PrintsAShortTableOrALongOne) {
   for (const char* flag : {"-v", "--verbose"}) {
     EXPECT_EQ(mesh("knob.obj", std::string("--hmax 5% ") + flag), 0);
     for (const char* text :
-         {"stage ", "worst of 6 patches", "hmax         5%  command line", "0.595 to 0.707"}) {
+         {"stage ", "worst of 6 patches", "hmax       5%  command line", "0.595 to 0.707"}) {
       EXPECT_NE(out_.find(text), std::string::npos) << text << " in " << out_;
     }
   }
