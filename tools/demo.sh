@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Build the program, mesh a control cage and a formula, and tell where the meshes lie (out/).
+# Build the program, mesh a control cage and a formula, and tell where the meshes lie (out/), with
+# pages that show them where npm is there to make their script.
 set -euo pipefail
 
 if [ $# -gt 0 ]; then
@@ -10,7 +11,13 @@ fi
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}"
 
-tools/setup.sh
+setup=()
+pages=()
+if command -v npm >/dev/null; then
+  setup=(--viewer)
+  pages=(knob wave)
+fi
+tools/setup.sh "${setup[@]}"
 cmake --preset release
 cmake --build --preset release --target surfmesh_program
 
@@ -20,7 +27,7 @@ for model in models/knob.obj models/wave.json; do
   name="${name%.*}"
   printf '\n%s\n' "$model"
   status=0
-  build/release/tools/surfmesh mesh "$model" -o "out/$name.obj" --report "out/$name.report.json" ||
+  build/release/tools/surfmesh mesh "$model" -o "out/$name.om" --report "out/$name.report.json" ||
     status=$?
   # 3: the mesh is there, but something asked for was not reached, as the program has said.
   if [ "$status" -ne 0 ] && [ "$status" -ne 3 ]; then
@@ -28,7 +35,17 @@ for model in models/knob.obj models/wave.json; do
   fi
 done
 
+for name in "${pages[@]}"; do
+  build/release/tools/surfmesh view "out/$name.om" -o "out/$name.html" --quiet
+done
+
 printf '\nMeshes and reports lie in %s:\n' "$PWD/out"
 for name in knob wave; do
-  printf '  %s\n' "out/$name.obj" "out/$name.report.json"
+  printf '  %s\n' "out/$name.om" "out/$name.report.json"
 done
+if [ "${#pages[@]}" -gt 0 ]; then
+  printf 'Open out/knob.html or out/wave.html in a browser to see them.\n'
+else
+  printf 'To see them in a browser: tools/setup.sh --viewer, then\n'
+  printf '  build/release/tools/surfmesh view out/knob.om -o out/knob.html\n'
+fi
