@@ -52,7 +52,8 @@ bool is_listed(const std::string& header, const std::multiset<std::string>& list
 
 /// A consumer has neither our private headers nor the libraries that only our sources use.
 bool is_private_include(const std::string& line, const std::multiset<std::string>& listed) {
-  static const std::regex library(R"re(^\s*#\s*include\s*<((nlohmann|fmt|boost|opensubdiv|tbb)/|expat|zlib))re");
+  static const std::regex library(
+      R"re(^\s*#\s*include\s*<((nlohmann|fmt|boost|opensubdiv|tbb)/|expat|zlib))re");
   const auto header = included_header(line);
   return std::regex_search(line, library) || (header && !is_listed(*header, listed));
 }
