@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "formats/example_meshes.hh"
+#include <algorithm>
+
+#include "formats/named_example.hh"
 #include "support/errors.hh"
 #include "support/folders.hh"
 #include "support/notices.hh"
@@ -138,6 +140,31 @@ TEST(GroupsInPly, AreKeptWhateverTheirNames) {
   EXPECT_EQ(read_mesh(folder / "a.ply").names, names);
   EXPECT_TRUE(what_is_lost(mesh, "a.ply", names).empty());
 }
+
+class GroupsOfGrids : public testing::TestWithParam<std::string> {};
+
+TEST_P(GroupsOfGrids, AreReadBackWithTheNamesOfPatches) {
+  const TestFolder folder;
+  const std::filesystem::path path = folder / ("a" + GetParam());
+  MeshNames names = example_names();
+  names.patches = {"left wing \xC3\xBC", ""};
+  const PolyMesh mesh = named_example(0);
+  write_mesh(mesh, path, names);
+  const MeshFile file = read_mesh(path);
+  ASSERT_GE(file.names.patches.size(), 1u);
+  EXPECT_EQ(file.names.patches[0], names.patches[0]);
+  for (std::size_t p = 1; p < file.names.patches.size(); ++p) EXPECT_EQ(file.names.patches[p], "");
+  EXPECT_EQ(file.names.groups, names.groups);
+  const auto patch_of = require(file.mesh, keys::face_patch);
+  const auto& patches = file.mesh.property(patch_of).data_vector();
+  const auto& given = mesh.property(require(mesh, keys::face_patch)).data_vector();
+  EXPECT_EQ(std::count(patches.begin(), patches.end(), 1),
+            std::count(given.begin(), given.end(), 1));
+  if (GetParam() != ".vtu") EXPECT_EQ(file.names.contours, names.contours);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, GroupsOfGrids, testing::Values(".vtu", ".msh", ".mesh"),
+                         [](const auto& info) { return info.param.substr(1); });
 
 TEST(GroupsInPly, StandInShortLines) {
   const TestFolder folder;

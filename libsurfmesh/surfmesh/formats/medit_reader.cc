@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -137,10 +138,99 @@ class KeywordReader {
   std::size_t next_ = 0;  ///< where the next keyword of a binary file begins
 };
 
+/// The names that write_mesh keeps in comments of text files: "# patch 2 NAME" of a reference,
+/// "# group 2 5: NAME" of several, "# contour 3 NAME" of a reference of edges.
+class NamesInComments {
+ public:
+  explicit NamesInComments(std::string_view bytes) {
+    constexpr std::string_view begin = "\n# ";
+    for (std::size_t at = bytes.find(begin); at != bytes.npos; at = bytes.find(begin, at + 1)) {
+      const std::size_t first = at + begin.size();
+      const std::string_view line = bytes.substr(first, bytes.find('\n', first) - first);
+      add(line.substr(0, line.find('\r')));
+    }
+  }
+
+  /// `references` are by patch, ascending.
+  void name_patches(std::span<const std::int64_t> references, MeshNames& names) const {
+    names.patches = by_index(patches_, references);
+    for (const auto& [group, members] : groups_) {
+      std::vector<int> patches;
+      for (const std::int64_t member : members) {
+        const auto patch = index_of(member, references);
+        if (patch) patches.push_back(static_cast<int>(*patch));
+      }
+      names.groups.push_back({group, std::move(patches)});
+    }
+    put_in_order(names.groups);
+  }
+
+  /// `references` are by contour, ascending.
+  void name_contours(std::span<const std::int64_t> references, MeshNames& names) const {
+    names.contours = by_index(contours_, references);
+  }
+
+ private:
+  using Names = std::map<std::int64_t, std::string>;
+
+  static std::optional<std::size_t> index_of(std::int64_t reference,
+                                             std::span<const std::int64_t> references) {
+    const auto found = std::lower_bound(references.begin(), references.end(), reference);
+    if (found == references.end() || *found != reference) return std::nullopt;
+    return static_cast<std::size_t>(found - references.begin());
+  }
+
+  /// Empty where nothing has a name.
+  static std::vector<std::string> by_index(const Names& names,
+                                           std::span<const std::int64_t> references) {
+    std::vector<std::string> result;
+    for (const auto& [reference, name] : names) {
+      const auto index = index_of(reference, references);
+      if (!index) continue;
+      result.resize(references.size());
+      result[*index] = name;
+    }
+    return result;
+  }
+
+  /// Take a number with the blank before it from the beginning of a text.
+  static std::optional<std::int64_t> take_number(std::string_view& text) {
+    std::int64_t number = 0;
+    if (!text.starts_with(' ')) return std::nullopt;
+    const auto [end, error] = std::from_chars(text.data() + 1, text.data() + text.size(), number);
+    if (error != std::errc()) return std::nullopt;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return number;
+  }
+
+  void add(std::string_view comment) {
+    const auto take = [&](std::string_view word) {
+      const bool is_it = comment.starts_with(word);
+      if (is_it) comment.remove_prefix(word.size());
+      return is_it;
+    };
+    if (take("group")) return add_group(comment);
+    Names* names = take("patch") ? &patches_ : take("contour") ? &contours_ : nullptr;
+    if (names == nullptr) return;
+    const auto reference = take_number(comment);
+    if (reference && comment.starts_with(' ')) (*names)[*reference] = comment.substr(1);
+  }
+
+  void add_group(std::string_view comment) {
+    std::vector<std::int64_t> members;
+    while (const auto member = take_number(comment)) members.push_back(*member);
+    if (comment.starts_with(": ")) groups_.emplace_back(comment.substr(2), std::move(members));
+  }
+
+  Names patches_;
+  Names contours_;
+  std::vector<std::pair<std::string, std::vector<std::int64_t>>> groups_;
+};
+
 class MeditReader {
  public:
   MeditReader(std::string_view bytes, const std::string& name)
-      : reader_(bytes, name), name_(name), builder_(name) {}
+      : bytes_(bytes), reader_(bytes, name), name_(name), builder_(name) {}
 
   GridFile run() {
     for (std::string keyword = reader_.next(); !keyword.empty(); keyword = reader_.next()) {
@@ -149,8 +239,9 @@ class MeditReader {
     if (!has_vertices_) {
       throw Error(ErrorCode::InvalidInput, fmt::format("{}: the file has no Vertices", name_));
     }
-    builder_.number_patches(0);
-    builder_.number_contours();
+    NamesInComments names(bytes_);
+    names.name_patches(builder_.number_patches(0), builder_.grid.names);
+    names.name_contours(builder_.number_contours(), builder_.grid.names);
     return builder_.finish();
   }
 
@@ -211,6 +302,7 @@ class MeditReader {
     }
   }
 
+  std::string_view bytes_;
   KeywordReader reader_;
   std::string name_;
   GridBuilder builder_;

@@ -11,7 +11,8 @@ namespace surfmesh {
 /// dimensions, z is 0.
 ///
 /// Patches are the references of faces in their growing order, if not all are 0. Edges with a
-/// reference above 0 are contours, likewise.
+/// reference above 0 are contours, likewise. Names and groups are those that write_mesh keeps in
+/// comments of text files.
 /// Throws   InvalidInput with name:line, or name: byte, for what is wrong or cut short
 /// Cost     O(bytes)
 GridFile parse_medit_grid(std::string bytes, const std::string& name);

@@ -151,7 +151,8 @@ void Model::build_faces() {
   name_groups(builder_.number_patches(is_one_unnamed ? 0 : -1), parts);
 }
 
-/// Physical groups are groups of the patches, whose numbers are those of parts.
+/// Physical groups are groups of the patches, whose numbers are those of parts. One that has the
+/// number of its only surface is the patch itself, as write_mesh makes them.
 void Model::name_groups(std::span<const std::int64_t> numbers, std::span<const Part> parts) {
   std::map<std::int64_t, std::vector<int>> patches_of;
   for (std::size_t p = 0; p < numbers.size(); ++p) {
@@ -159,15 +160,24 @@ void Model::name_groups(std::span<const std::int64_t> numbers, std::span<const P
       patches_of[physical].push_back(static_cast<int>(p));
     }
   }
-  std::vector<Group>& groups = builder_.grid.names.groups;
+  MeshNames& names = builder_.grid.names;
+  const auto is_patch = [&](std::int64_t physical, const std::vector<int>& patches) {
+    const auto number = numbers[static_cast<std::size_t>(patches.front())];
+    return patches.size() == 1 && parts[static_cast<std::size_t>(number)].first == physical;
+  };
   for (auto& [physical, patches] : patches_of) {
-    groups.push_back({name_of(2, physical), std::move(patches)});
+    if (!is_patch(physical, patches)) {
+      names.groups.push_back({name_of_group(physical), std::move(patches)});
+    } else if (const auto known = names_.find({2, physical}); known != names_.end()) {
+      names.patches.resize(numbers.size());
+      names.patches[static_cast<std::size_t>(patches.front())] = known->second;
+    }
   }
-  put_in_order(groups);
+  put_in_order(names.groups);
 }
 
-std::string Model::name_of(int dimension, std::int64_t physical) const {
-  const auto found = names_.find({dimension, physical});
+std::string Model::name_of_group(std::int64_t physical) const {
+  const auto found = names_.find({2, physical});
   return found != names_.end() ? found->second : fmt::format("physical {}", physical);
 }
 
@@ -191,8 +201,8 @@ void Model::build_sides() {
     builder_.add_side(ends[0], ends[1], found - different.begin());
   }
   for (const std::int64_t number : builder_.number_contours()) {
-    const std::int64_t physical = different[static_cast<std::size_t>(number)].first;
-    builder_.grid.names.contours.push_back(physical == 0 ? "" : name_of(1, physical));
+    const auto known = names_.find({1, different[static_cast<std::size_t>(number)].first});
+    builder_.grid.names.contours.push_back(known == names_.end() ? "" : known->second);
   }
 }
 

@@ -91,7 +91,7 @@ class Model {
 
   Part part_of(const Element& element) const;
   std::map<const Element*, std::set<std::int64_t>> join_repeated(std::set<const Element*>& again);
-  std::string name_of(int dimension, std::int64_t physical) const;
+  std::string name_of_group(std::int64_t physical) const;
   void build_faces();
   void name_groups(std::span<const std::int64_t> numbers, std::span<const Part> parts);
   void build_sides();

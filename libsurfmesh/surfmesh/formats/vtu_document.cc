@@ -165,13 +165,15 @@ class DocumentReader {
     }
   }
 
-  /// The arrays of a piece that the element around belongs to; null for those that are not read.
+  /// The arrays of a piece, or of the grid, that the element around belongs to; null for those that
+  /// are not read.
   std::vector<DataArray>* arrays_here() {
-    if (path_.size() < 3 || path_[path_.size() - 3] != "Piece" || document_.pieces.empty()) {
-      return nullptr;
-    }
-    Piece& piece = document_.pieces.back();
+    if (path_.size() < 3) return nullptr;
     const std::string& around = path_[path_.size() - 2];
+    const std::string& whole = path_[path_.size() - 3];
+    if (whole == "UnstructuredGrid" && around == "FieldData") return &document_.whole;
+    if (whole != "Piece" || document_.pieces.empty()) return nullptr;
+    Piece& piece = document_.pieces.back();
     if (around == "Points") return &piece.coordinates;
     if (around == "Cells") return &piece.topology;
     if (around == "PointData") return &piece.at_points;
@@ -223,6 +225,7 @@ class DocumentReader {
 
   template <class Visitor>
   void for_each_array(Visitor visit) {
+    for (DataArray& array : document_.whole) visit(array);
     for (Piece& piece : document_.pieces) {
       for (auto* arrays :
            {&piece.coordinates, &piece.topology, &piece.at_points, &piece.at_cells}) {

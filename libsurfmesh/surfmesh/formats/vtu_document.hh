@@ -24,6 +24,7 @@ struct Piece {
 struct Document {
   ArrayForm form;
   std::vector<Piece> pieces;
+  std::vector<DataArray> whole;  ///< field data of the grid
 };
 
 /// Read the elements and attributes of a .vtu file. The bytes must outlive the document.

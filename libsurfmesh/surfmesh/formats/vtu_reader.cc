@@ -43,6 +43,10 @@ enum class CellType {
 constexpr std::array<std::string_view, 6> kPatchNames = {
     "patch", "gmsh:geometrical", "gmsh:physical", "medit:ref", "CellEntityIds", "ref"};
 
+/// What names of arrays of patches begin with.
+constexpr std::string_view kPatchPrefix = "patch:";
+constexpr std::string_view kGroupPrefix = "group:";
+
 /// Corners of a cell of a type: 0 for all of its points, -1 for a cell that is not read.
 int corners_of(CellType type) {
   switch (type) {
@@ -233,6 +237,33 @@ class VtuReader {
       }
       builder_.grid.patches.push_back(static_cast<int>(patch));
     }
+    add_names();
+  }
+
+  /// The names that write_mesh keeps in the field data: "patch:NAME" and "group:NAME" are arrays of
+  /// the patches of a name, or of a group.
+  void add_names() {
+    const auto most = std::max_element(builder_.grid.patches.begin(), builder_.grid.patches.end());
+    const std::int64_t count = most == builder_.grid.patches.end() ? 0 : std::int64_t{*most} + 1;
+    MeshNames& names = builder_.grid.names;
+    for (const DataArray& array : document_.whole) {
+      const bool is_patch = array.name.starts_with(kPatchPrefix);
+      if (!(is_patch || array.name.starts_with(kGroupPrefix)) || !is_integer(array.type)) continue;
+      std::vector<std::int64_t> patches = integers_of(array, document_.form);
+      // Of patches without faces no more than a name is left.
+      std::erase_if(patches, [&](std::int64_t patch) { return patch < 0 || patch >= count; });
+      if (is_patch) {
+        for (const std::int64_t patch : patches) {
+          const auto p = static_cast<std::size_t>(patch);
+          if (p >= names.patches.size()) names.patches.resize(p + 1);
+          names.patches[p] = array.name.substr(kPatchPrefix.size());
+        }
+      } else {
+        names.groups.push_back({array.name.substr(kGroupPrefix.size()),
+                                std::vector<int>(patches.begin(), patches.end())});
+      }
+    }
+    put_in_order(names.groups);
   }
 
   Document document_;
