@@ -11,13 +11,11 @@ fi
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}"
 
-setup=()
+tools/setup.sh
 pages=()
-if command -v npm >/dev/null; then
-  setup=(--viewer)
+if command -v npm >/dev/null && tools/setup.sh --viewer; then
   pages=(knob wave)
 fi
-tools/setup.sh "${setup[@]}"
 cmake --preset release
 cmake --build --preset release --target surfmesh_program
 

@@ -61,7 +61,14 @@ install() {
 # The script of the pages. Nothing that the packages bring is run while they are installed.
 make_viewer() {
   [ -n "$viewer" ] || return 0
+  if ! command -v npm >/dev/null; then
+    echo "setup: the script of the pages needs npm, which is not installed" >&2
+    return 1
+  fi
   cd "$(dirname "${BASH_SOURCE[0]}")/view/page"
+  if [ -e dist/viewer.js ] && [ -z "$(find src *.json build.mjs -newer dist/viewer.js)" ]; then
+    return 0
+  fi
   npm ci --ignore-scripts --no-audit --no-fund
   npm run --silent build
   echo "setup: made $PWD/dist/viewer.js"

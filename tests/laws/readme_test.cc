@@ -87,6 +87,12 @@ TEST(Readme, ShowsShortExamples) {
   }
 }
 
+/// What is to be replaced, "@SUMMARY@".
+TEST(Readme, HasNoPlaceholders) {
+  static const std::regex pattern(R"(@[A-Z]+@)");
+  EXPECT_FALSE(std::regex_search(read("README.md"), pattern));
+}
+
 TEST(Readme, NamesModelsAndScriptsThatExist) {
   static const std::regex pattern(R"((models|tools)/\w+(\.\w+)+)");
   const std::string text =

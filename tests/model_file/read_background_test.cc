@@ -16,12 +16,9 @@ GridFile grid_with(int components, const std::vector<double>& at_vertex) {
   GridFile grid;
   grid.points = {{0, 0, 0}, {3, 0, 0}, {2, 1, 0}, {0, 1, 0}};
   grid.faces.add(std::vector<int>{0, 1, 2, 3});
-  GridValues& values = grid.at_points.emplace_back();
-  values.name = "m";
-  values.components = components;
-  for (int v = 0; v < 4; ++v) {
-    values.numbers.insert(values.numbers.end(), at_vertex.begin(), at_vertex.end());
-  }
+  grid.at_points.push_back({"m", components, {}, false});
+  std::vector<double>& numbers = grid.at_points.front().numbers;
+  for (int v = 0; v < 4; ++v) numbers.insert(numbers.end(), at_vertex.begin(), at_vertex.end());
   return grid;
 }
 

@@ -184,18 +184,18 @@ TEST(Background, HasDirectionsOnACylinder) {
 /// A model file with a square, and a .vtu file beside it.
 class BackgroundFile : public ::testing::Test {
  protected:
-  void write_background(const std::vector<VtuValues>& values, double shift = 0) {
+  void write_background(const std::vector<VtkValues>& values, double shift = 0) {
     const PolyMesh mesh = first_mesh(testing::unit_square(), 0.1);
     const MeshArrays arrays = mesh_arrays(mesh, {}, ArrayParts::Faces);
-    VtuGrid grid{arrays.points, arrays.faces, values, {}, {}};
+    VtkGrid grid{arrays.points, arrays.faces, values};
     for (Vec3& p : grid.points) p.x() += shift;
-    for (VtuValues& all : grid.at_points) {
+    for (VtkValues& all : grid.at_points) {
       std::vector<double> numbers;
       for (const Vec3& p : arrays.points) numbers.push_back(band(p));
       all.values = numbers;
     }
     OutputFile file(folder_ / "sizes.vtu");
-    write_vtu(grid, file);
+    write_vtu(grid, VtuNumbers::Text, file);
     file.commit();
   }
 
