@@ -163,6 +163,36 @@ TEST_P(GroupsOfGrids, AreReadBackWithTheNamesOfPatches) {
   if (GetParam() != ".vtu") EXPECT_EQ(file.names.contours, names.contours);
 }
 
+/// A patch without faces keeps its number; faces of no patch stay so, but for .msh, where all are
+/// in a surface.
+TEST_P(GroupsOfGrids, KeepTheNumbersOfPatches) {
+  const TestFolder folder;
+  const std::filesystem::path path = folder / ("a" + GetParam());
+  PolyMesh mesh = wavy_grid(2, 0);
+  const auto patch_of = attach(mesh, keys::face_patch, 0);
+  auto& given = mesh.property(patch_of).data_vector();
+  given = {0, 2, 2, 3, -1, -1, 3, 0};
+  write_mesh(mesh, path);
+  const MeshFile file = read_mesh(path);
+  auto patches = file.mesh.property(require(file.mesh, keys::face_patch)).data_vector();
+  std::vector<int> expected = given;
+  if (GetParam() == ".msh") std::replace(expected.begin(), expected.end(), -1, 4);
+  std::sort(patches.begin(), patches.end());
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(patches, expected);
+}
+
+TEST(GroupsInVtu, HaveNoGreatNumbers) {
+  const TestFolder folder;
+  const std::filesystem::path path = folder / "a.vtu";
+  PolyMesh mesh = wavy_grid(1, 0);
+  attach(mesh, keys::face_patch, 2000000000);
+  write_mesh(mesh, path);
+  EXPECT_EQ(error_of([&] { read_mesh(path); }),
+            "invalid input: " + path.string() +
+                ": patch 2000000000 is not a number from 0 to 10000000, or -1 for none");
+}
+
 INSTANTIATE_TEST_SUITE_P(Formats, GroupsOfGrids, testing::Values(".vtu", ".msh", ".mesh"),
                          [](const auto& info) { return info.param.substr(1); });
 

@@ -3,17 +3,21 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "formats/grid_texts.hh"
+#include "formats/named_example.hh"
 #include "support/errors.hh"
 #include "support/folders.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/formats/medit_reader.hh"
 #include "surfmesh/formats/msh_reader.hh"
 #include "surfmesh/formats/vtu_reader.hh"
+#include "surfmesh/formats/write_mesh.hh"
 
 namespace surfmesh {
 namespace {
@@ -127,6 +131,52 @@ TEST(ReadMsh, AveragesTheValuesOfElements) {
   const std::vector<double>& e = grid.at_points[0].numbers;
   EXPECT_EQ(std::vector<double>(e.begin(), e.begin() + 5), (std::vector<double>{1, 3, 6, 4, 6}));
   EXPECT_TRUE(std::isnan(e[5]));
+}
+
+/// Gmsh repeats elements that are in several groups.
+TEST(ReadMsh, TakesTheFirstOfElementsWithOneNumber) {
+  std::string text = kMsh22;
+  text = text.substr(0, text.find("$NodeData"));
+  const std::size_t four = text.find("\n4 ");
+  ASSERT_NE(four, text.npos);
+  text.replace(four, 3, "\n3 ");
+  text += "$ElementNodeData\n1\n\"e\"\n1\n0\n3\n0\n1\n1\n5 3 4 6 9\n$EndElementNodeData\n";
+  const GridFile grid = parse_msh_grid(text, "a.msh");
+  ASSERT_EQ(grid.at_points.size(), 1u);
+  EXPECT_EQ(std::count_if(grid.at_points[0].numbers.begin(), grid.at_points[0].numbers.end(),
+                          [](double x) { return std::isfinite(x); }),
+            3);
+}
+
+TEST(ReadMsh, LeavesOutViewsWithoutValues) {
+  std::string text = kMsh22;
+  text = text.substr(0, text.find("$NodeData"));
+  text += "$NodeData\n1\n\"e\"\n1\n0\n3\n0\n1\n0\n$EndNodeData\n";
+  const GridFile grid = parse_msh_grid(text, "a.msh");
+  EXPECT_TRUE(grid.at_points.empty());
+  EXPECT_NE(std::find(grid.unread.begin(), grid.unread.end(), "1 views without values"),
+            grid.unread.end());
+}
+
+TEST(ReadGrid, TakesTextWithTextAndBinaryWithBinary) {
+  const TestFolder folder;
+  const PolyMesh mesh = named_example(0);
+  for (const char* name : {"a.mesh", "a.meshb"}) {
+    write_mesh(mesh, folder / name);
+    OutputFile file(*companion_of(mesh, folder / name));
+    write_companion(mesh, folder / name, file);
+    file.commit();
+  }
+  std::ofstream(folder / "a.sol") << "MeshVersionFormatted 2\nDimension 3\nSolAtVertices\n"
+                                  << mesh.n_vertices() << "\n1 1\n";
+  {
+    std::ofstream sol(folder / "a.sol", std::ios::app);
+    for (std::size_t v = 0; v < mesh.n_vertices(); ++v) sol << "0.5\n";
+  }
+  EXPECT_EQ(read_grid(folder / "a.mesh").at_points[0].components, 1);
+  EXPECT_EQ(read_grid(folder / "a.sol").at_points[0].components, 1);
+  EXPECT_EQ(read_grid(folder / "a.meshb").at_points[0].components, 6);
+  EXPECT_EQ(read_grid(folder / "a.solb").at_points[0].components, 6);
 }
 
 TEST(ReadMedit, ReadsText) {

@@ -165,7 +165,7 @@ TEST(ReadMesh, TellsBadFiles) {
             "invalid input: a.off:4: vertex index 1 is not in 0 to 0");
   EXPECT_EQ(error("a.vtk", ""),
             "invalid input: a.vtk: .vtk files are only written; what is read is .obj, .off, .ply, "
-            ".stl or .om");
+            ".stl, .vtu, .msh, .mesh, .meshb or .om");
   EXPECT_EQ(error("a.vtp", ""),
             "invalid input: a.vtp: the ending of a mesh to read is .obj, .off, .ply, .stl or .om");
   EXPECT_EQ(error_of([&] { read_mesh("none.ply"); }),

@@ -184,6 +184,15 @@ TEST(MeditFile, HasRidgesWhereFacesMeetSharply) {
   EXPECT_NE(text.find("\nCorners\n2\n"), std::string::npos) << text;
 }
 
+TEST(GlbFile, RefusesGreatNumbersOfPatches) {
+  const TestFolder folder;
+  PolyMesh mesh = wavy_grid(1, 0);
+  attach(mesh, keys::face_patch, std::numeric_limits<int>::max());
+  EXPECT_EQ(
+      error_of([&] { write_mesh(mesh, folder / "a.glb"); }),
+      "invalid input: a face is of patch 2147483647, but .glb files hold them up to 10000000");
+}
+
 TEST(GlbFile, RefusesWhatSinglePrecisionCannotHold) {
   const TestFolder folder;
   PolyMesh mesh = testing::octahedron();

@@ -13,6 +13,7 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/formats/mesh_elements.hh"
 #include "surfmesh/formats/smooth_normals.hh"
 #include "surfmesh/formats/split_face.hh"
 #include "surfmesh/io/file_writer.hh"
@@ -245,6 +246,9 @@ class Description {
   }
 
   void add_primitives() {
+    if (!mesh_.primitives().empty()) {
+      check_number(mesh_.primitives().back().patch, "a face is of patch", ".glb");
+    }
     groups_ = groups_by_patch(names_, patch_count());
     const std::size_t view = mesh_.has_uv() ? 3 : 2;
     Json& primitives = json_["meshes"][0]["primitives"];

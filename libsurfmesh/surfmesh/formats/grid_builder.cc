@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 #include <unordered_map>
 
 #include "surfmesh/core/error.hh"
@@ -19,17 +21,32 @@ std::uint64_t key_of(int a, int b) {
   return high << 32 | low;
 }
 
+/// Numbers that count from 1 are at most so many times as great as there are different ones.
+constexpr std::int64_t kMostGaps = 2;
+
+/// No side has this one.
+constexpr std::int64_t kNoReference = std::numeric_limits<std::int64_t>::min();
+
 }  // namespace
 
-std::vector<std::int64_t> rank(std::span<const std::int64_t> numbers, std::vector<int>& ranks) {
+std::vector<std::int64_t> index_numbers(std::span<const std::int64_t> numbers, std::int64_t none,
+                                        std::vector<int>& indices) {
   std::vector<std::int64_t> different(numbers.begin(), numbers.end());
   std::sort(different.begin(), different.end());
   different.erase(std::unique(different.begin(), different.end()), different.end());
-  ranks.clear();
-  ranks.reserve(numbers.size());
+  std::erase(different, none);
+  const bool counts_from_1 =
+      !different.empty() && different.front() >= 1 &&
+      different.back() <= kMostGaps * static_cast<std::int64_t>(different.size());
+  if (counts_from_1) {
+    different.resize(static_cast<std::size_t>(different.back()));
+    std::iota(different.begin(), different.end(), 1);
+  }
+  indices.clear();
+  indices.reserve(numbers.size());
   for (const std::int64_t number : numbers) {
     const auto found = std::lower_bound(different.begin(), different.end(), number);
-    ranks.push_back(static_cast<int>(found - different.begin()));
+    indices.push_back(number == none ? -1 : static_cast<int>(found - different.begin()));
   }
   return different;
 }
@@ -63,18 +80,18 @@ std::vector<std::int64_t> GridBuilder::number_patches(std::int64_t none) {
   const bool are_none = std::all_of(references_.begin(), references_.end(),
                                     [&](std::int64_t reference) { return reference == none; });
   if (are_none) return {};
-  return rank(references_, grid.patches);
+  return index_numbers(references_, none, grid.patches);
 }
 
 std::vector<std::int64_t> GridBuilder::number_contours() {
   if (sides_.empty()) return {};
   std::vector<std::int64_t> references;
   for (const Side& side : sides_) references.push_back(side.reference);
-  std::vector<int> ranks;
-  std::vector<std::int64_t> numbers = rank(references, ranks);
+  std::vector<int> indices;
+  std::vector<std::int64_t> numbers = index_numbers(references, kNoReference, indices);
   std::unordered_map<std::uint64_t, int> contour_of;
   for (std::size_t i = 0; i < sides_.size(); ++i) {
-    contour_of.emplace(key_of(sides_[i].from, sides_[i].to), ranks[i]);
+    contour_of.emplace(key_of(sides_[i].from, sides_[i].to), indices[i]);
   }
   grid.contours.assign(grid.faces.corner_count(), -1);
   for (std::size_t f = 0; f < grid.faces.size(); ++f) {

@@ -38,13 +38,13 @@ class GridBuilder {
   /// The numbers of patches as they are in the file, by face.
   std::span<const std::int64_t> references() const { return references_; }
 
-  /// Make patches 0, 1, ... of the numbers in the file, in growing order. If all are `none`, there
-  /// are no patches.
+  /// Make patches of the numbers in the file, as index_numbers does; `none` is that of no patch. If
+  /// all are, there are no patches.
   ///
   /// Returns  the numbers in the file, by patch
   std::vector<std::int64_t> number_patches(std::int64_t none);
 
-  /// Make contours of the sides that are sides of faces, in the growing order of their numbers.
+  /// Make contours of the sides that are sides of faces, likewise.
   ///
   /// Returns  the numbers in the file, by contour
   std::vector<std::int64_t> number_contours();
@@ -70,9 +70,11 @@ class GridBuilder {
   std::size_t mended_ = 0;
 };
 
-/// Replace numbers by their ranks among those that are there.
+/// Replace numbers by indices: numbers that count from 1, with few gaps, by those that count from
+/// 0, as write_mesh numbers patches and contours; others by their ranks. `none` becomes -1.
 ///
-/// Returns  the numbers, by rank
-std::vector<std::int64_t> rank(std::span<const std::int64_t> numbers, std::vector<int>& ranks);
+/// Returns  the numbers, by index
+std::vector<std::int64_t> index_numbers(std::span<const std::int64_t> numbers, std::int64_t none,
+                                        std::vector<int>& indices);
 
 }  // namespace surfmesh

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "surfmesh/core/error.hh"
@@ -22,7 +23,8 @@ std::optional<std::filesystem::path> beside(std::filesystem::path path,
                                             std::initializer_list<const char*> endings) {
   for (const char* ending : endings) {
     path.replace_extension(ending);
-    if (std::filesystem::exists(path)) return path;
+    std::error_code unknown;  // counts as not there
+    if (std::filesystem::exists(path, unknown)) return path;
   }
   return std::nullopt;
 }
@@ -59,11 +61,12 @@ GridFile read_grid(const std::filesystem::path& path) {
   const std::string name = path.string();
   if (ending == ".msh") return parse_msh_grid(read_file(path), name);
   if (ending == ".vtu") return parse_vtu_grid(read_file(path), name);
-  if (ending == ".mesh" || ending == ".meshb") {
-    return read_medit(path, beside(path, {".sol", ".solb"}));
-  }
+  // Text goes with text, binary with binary, where both are there.
+  if (ending == ".mesh") return read_medit(path, beside(path, {".sol", ".solb"}));
+  if (ending == ".meshb") return read_medit(path, beside(path, {".solb", ".sol"}));
   if (ending == ".sol" || ending == ".solb") {
-    const auto mesh = beside(path, {".mesh", ".meshb"});
+    const auto mesh =
+        ending == ".sol" ? beside(path, {".mesh", ".meshb"}) : beside(path, {".meshb", ".mesh"});
     if (mesh) return read_medit(*mesh, path);
     throw Error(
         ErrorCode::Io,

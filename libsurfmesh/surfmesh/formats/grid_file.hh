@@ -44,7 +44,7 @@ struct GridFile {
 /// .msh            Gmsh, versions 4.1 and 2.2, text or binary; values are its views
 /// .vtu            VTK, text or binary
 /// .mesh, .meshb   medit; values are those of the .sol or .solb of the same name beside it, if
-///                 there is one
+///                 there is one; where both are, .sol goes with .mesh, .solb with .meshb
 /// .sol, .solb     the same from the other side: the mesh must be there
 ///
 /// Throws   Io if a file cannot be read; InvalidInput for another ending, and with the file and the

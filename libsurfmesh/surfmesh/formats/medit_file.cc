@@ -244,8 +244,8 @@ void write_metrics(const PolyMesh& mesh, bool is_binary, OutputFile& file) {
   constexpr std::uint64_t kSections = 100;
   MeditSink out(file, is_binary, kSections + metrics.size() * sizeof(SpaceMetric));
   out.begin(kSolution, metrics.size(), sizeof(SpaceMetric), {1, kSymmetricTensor});
-  for (const SpaceMetric& metric : metrics) {
-    for (const double x : metric) out.number(x);
+  for (const auto& [xx, yy, zz, xy, yz, xz] : metrics) {
+    for (const double x : {xx, xy, yy, xz, yz, zz}) out.number(x);  // the lower half, row by row
     out.end_line();
   }
   out.finish();

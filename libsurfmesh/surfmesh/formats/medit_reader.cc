@@ -56,7 +56,7 @@ class KeywordReader {
   }
 
   void read_dimension() {
-    dimension_ = static_cast<int>(integer("the dimension"));
+    dimension_ = static_cast<int>(kind("the dimension"));
     if (dimension_ != 2 && dimension_ != 3) scanner_.fail("the dimension is not 2 or 3");
   }
 
@@ -69,6 +69,9 @@ class KeywordReader {
     return scanner_.count(integer_size_, least, what);
   }
   std::int64_t integer(std::string_view what) { return scanner_.integer(integer_size_, what); }
+  /// What has four bytes in binary files of all versions (libMeshb).
+  std::int64_t kind(std::string_view what) { return scanner_.integer(sizeof(std::int32_t), what); }
+  bool is_text() const { return !scanner_.is_binary(); }
   double number(std::string_view what) { return scanner_.number(number_size_, what); }
   double finite(std::string_view what) { return scanner_.finite(number_size_, what); }
   [[noreturn]] void fail(std::string_view reason) const { scanner_.fail(reason); }
@@ -239,7 +242,7 @@ class MeditReader {
     if (!has_vertices_) {
       throw Error(ErrorCode::InvalidInput, fmt::format("{}: the file has no Vertices", name_));
     }
-    NamesInComments names(bytes_);
+    const NamesInComments names(reader_.is_text() ? bytes_ : std::string_view());
     names.name_patches(builder_.number_patches(0), builder_.grid.names);
     names.name_contours(builder_.number_contours(), builder_.grid.names);
     return builder_.finish();
@@ -339,10 +342,10 @@ void reorder(std::span<double> tensor) {
 }
 
 std::vector<ValueColumn> read_columns(KeywordReader& reader, GridFile& grid) {
-  const std::size_t count = reader.count(1, "the number of kinds of values");
+  const std::int64_t count = reader.kind("the number of kinds of values");
   std::vector<ValueColumn> columns;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::int64_t number = reader.integer("a kind of values");
+  for (std::int64_t i = 0; i < count; ++i) {
+    const std::int64_t number = reader.kind("a kind of values");
     if (number < 1 || number > 4) {
       reader.fail(
           fmt::format("kind {} of values is none of scalar (1), vector (2), symmetric "

@@ -11,8 +11,10 @@ namespace surfmesh {
 /// dimensions, z is 0.
 ///
 /// Patches are the references of faces in their growing order, if not all are 0. Edges with a
-/// reference above 0 are contours, likewise. Names and groups are those that write_mesh keeps in
-/// comments of text files.
+/// Reference n of faces is patch n - 1 if they count from 1 with few gaps; else patches are in the
+/// order of the references. 0 is no patch. References of edges above 0 are contours, likewise.
+/// Names and groups are those that write_mesh keeps in comments of text files.
+///
 /// Throws   InvalidInput with name:line, or name: byte, for what is wrong or cut short
 /// Cost     O(bytes)
 GridFile parse_medit_grid(std::string bytes, const std::string& name);

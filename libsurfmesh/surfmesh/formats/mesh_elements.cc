@@ -38,12 +38,6 @@ bool is_smooth(const PolyMesh& mesh, HalfedgeHandle heh) {
   return a.dot(b) >= kSmoothCosine * a.norm() * b.norm();
 }
 
-void check_number(int number, std::string_view what, std::string_view ending) {
-  if (number <= kMostEntities) return;
-  throw Error(ErrorCode::InvalidInput, fmt::format("{} {}, but {} files hold them up to {}", what,
-                                                   number, ending, kMostEntities));
-}
-
 /// Elements of one number of corners in the order of the mesh, with their patches.
 template <std::size_t corners>
 struct ElementList {
@@ -174,6 +168,12 @@ void collect_segments(const PolyMesh& mesh, std::string_view ending, MeshElement
 }
 
 }  // namespace
+
+void check_number(int number, std::string_view what, std::string_view ending) {
+  if (number <= kMostEntities) return;
+  throw Error(ErrorCode::InvalidInput, fmt::format("{} {}, but {} files hold them up to {}", what,
+                                                   number, ending, kMostEntities));
+}
 
 MeshElements mesh_elements(const PolyMesh& mesh, std::string_view ending) {
   MeshElements result;

@@ -71,6 +71,11 @@ struct MeshElements {
 /// Cost     30 ns a triangle
 MeshElements mesh_elements(const PolyMesh& mesh, std::string_view ending);
 
+/// Throws   InvalidInput for the number of a patch or contour above 10 million, which `ending`
+/// files
+///          do not hold; `what` is "a face is of patch"
+void check_number(int number, std::string_view what, std::string_view ending);
+
 /// Whether a point is where contours end, branch or meet others, by its index.
 std::vector<char> contour_ends(const MeshElements& elements);
 

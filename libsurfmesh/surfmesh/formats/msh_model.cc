@@ -19,6 +19,14 @@ constexpr std::array<Shape, 31> kShapes = {
 /// Greatest number up to which nodes are looked up in an array, as a multiple of their number.
 constexpr std::int64_t kDenseFactor = 4;
 
+/// Numbers of groups are below 0 where Gmsh turned the entity.
+std::int64_t magnitude(std::int64_t number) {
+  return number < 0 ? -std::max(number, -std::numeric_limits<std::int64_t>::max()) : number;
+}
+
+/// No patch has this number in a file.
+constexpr std::int64_t kNoPart = std::numeric_limits<std::int64_t>::min();
+
 }  // namespace
 
 std::optional<Shape> shape_of(std::int64_t type) {
@@ -29,15 +37,19 @@ std::optional<Shape> shape_of(std::int64_t type) {
 bool NodeNumbers::finish() {
   const auto count = static_cast<std::int64_t>(numbers_.size());
   const auto [least, greatest] = std::minmax_element(numbers_.begin(), numbers_.end());
+  bool are_different = true;
   const bool is_dense = count > 0 && *least >= 0 && *greatest / kDenseFactor <= count;
   if (is_dense) dense_.assign(static_cast<std::size_t>(*greatest) + 1, -1);
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
     int& index = is_dense ? dense_[static_cast<std::size_t>(numbers_[i])]
                           : sparse_.emplace(numbers_[i], -1).first->second;
-    if (index >= 0) return false;
-    index = static_cast<int>(i);
+    if (index < 0) {
+      index = static_cast<int>(i);
+    } else {
+      are_different = false;
+    }
   }
-  return true;
+  return are_different;
 }
 
 int NodeNumbers::index(std::int64_t number) const {
@@ -55,8 +67,7 @@ void Model::add_name(std::int64_t dimension, std::int64_t physical, std::string 
 
 void Model::add_entity(int dimension, std::int64_t tag, std::span<const std::int64_t> physicals) {
   std::set<std::int64_t>& groups = groups_[{dimension, tag}];
-  // Below 0 where Gmsh turned the entity.
-  for (const std::int64_t physical : physicals) groups.insert(std::abs(physical));
+  for (const std::int64_t physical : physicals) groups.insert(magnitude(physical));
 }
 
 void Model::reserve_nodes(std::size_t count) {
@@ -71,7 +82,7 @@ void Model::add_node(std::int64_t number, const Vec3& point) {
 
 void Model::add_element(std::int64_t number, const Shape& shape, std::span<const int> nodes,
                         std::int64_t entity, std::int64_t physical) {
-  elements_.push_back({number, entity, std::abs(physical), nodes_.size(), shape});
+  elements_.push_back({number, entity, magnitude(physical), nodes_.size(), shape});
   nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
 }
 
@@ -138,32 +149,39 @@ void Model::build_faces() {
     if (known != groups.end()) part.second.insert(known->second.begin(), known->second.end());
     part_of_face.push_back(number_of.emplace(std::move(part), 0).first);
   }
-  std::vector<Part> parts;
+  // The entity tells which patch it is, unless it is several.
+  std::set<std::int64_t> entities;
+  for (const auto& [part, number] : number_of) entities.insert(part.first);
+  const bool is_by_entity = entities.size() == number_of.size();
+  std::map<std::int64_t, Part> parts;
   for (auto& [part, number] : number_of) {
-    number = static_cast<std::int64_t>(parts.size());
-    parts.push_back(part);
+    number = is_by_entity ? part.first : static_cast<std::int64_t>(parts.size());
+    parts.emplace(number, part);
   }
   for (std::size_t f = 0; f < faces.size(); ++f) {
     builder_.add_face(corners(*faces[f]), part_of_face[f]->second);
     if (faces[f]->shape.nodes > faces[f]->shape.corners) builder_.leave_out_middles();
   }
-  const bool is_one_unnamed = parts.size() == 1 && parts.front() == Part();
-  name_groups(builder_.number_patches(is_one_unnamed ? 0 : -1), parts);
+  const bool is_one_unnamed = parts.size() == 1 && parts.begin()->second == Part();
+  name_groups(builder_.number_patches(is_one_unnamed ? parts.begin()->first : kNoPart), parts);
 }
 
 /// Physical groups are groups of the patches, whose numbers are those of parts. One that has the
 /// number of its only surface is the patch itself, as write_mesh makes them.
-void Model::name_groups(std::span<const std::int64_t> numbers, std::span<const Part> parts) {
+void Model::name_groups(std::span<const std::int64_t> numbers,
+                        const std::map<std::int64_t, Part>& parts) {
   std::map<std::int64_t, std::vector<int>> patches_of;
   for (std::size_t p = 0; p < numbers.size(); ++p) {
-    for (const std::int64_t physical : parts[static_cast<std::size_t>(numbers[p])].second) {
+    const auto part = parts.find(numbers[p]);
+    if (part == parts.end()) continue;
+    for (const std::int64_t physical : part->second.second) {
       patches_of[physical].push_back(static_cast<int>(p));
     }
   }
   MeshNames& names = builder_.grid.names;
   const auto is_patch = [&](std::int64_t physical, const std::vector<int>& patches) {
     const auto number = numbers[static_cast<std::size_t>(patches.front())];
-    return patches.size() == 1 && parts[static_cast<std::size_t>(number)].first == physical;
+    return patches.size() == 1 && parts.at(number).first == physical;
   };
   for (auto& [physical, patches] : patches_of) {
     if (!is_patch(physical, patches)) {
@@ -195,13 +213,20 @@ void Model::build_sides() {
   std::vector<std::pair<std::int64_t, std::int64_t>> different = parts;
   std::sort(different.begin(), different.end());
   different.erase(std::unique(different.begin(), different.end()), different.end());
+  // The group tells which contour it is, if all lines have one.
+  const bool is_by_group = !different.empty() && different.front().first > 0;
+  std::map<std::int64_t, std::int64_t> physical_of;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const auto found = std::lower_bound(different.begin(), different.end(), parts[i]);
+    const std::int64_t number = is_by_group ? parts[i].first : found - different.begin();
+    physical_of[number] = parts[i].first;
     const std::span<const int> ends = corners(*sides[i]);
-    builder_.add_side(ends[0], ends[1], found - different.begin());
+    builder_.add_side(ends[0], ends[1], number);
   }
   for (const std::int64_t number : builder_.number_contours()) {
-    const auto known = names_.find({1, different[static_cast<std::size_t>(number)].first});
+    const auto physical = physical_of.find(number);
+    const auto known =
+        physical == physical_of.end() ? names_.end() : names_.find({1, physical->second});
     builder_.grid.names.contours.push_back(known == names_.end() ? "" : known->second);
   }
 }

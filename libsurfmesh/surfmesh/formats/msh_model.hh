@@ -33,7 +33,7 @@ class NodeNumbers {
   void reserve(std::size_t count) { numbers_.reserve(count); }
   void add(std::int64_t number) { numbers_.push_back(number); }
 
-  /// To call when all are there. Returns false if a number is there twice.
+  /// To call when all are there. Returns false if a number is there twice: the first one counts.
   bool finish();
 
   /// -1 for a number that is not there.
@@ -93,7 +93,8 @@ class Model {
   std::map<const Element*, std::set<std::int64_t>> join_repeated(std::set<const Element*>& again);
   std::string name_of_group(std::int64_t physical) const;
   void build_faces();
-  void name_groups(std::span<const std::int64_t> numbers, std::span<const Part> parts);
+  void name_groups(std::span<const std::int64_t> numbers,
+                   const std::map<std::int64_t, Part>& parts);
   void build_sides();
   void build_others();
 

@@ -58,6 +58,10 @@ GridValues& Views::view_of(const Header& header, std::size_t nodes, double value
   GridValues& view = is_new ? views_.emplace_back() : *known;
   view.name = header.name;
   view.components = header.components;
+  numbers_ += nodes * static_cast<std::size_t>(header.components);
+  if (numbers_ > scanner_.bytes().size()) {
+    scanner_.fail("views have more numbers than the file has bytes");
+  }
   view.numbers.assign(nodes * static_cast<std::size_t>(header.components), value);
   return view;
 }
@@ -65,6 +69,7 @@ GridValues& Views::view_of(const Header& header, std::size_t nodes, double value
 void Views::read_at_nodes(const std::function<void()>& begin, const NodeNumbers& nodes) {
   const Header header = read_header();
   begin();
+  if (header.count == 0) return leave_out("views without values");
   GridValues& view = view_of(header, nodes.size(), kUnset);
   const auto components = static_cast<std::size_t>(header.components);
   for (std::size_t i = 0; i < header.count; ++i) {
@@ -83,6 +88,7 @@ void Views::read_at_nodes(const std::function<void()>& begin, const NodeNumbers&
 void Views::read_at_element_nodes(const std::function<void()>& begin, Model& model) {
   const Header header = read_header();
   begin();
+  if (header.count == 0) return leave_out("views without values");
   const std::size_t nodes = model.numbers().size();
   GridValues& view = view_of(header, nodes, 0);
   std::vector<double> counts(nodes, 0);

@@ -45,6 +45,7 @@ class Views {
 
   NumberScanner& scanner_;
   std::vector<GridValues> views_;
+  std::size_t numbers_ = 0;  ///< for which views made room
   std::map<std::string, std::size_t> left_out_;
 };
 

@@ -15,9 +15,34 @@
 namespace surfmesh {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+std::string_view without_plus(std::string_view word) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  return word;
+}
 
 }  // namespace
+
+std::optional<std::int64_t> integer_of(std::string_view word) {
+  word = without_plus(word);
+  std::int64_t value = 0;
+  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || stop != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<double> real_of(std::string_view word) {
+  word = without_plus(word);
+  double value = 0;
+  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error == std::errc::invalid_argument || stop != word.data() + word.size()) {
+    return std::nullopt;
+  }
+  if (error == std::errc()) return value;
+  // Out of range, which leaves the value: too near to 0, if it has a negative exponent.
+  if (word.find("e-") != word.npos || word.find("E-") != word.npos) return 0;
+  return word[0] == '-' ? -std::numeric_limits<double>::infinity()
+                        : std::numeric_limits<double>::infinity();
+}
 
 void NumberScanner::fail_at(std::size_t offset, std::string_view reason) const {
   if (is_binary_) {
@@ -69,38 +94,25 @@ std::string_view NumberScanner::line() {
 }
 
 std::string_view NumberScanner::number_word(std::string_view what) {
-  std::string_view text = word();
+  const std::string_view text = word();
   if (text.empty()) fail(fmt::format("the file ends before {}, it is cut short", what));
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   return text;
 }
 
 std::int64_t NumberScanner::integer(int size, std::string_view what) {
   if (is_binary_) return size == 4 ? take<std::int32_t>() : take<std::int64_t>();
   const std::string_view text = number_word(what);
-  std::int64_t value = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || stop != text.data() + text.size()) {
-    fail(fmt::format("{} is {}, which is no integer", what, quoted(text)));
-  }
-  return value;
+  const auto value = integer_of(text);
+  if (!value) fail(fmt::format("{} is {}, which is no integer", what, quoted(text)));
+  return *value;
 }
 
 double NumberScanner::number(int size, std::string_view what) {
   if (is_binary_) return size == 4 ? static_cast<double>(take<float>()) : take<double>();
   const std::string_view text = number_word(what);
-  double value = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc::invalid_argument || stop != text.data() + text.size()) {
-    fail(fmt::format("{} is {}, which is not a number", what, quoted(text)));
-  }
-  // Out of range, which leaves the value: too near to 0, if it is written with a negative exponent.
-  if (error != std::errc()) {
-    return text.find("e-") == text.npos && text.find("E-") == text.npos
-               ? std::numeric_limits<double>::infinity()
-               : 0;
-  }
-  return value;
+  const auto value = real_of(text);
+  if (!value) fail(fmt::format("{} is {}, which is not a number", what, quoted(text)));
+  return *value;
 }
 
 double NumberScanner::finite(int size, std::string_view what) {

@@ -5,10 +5,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace surfmesh {
+
+/// True for what separates words: a blank, a tabulator, an end of a line.
+inline bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+/// The integer that a word is, with or without a sign; nothing if it is none.
+std::optional<std::int64_t> integer_of(std::string_view word);
+
+/// The number that a word is, which may be NaN or infinite: one that is out of range is 0 or
+/// infinite. Nothing if it is none.
+std::optional<double> real_of(std::string_view word);
 
 /// Takes the numbers of a file one after the other, which are words of text or binary, as it is
 /// told. In text, # begins a comment where it stands for one.

@@ -26,13 +26,15 @@ struct MetricSum {
   }
 };
 
-/// Add `factor` times abᵀ + baᵀ, or aaᵀ where both are the same.
+/// Rows and columns of the entries of a metric in space.
+constexpr std::array<std::array<int, 2>, 6> kEntries = {
+    {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
+
+/// Add `factor` times (abᵀ + baᵀ)/2.
 void add_product(double factor, const Vec3& a, const Vec3& b, SpaceMetric& metric) {
-  std::size_t i = 0;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column <= row; ++column) {
-      metric[i++] += factor * 0.5 * (a[row] * b[column] + b[row] * a[column]);
-    }
+  for (std::size_t i = 0; i < kEntries.size(); ++i) {
+    const auto [row, column] = kEntries[i];
+    metric[i] += factor * 0.5 * (a[row] * b[column] + b[row] * a[column]);
   }
 }
 
@@ -98,7 +100,7 @@ SpaceMetric mean_metric(const std::vector<SpaceMetric>& metrics, std::size_t kno
   }
   const double size = std::exp(sum / static_cast<double>(known));
   const double entry = 1 / (size * size);
-  return {entry, 0, entry, 0, 0, entry};
+  return {entry, entry, entry, 0, 0, 0};
 }
 
 }  // namespace
@@ -127,9 +129,9 @@ std::vector<SpaceMetric> vertex_metrics(const PolyMesh& mesh) {
 
 /// The determinant is λ₁λ₂√(λ₁λ₂), and the size (λ₁λ₂)^(-1/4).
 double size_of(const SpaceMetric& metric) {
-  const auto& [m11, m21, m22, m31, m32, m33] = metric;
+  const auto& [xx, yy, zz, xy, yz, xz] = metric;
   const double determinant =
-      m11 * (m22 * m33 - m32 * m32) - m21 * (m21 * m33 - m32 * m31) + m31 * (m21 * m32 - m22 * m31);
+      xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
   return 1 / std::sqrt(std::cbrt(determinant));
 }
 

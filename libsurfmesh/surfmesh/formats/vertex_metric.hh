@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "surfmesh/core/mesh.hh"
+#include "surfmesh/metric/space_metric.hh"
 
 namespace surfmesh {
-
-/// A symmetric metric M in space: a step e has metric length √(eᵀMe), 1 is wanted. In the order of
-/// medit: m11, m21, m22, m31, m32, m33.
-using SpaceMetric = std::array<double, 6>;
 
 /// True if vertex_metrics can be made: every corner has its parameters and its metric.
 bool has_vertex_metrics(const PolyMesh& mesh);

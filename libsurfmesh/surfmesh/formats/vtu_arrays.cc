@@ -6,11 +6,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstring>
+#include <optional>
 #include <type_traits>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/formats/number_scanner.hh"
 #include "surfmesh/io/text_scanner.hh"
 
 namespace surfmesh::vtu {
@@ -48,8 +49,6 @@ constexpr std::array<signed char, 256> base64_digits() {
   }
   return digits;
 }
-
-bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 /// The bytes of base64, up to what is none. Streams that end with = may follow each other: headers
 /// of compressed data are one of their own.
@@ -208,6 +207,15 @@ std::vector<To> from_bytes(std::string_view bytes, Type type, std::endian order)
 }
 
 template <class To>
+std::optional<To> number_of(std::string_view word) {
+  if constexpr (std::is_same_v<To, double>) {
+    return real_of(word);
+  } else {
+    return integer_of(word);
+  }
+}
+
+template <class To>
 std::vector<To> from_text(const DataArray& array, const ArrayForm& form) {
   std::vector<To> numbers;
   const char* const begin = array.content.data();
@@ -219,19 +227,15 @@ std::vector<To> from_text(const DataArray& array, const ArrayForm& form) {
     }
     const char* const word = at;
     while (at != end && !is_blank(*at)) ++at;
-    To value{};
-    const auto [stop, error] = std::from_chars(word + (*word == '+' ? 1 : 0), at, value);
-    // Numbers too near to 0 are out of range, too, and stay 0.
-    const bool is_tiny = error == std::errc::result_out_of_range && std::is_same_v<To, double> &&
-                         std::string_view(word, at).find("e-") != std::string_view::npos;
-    if (stop != at || (error != std::errc() && !is_tiny)) {
+    const std::optional<To> value = number_of<To>({word, static_cast<std::size_t>(at - word)});
+    if (!value) {
       throw Error(ErrorCode::InvalidInput,
                   fmt::format("{}:{}: array {}: {} is not a number", form.name,
                               array.line + static_cast<std::size_t>(std::count(begin, word, '\n')),
                               surfmesh::quoted(array.name),
                               surfmesh::quoted({word, static_cast<std::size_t>(at - word)})));
     }
-    numbers.push_back(value);
+    numbers.push_back(*value);
   }
   return numbers;
 }

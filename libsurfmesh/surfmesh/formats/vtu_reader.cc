@@ -43,6 +43,9 @@ enum class CellType {
 constexpr std::array<std::string_view, 6> kPatchNames = {
     "patch", "gmsh:geometrical", "gmsh:physical", "medit:ref", "CellEntityIds", "ref"};
 
+/// Numbers of patches up to this one are read: memory grows with them.
+constexpr std::int64_t kMostPatches = 10'000'000;
+
 /// What names of arrays of patches begin with.
 constexpr std::string_view kPatchPrefix = "patch:";
 constexpr std::string_view kGroupPrefix = "group:";
@@ -139,6 +142,9 @@ class VtuReader {
       all.push_back({array.name, array.components, {}, false});
       known = all.end() - 1;
     }
+    // A piece before has not this array, or this one has it twice: it is told as not whole.
+    const auto components = static_cast<std::size_t>(array.components);
+    if (known->numbers.size() != first_point_ * components) return;
     known->numbers.insert(known->numbers.end(), numbers.begin(), numbers.end());
   }
 
@@ -156,8 +162,11 @@ class VtuReader {
         if (array.name != name || array.components != 1 || !is_integer(array.type)) continue;
         std::vector<std::int64_t> numbers = integers_of(array, document_.form);
         check_size(array, numbers.size(), piece.cells, "cells");
-        is_ours_ = name == kPatchNames.front();
-        has_patches_ = true;
+        if (!patch_name_.empty() && patch_name_ != name) {
+          fail(array.line, fmt::format("patches are {} here, but {} in a piece before",
+                                       surfmesh::quoted(name), surfmesh::quoted(patch_name_)));
+        }
+        patch_name_ = name;
         return numbers;
       }
     }
@@ -224,16 +233,16 @@ class VtuReader {
 
   void finish_patches() {
     builder_.number_contours();
-    if (!has_patches_) return;
-    if (!is_ours_) {
+    if (patch_name_.empty()) return;
+    if (patch_name_ != kPatchNames.front()) {
       builder_.number_patches(-1);
       return;
     }
     for (const std::int64_t patch : builder_.references()) {
-      if (patch < -1 || patch > std::numeric_limits<int>::max()) {
+      if (patch < -1 || patch > kMostPatches) {
         throw Error(ErrorCode::InvalidInput,
-                    fmt::format("{}: patch {} is not a number from 0, or -1 for none",
-                                document_.form.name, patch));
+                    fmt::format("{}: patch {} is not a number from 0 to {}, or -1 for none",
+                                document_.form.name, patch, kMostPatches));
       }
       builder_.grid.patches.push_back(static_cast<int>(patch));
     }
@@ -269,8 +278,7 @@ class VtuReader {
   Document document_;
   GridBuilder builder_;
   std::size_t first_point_ = 0;  ///< of the piece
-  bool has_patches_ = false;
-  bool is_ours_ = false;
+  std::string_view patch_name_;  ///< of the arrays of patches, if there are any
   std::vector<int> cell_;
 };
 

@@ -14,6 +14,7 @@ namespace surfmesh {
 /// (gmsh:geometrical, gmsh:physical, medit:ref, CellEntityIds, ref) in their growing order.
 /// Names and groups are those that write_mesh puts into the field data. Elements of higher order
 /// give their corners.
+///
 /// Throws   InvalidInput with name:line, or name: byte, for what is wrong or cut short
 /// Cost     O(bytes)
 GridFile parse_vtu_grid(std::string bytes, const std::string& name);

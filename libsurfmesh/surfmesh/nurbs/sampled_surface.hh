@@ -110,9 +110,8 @@ inline constexpr std::size_t kBatchSize = 65536;
 /// twice as many; and at the end at 4,096 points that are on no grid.
 ///
 /// Error    as told, measured at those points
-/// Cost     twice to four times as many evaluations as the surface has samples, and about 0.3 µs
-/// for
-///          each
+/// Cost     twice to four times as many evaluations as the surface has samples, about 0.3 µs each
+///          besides
 /// Throws   as SampledSurface; InvalidOption for a tolerance that is not above 0; Geometry naming
 ///          (u,v) for a value that is not finite; Limit naming the error and where it is greatest
 ///          if max_samples do not do; whatever the function throws

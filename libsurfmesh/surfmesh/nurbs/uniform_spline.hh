@@ -45,7 +45,8 @@ class UniformSpline {
   void factorise();
 
   std::size_t cells_;
-  /// LU factors. No pivots are exchanged: the matrix of the samples is totally positive.
+  /// LU factors. No pivots are exchanged: the rows of samples are totally positive, and a test
+  /// bounds the growth with those of the ends.
   std::vector<std::array<double, 2 * kBand + 1>> matrix_;
 };
 

@@ -120,7 +120,7 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
   return lines;
 }
 
-std::string shortened(const std::string& text) {
+std::string cut_cell(const std::string& text) {
   if (columns(text) <= kLongestCell) return text;
   std::size_t end = 0;
   for (std::size_t count = 0; count < kLongestCell - 3; ++count) {
@@ -224,13 +224,13 @@ void TextTable::add_rows(const std::vector<std::string>& heading,
   for (const std::string& cell : heading) widths.push_back(columns(cell));
   for (const auto& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
-      widths[i] = std::max(widths[i], columns(shortened(row[i])));
+      widths[i] = std::max(widths[i], columns(cut_cell(row[i])));
     }
   }
   const auto add_row = [&](const std::vector<std::string>& row) {
-    std::string line = padded(shortened(row.front()), widths.front());
+    std::string line = padded(cut_cell(row.front()), widths.front());
     for (std::size_t i = 1; i < row.size(); ++i) {
-      line += "  " + padded_left(shortened(row[i]), widths[i]);
+      line += "  " + padded_left(cut_cell(row[i]), widths[i]);
     }
     text_ += trimmed(std::move(line)) + '\n';
   };

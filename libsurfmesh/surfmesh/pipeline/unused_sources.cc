@@ -246,7 +246,7 @@ class FieldCover {
           count.nothing == count.asked
               ? "its patches lie beyond the background mesh; it has no effect"
               : fmt::format(
-                    "{:.2g} % of its patches lie beyond the background mesh; it has no "
+                    "{:.1f} % of its patches lie beyond the background mesh; it has no "
                     "effect there",
                     percent);
       notices.push_back(warning_at(origin, NoticeKind::UnusedSource, text));

@@ -174,7 +174,7 @@ struct BackgroundSizes::Impl {
   void take_values(BackgroundMesh& mesh, std::span<const char> is_used);
   void take_simplices(BackgroundMesh& mesh);
   void bound_lengths();
-  double log_least(std::size_t simplex, std::size_t vertex) const;
+  double log_least(std::size_t point) const;
 };
 
 namespace {
@@ -245,30 +245,19 @@ void BackgroundSizes::Impl::take_simplices(BackgroundMesh& mesh) {
   tree.emplace(std::move(mesh.points), std::move(simplices));
 }
 
-/// The logarithm of the least length that the metric at a vertex of a simplex asks for: in the
-/// plane of a triangle, in any direction in a tetrahedron. There, it is a concave function of the
-/// logarithm of the metric, so it is not below its linear interpolation.
-double BackgroundSizes::Impl::log_least(std::size_t simplex, std::size_t vertex) const {
-  const EigenSolver solver(matrix_of(logarithms[vertex]));
-  const Simplex& s = tree->simplices()[simplex];
-  if (s[3] >= 0) return -0.5 * solver.eigenvalues()[2];
-  const auto point = [&](std::size_t k) -> const Vec3& {
-    return tree->points()[static_cast<std::size_t>(s[k])];
-  };
-  Eigen::Matrix<double, 3, 2> plane;
-  plane.col(0) = (point(1) - point(0)).normalized();
-  const Vec3 normal = (point(1) - point(0)).cross(point(2) - point(0)).normalized();
-  plane.col(1) = normal.cross(plane.col(0));
-  const Eigen::Matrix2d inside =
-      plane.transpose() * applied(solver, [](double x) { return std::exp(x); }) * plane;
-  return -0.5 * std::log(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(inside).eigenvalues()[1]);
+/// The logarithm of the least length that the metric at a point asks for, over all directions: a
+/// concave function of the logarithm of the metric, so it is not below its linear interpolation.
+/// In the plane of a triangle it would not be concave.
+double BackgroundSizes::Impl::log_least(std::size_t point) const {
+  const EigenSolver solver(matrix_of(logarithms[point]));
+  return -0.5 * solver.eigenvalues()[2];
 }
 
 void BackgroundSizes::Impl::bound_lengths() {
   if (!has_metrics()) {
     bounds = bounds_of([this](std::size_t, std::size_t v) { return sizes[v]; });
   } else if (in == BackgroundIn::Space) {
-    bounds = bounds_of([this](std::size_t s, std::size_t v) { return log_least(s, v); });
+    bounds = bounds_of([this](std::size_t, std::size_t v) { return log_least(v); });
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "surfmesh/core/values.hh"
 #include "surfmesh/geometry/surface.hh"
+#include "surfmesh/metric/space_metric.hh"
 #include "surfmesh/sizes/sizing.hh"
 
 namespace surfmesh {
@@ -16,9 +17,6 @@ namespace surfmesh {
 /// The size that fields give where they ask for none: far above hmax, whatever the units. Beyond
 /// its square, determinants of metrics would leave the range of numbers.
 inline constexpr double kNoWish = 1e40;
-
-/// A metric in space, symmetric: xx, yy, zz, xy, yz, xz. A step e has the metric length √(eᵀMe).
-using SpaceMetric = std::array<double, 6>;
 
 /// A mesh with sizes, or a metric, at its vertices: from an earlier run, a solver, another program.
 struct BackgroundMesh {
@@ -39,8 +37,9 @@ enum class BackgroundIn { Space, Uv };
 /// Sizes between the vertices of a background mesh.
 ///
 /// Sizes are linear in each element, as finite elements and viewers have them. Metrics are
-/// log-Euclidean (Arsigny et al. 2006): their logarithms are linear, so lengths stay between those
-/// at the vertices even where directions turn; means of lengths would swell there. Outside of the
+/// log-Euclidean (Arsigny et al. 2006): their logarithms are linear, so areas, and the least and
+/// greatest lengths over all directions, stay between those at the vertices; means of metrics or of
+/// lengths would swell where directions turn. Outside of the
 /// mesh, the value at its nearest point holds within the reach; beyond that, nothing is asked for.
 /// Immutable: several threads may ask at once.
 class BackgroundSizes {
@@ -76,8 +75,8 @@ class BackgroundSizes {
 /// A source of the sizes of a background mesh in a patch. A metric in space M becomes JᵀMJ in (u,v)
 /// with the derivatives J of the surface.
 ///
-/// Bounds hold for sizes, so that no small one can hide. For metrics they hold as far as first
-/// forms, and planes of triangles in space, are those of the surface.
+/// Bounds hold for sizes, so that no small one can hide, and for metrics in space. For metrics in
+/// (u,v) they hold as far as first forms at the vertices are those between them.
 /// Cost     O(n) evaluations of the surface for a metric in (u,v), else O(1)
 /// Throws   InvalidInput for a metric in (u,v) that is not positive definite at its vertices
 FieldSource background_field(std::shared_ptr<const BackgroundSizes> background, int patch,
