@@ -116,6 +116,13 @@ class Functions(unittest.TestCase):
         distance = np.linalg.norm(model.evaluate("wave", u, v) - wave(u, v), axis=1)
         self.assertLessEqual(distance.max(), 1e-7)
 
+    def test_may_ask_for_patches_that_are_there(self):
+        model = surfmesh.Model()
+        model.add_patch("low", "0.1*u*v")
+        model.add_patch("high", lambda u, v: model.evaluate("low", u, v) + [0, 0, 1])
+        np.testing.assert_allclose(model.evaluate("high", 1, 1), [1, 1, 1.1], atol=1e-9)
+        self.assertEqual(model.patch_names, ["low", "high"])
+
     def test_give_the_mesh_of_formulas(self):
         function, formula = surfmesh.Model(), surfmesh.Model()
         function.add_patch("a", lambda u, v: (u, v, 0.3 * np.sin(3 * u)), (0, 2), (0, 1))
