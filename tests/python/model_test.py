@@ -287,6 +287,16 @@ class Trims(unittest.TestCase):
         self.assertEqual(mesh.report["mesh"]["euler"], 0)
         self.assertIn("ring", model.contour_names)
 
+    def test_are_left_out_whole_if_they_fail(self):
+        model = surfmesh.Model()
+        model.add_patch("plate", "0", (0, 2), (0, 1), loops=["edge"])
+        triangle = [[0, 0], [2, 0], [1, 1], [0, 0]]
+        for bad in (("t", "cosx(t)"), [[0, 0]], lambda t: t):
+            with self.assertRaises(surfmesh.InvalidInput):
+                model.add_contour("edge", {"plate": triangle, "other": bad})
+        model.add_contour("edge", {"plate": triangle})
+        self.assertAlmostEqual(self.area(model), 1, places=9)
+
     def test_refuse_what_is_none(self):
         def model(curve, **keywords):
             made = surfmesh.Model()

@@ -162,8 +162,11 @@ class Model:
         if not on:
             raise InvalidInput(f"contour {name} is on no patch")
         with self._adding() as builder:
+            trial = _surfmesh.Builder()  # so that nothing is left of a contour that fails
+            trial.take_contours(builder)
             for patch, curve in on.items():
-                self._add_curve(builder, name, patch, curve, smooth, t, dict(constants or {}))
+                self._add_curve(trial, name, patch, curve, smooth, t, dict(constants or {}))
+            builder.take_contours(trial)
 
     @staticmethod
     def _add_curve(builder: _surfmesh.Builder, name: str, patch: str, curve: Any, smooth: bool,
