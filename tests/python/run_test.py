@@ -251,6 +251,8 @@ class Threads(unittest.TestCase):
         model = surfmesh.Model()
         model.add_patch("first", "0")
         failures, stop = [], threading.Event()
+        self.addCleanup(sys.setswitchinterval, sys.getswitchinterval())
+        sys.setswitchinterval(1e-6)  # threads take turns as often as they can
 
         def guarded(work):
             try:
@@ -259,7 +261,7 @@ class Threads(unittest.TestCase):
                 failures.append(error)
 
         def add(side):
-            for i in range(40):
+            for i in range(80):
                 model.add_patch(f"{side}{i}", "0", (2 * i + 2, 2 * i + 3), (side, side + 1))
                 model.add_nurbs(f"net{side}{i}", [[[x, y, 9 + i] for x in (0, 1)] for y in (0, 1)],
                                 ([0, 0, 1, 1], [0, 0, 1, 1]), (1, 1))
@@ -291,8 +293,8 @@ class Threads(unittest.TestCase):
         for thread in asking:
             thread.join()
         self.assertEqual(failures, [])
-        self.assertEqual(len(model.patch_names), 161)
-        self.assertEqual(len(model.groups), 80)
+        self.assertEqual(len(model.patch_names), 321)
+        self.assertEqual(len(model.groups), 160)
         for name, patches in model.groups.items():
             self.assertEqual([model.patch_names[p] for p in patches],
                              [name[5:], "net" + name[5:]])
