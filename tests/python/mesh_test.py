@@ -196,6 +196,19 @@ class Files(support.FolderTest):
             surfmesh.read_mesh(self.path("one.off")).metric
 
 
+class PatchNumbers(support.FolderTest):
+    def test_may_be_large(self):
+        with open(self.path("mesh.ply"), "w") as file:
+            file.write("ply\nformat ascii 1.0\ncomment patch 1 near\ncomment group 0 all\n"
+                       "comment patches 0 1\nelement vertex 4\nproperty double x\n"
+                       "property double y\nproperty double z\nelement face 2\n"
+                       "property list uchar int vertex_indices\nproperty int patch\nend_header\n"
+                       "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 1\n3 0 2 3 2147483647\n")
+        mesh = surfmesh.read_mesh(self.path("mesh.ply"))
+        self.assertEqual(mesh.patch.tolist(), [1, 2147483647])
+        self.assertEqual(mesh.group.tolist(), [0, -1])
+
+
 def without_clocks(report):
     """A report without what differs from run to run, and without who asked for it."""
     report = json.loads(json.dumps(report))

@@ -116,6 +116,13 @@ class Functions(unittest.TestCase):
         distance = np.linalg.norm(model.evaluate("wave", u, v) - wave(u, v), axis=1)
         self.assertLessEqual(distance.max(), 1e-7)
 
+    def test_may_ask_for_patches_that_are_there(self):
+        model = surfmesh.Model()
+        model.add_patch("low", "0.1*u*v")
+        model.add_patch("high", lambda u, v: model.evaluate("low", u, v) + [0, 0, 1])
+        np.testing.assert_allclose(model.evaluate("high", 1, 1), [1, 1, 1.1], atol=1e-9)
+        self.assertEqual(model.patch_names, ["low", "high"])
+
     def test_give_the_mesh_of_formulas(self):
         function, formula = surfmesh.Model(), surfmesh.Model()
         function.add_patch("a", lambda u, v: (u, v, 0.3 * np.sin(3 * u)), (0, 2), (0, 1))
@@ -279,6 +286,17 @@ class Trims(unittest.TestCase):
         mesh = surfmesh.mesh(model, hmax=0.3)
         self.assertEqual(mesh.report["mesh"]["euler"], 0)
         self.assertIn("ring", model.contour_names)
+
+    def test_are_left_out_whole_if_they_fail(self):
+        model = surfmesh.Model()
+        model.add_patch("plate", "0", (0, 2), (0, 1), loops=["edge"])
+        model.add_patch("far", "5", (0, 2), (0, 1))
+        triangle = [[0, 0], [2, 0], [1, 1], [0, 0]]
+        for bad in (("t", "cosx(t)"), [[0, 0]], lambda t: t):
+            with self.assertRaises(surfmesh.InvalidInput):
+                model.add_contour("edge", {"far": triangle, "plate": bad})
+        model.add_contour("edge", {"plate": triangle})
+        self.assertAlmostEqual(self.area(model), 3, places=9)
 
     def test_refuse_what_is_none(self):
         def model(curve, **keywords):

@@ -61,6 +61,16 @@ class Options(unittest.TestCase):
         late = surfmesh.mesh(surfmesh.read(support.model("cube.obj")), crease_angle=30, hmax="20%")
         self.assertEqual([notice.kind for notice in late.notices], ["unused_option"])
 
+    def test_have_no_scheme_for_a_model_that_was_read(self):
+        model = surfmesh.read(support.model("cube.obj"), scheme="bilinear")
+        flat = surfmesh.mesh(model, hmax="20%")
+        self.assertAlmostEqual(np.ptp(flat.points[:, 0]), np.ptp(model.box[:, 0]), places=9)
+        for run in (surfmesh.mesh, surfmesh.estimate, lambda m, **k: surfmesh.check(flat, m, **k)):
+            with self.assertRaisesRegex(surfmesh.InvalidInput, "surfmesh.read"):
+                run(model, scheme="catmark")
+        with self.assertRaisesRegex(surfmesh.InvalidInput, "scheme needs a model"):
+            surfmesh.check(flat, scheme="loop")
+
 
 class Errors(support.FolderTest):
     def test_have_codes_and_usual_bases(self):
@@ -123,6 +133,31 @@ class Progress(unittest.TestCase):
                           max_elements=2_000_000_000)
         self.assertLess(time.monotonic() - start, 30)
 
+    def test_ends_a_run_by_false_of_numpy(self):
+        with self.assertRaises(surfmesh.Cancelled):
+            surfmesh.mesh(support.KNOB, progress=lambda *told: np.array(told[1:]).max() < 0,
+                          size="0.05%", max_elements=2_000_000_000)
+
+    def test_ends_a_run_even_at_its_end(self):
+        def waits(*told):
+            time.sleep(1)  # the run ends meanwhile
+            return False
+
+        for run in (surfmesh.mesh, surfmesh.estimate):
+            with self.assertRaises(surfmesh.Cancelled):
+                run(support.KNOB, progress=waits, hmax="30%")
+
+    def test_is_told_nothing_after_false(self):
+        news = []
+
+        def ends(*told):
+            news.append(told)
+            return len(news) < 2
+
+        with self.assertRaises(surfmesh.Cancelled):
+            surfmesh.mesh(support.KNOB, progress=ends, hmax="30%")
+        self.assertEqual(len(news), 2)
+
     def test_ends_a_run_by_what_it_raises(self):
         def fails(*told):
             raise ArithmeticError("enough")
@@ -133,7 +168,7 @@ class Progress(unittest.TestCase):
         self.assertGreater(len(surfmesh.mesh(support.KNOB, hmax="20%").triangles), 0)
 
     def test_goes_on_with_none_and_true(self):
-        for answer in (None, True, 0):
+        for answer in (None, True, 0, np.True_, np.int32(0), "", np.zeros(2)):
             surfmesh.mesh(support.KNOB, hmax="20%", progress=lambda *told: answer)
 
     def test_must_be_a_function(self):
@@ -211,20 +246,88 @@ class Threads(unittest.TestCase):
         for mesh in results:
             np.testing.assert_array_equal(mesh.points, expected.points)
 
+    def test_may_add_to_one_model_at_once(self):
+        """Patches come from two threads, sizes from another, and two more ask for the model."""
+        model = surfmesh.Model()
+        model.add_patch("first", "0")
+        failures, stop = [], threading.Event()
+        self.addCleanup(sys.setswitchinterval, sys.getswitchinterval())
+        sys.setswitchinterval(1e-6)  # threads take turns as often as they can
+
+        def guarded(work):
+            try:
+                work()
+            except Exception as error:
+                failures.append(error)
+
+        def add(side):
+            for i in range(80):
+                model.add_patch(f"{side}{i}", "0", (2 * i + 2, 2 * i + 3), (side, side + 1))
+                model.add_nurbs(f"net{side}{i}", [[[x, y, 9 + i] for x in (0, 1)] for y in (0, 1)],
+                                ([0, 0, 1, 1], [0, 0, 1, 1]), (1, 1))
+                model.add_group(f"group{side}{i}", [f"{side}{i}", f"net{side}{i}"])
+
+        def size():
+            for i in range(40):
+                model.size_everywhere(1 + i, "first")
+
+        def ask():
+            while not stop.is_set():
+                names = model.patch_names
+                self.assertEqual(len(names), len(set(names)))
+                self.assertGreater(surfmesh.estimate(model, hmax=1)["estimated_elements"], 0)
+
+        def watch():
+            while not stop.is_set():
+                model.evaluate("first", 0.5, 0.5)
+                model.tabulations
+
+        adding = [threading.Thread(target=guarded, args=(work,))
+                  for work in (lambda: add(10), lambda: add(20), size)]
+        asking = [threading.Thread(target=guarded, args=(work,)) for work in (ask, watch)]
+        for thread in adding + asking:
+            thread.start()
+        for thread in adding:
+            thread.join()
+        stop.set()
+        for thread in asking:
+            thread.join()
+        self.assertEqual(failures, [])
+        self.assertEqual(len(model.patch_names), 321)
+        self.assertEqual(len(model.groups), 160)
+        for name, patches in model.groups.items():
+            self.assertEqual([model.patch_names[p] for p in patches],
+                             [name[5:], "net" + name[5:]])
+
     def test_do_not_change_the_mesh(self):
         one, two = (surfmesh.mesh(support.KNOB, hmax="3%", threads=n) for n in (1, 2))
         np.testing.assert_array_equal(one.points, two.points)
         np.testing.assert_array_equal(one.triangles, two.triangles)
 
 
-class Cad(unittest.TestCase):
-    @unittest.skipUnless(any(name.startswith("_surfmesh_cad")
-                             for name in os.listdir(os.path.dirname(surfmesh.__file__))),
-                         "surfmesh is built without OpenCASCADE")
+@unittest.skipUnless(any(name.startswith("_surfmesh_cad")
+                         for name in os.listdir(os.path.dirname(surfmesh.__file__))),
+                     "surfmesh is built without OpenCASCADE")
+class Cad(support.FolderTest):
     def test_files_are_read(self):
         mesh = surfmesh.mesh(support.model("part.step"), segments_per_circle=12, hmax="10%")
         self.assertIn("worm", mesh.groups)
         self.assertTrue(mesh.report["mesh"]["closed"])
+
+    def test_give_the_mesh_of_the_command_line(self):
+        support.run("mesh", support.model("part.step"), "-o", self.path("mesh.om"), "--hmax", "3%",
+                    "--quiet")
+        mesh = surfmesh.mesh(support.model("part.step"), hmax="3%")
+        expected = surfmesh.read_mesh(self.path("mesh.om"))
+        np.testing.assert_array_equal(mesh.points, expected.points)
+        np.testing.assert_array_equal(mesh.triangles, expected.triangles)
+        self.assertTrue(surfmesh.check(mesh, support.model("part.step"))["clean"])
+
+    def test_that_are_broken_tell_so(self):
+        with open(self.path("bad.step"), "w") as file:
+            file.write("ISO-10303-21;\nHEADER;\n")
+        with self.assertRaisesRegex(surfmesh.InvalidInput, "bad.step"):
+            surfmesh.read(self.path("bad.step"))
 
 
 if __name__ == "__main__":

@@ -231,5 +231,101 @@ class Sizes(unittest.TestCase):
             self.mesh(model)
 
 
+class Wishes(unittest.TestCase):
+    """What is kept of a call: copies of what it was given, and nothing of one that fails."""
+
+    def points(self, model):
+        return surfmesh.mesh(model, **PLAIN).points
+
+    def pair(self):
+        model = surfmesh.Model()
+        model.add_patch("a", "0")
+        model.add_patch("b", "0", (1, 2))
+        return model
+
+    def test_are_copies_of_what_is_given(self):
+        def ask(model, after):
+            metric = np.array([[0.5, 0.5, 400.0, 0.0, 400.0]])
+            sizes = np.array([[0.5, 0.5, 0.05]])
+            line = np.array([[1.5, 0.5, 0.0], [1.6, 0.5, 0.0]])
+            polygon = np.array([[1.2, 0.2], [1.4, 0.2], [1.4, 0.4]])
+            where, constants = ["a"], {"h": 0.1}
+            model.metric_table("a", metric)
+            model.size_table("a", sizes)
+            model.size_near(line, 0.03, radius=0.1)
+            model.size_inside("b", polygon, 0.04)
+            model.size_formula("h", where, constants=constants)
+            model.size_everywhere(0.15, where)
+            model.size_function(lambda x, y, z: 0.08 + 0 * x, where)
+            if after:
+                for array in (metric, sizes, line, polygon):
+                    array[...] = 7e-3
+                where[0] = "b"
+                constants["h"] = 0.01
+
+        results = []
+        for after in (False, True):
+            model = self.pair()
+            ask(model, after)
+            results.append(self.points(model))
+        np.testing.assert_array_equal(results[0], results[1])
+
+    def test_are_left_out_whole_if_they_fail(self):
+        def fails_in_b(x, y, z):
+            if x.max() > 1:
+                raise KeyError("sizes")
+            return 0.02 + 0 * x
+
+        model = self.pair()
+        model.size_everywhere(0.15)
+        before = self.points(model)
+        with self.assertRaisesRegex(KeyError, "sizes"):
+            model.size_function(fails_in_b)
+        with self.assertRaises(surfmesh.InvalidInput):
+            model.size_everywhere(0.01, ["a", "none"])
+        self.assertEqual(model.tabulations, [])
+        np.testing.assert_array_equal(self.points(model), before)
+        # Nor does one come back when the model is made again.
+        model.add_group("all", ["a", "b"])
+        np.testing.assert_array_equal(self.points(model), before)
+
+    def test_are_met_once_after_a_failure(self):
+        bad = [True]
+
+        def sizes(x, y, z):
+            if bad[0] and x.max() > 1:
+                raise KeyError("sizes")
+            return 0.1 + 0 * x
+
+        model = self.pair()
+        model.size_function(sizes)
+        for _ in range(3):
+            with self.assertRaisesRegex(KeyError, "sizes"):
+                self.points(model)
+        bad[0] = False
+        points = self.points(model)
+        self.assertEqual(len(model.tabulations), 2)
+        once = self.pair()
+        once.size_function(sizes)
+        np.testing.assert_array_equal(points, self.points(once))
+
+    def test_may_ask_for_the_model(self):
+        def along(u, v):
+            return 0.05 + 0.1 * model.evaluate("a", u, v)[:, 0]
+
+        model = self.pair()
+        model.size_function(along, "a", of="uv")
+        self.assertGreater(len(self.points(model)), 0)
+        self.assertEqual(len(model.tabulations), 1)
+
+    def test_of_an_earlier_mesh_are_left_out_whole(self):
+        model, other = square(), self.pair()
+        mesh = surfmesh.mesh(other, **PLAIN)
+        before = self.points(model)
+        with self.assertRaisesRegex(surfmesh.InvalidInput, "no patch 1"):
+            model.adapt_to(mesh, np.tile([1e4, 0, 1e4], (len(mesh.points), 1)))
+        np.testing.assert_array_equal(self.points(model), before)
+
+
 if __name__ == "__main__":
     unittest.main()

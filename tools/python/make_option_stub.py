@@ -1,6 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""For maintainers: print surfmesh/_options.pyi, whose keywords are those of the option table."""
+"""For maintainers: print surfmesh/_options.pyi, whose keywords are those of the option table.
+
+PYTHONPATH=build/release/python python3 -P tools/python/make_option_stub.py; with -P, the sources
+beside this file are not taken for the module.
+"""
 
 import surfmesh
 

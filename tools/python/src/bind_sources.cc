@@ -157,10 +157,32 @@ std::pair<double, std::size_t> add_function(HeldSources& held, const HeldInput& 
   TabulatedField field = tabulate(function, input.input.model.surface(patch), options);
   field.source.patch = patch;
   held.sources.fields.push_back(std::move(field.source));
-  return {field.error, field.samples};
+  return held.tabulations.emplace_back(field.error, field.samples);
+}
+
+template <class Entry>
+void add_all(const std::vector<Entry>& more, std::vector<Entry>& all) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+void append_held(HeldSources& held, const HeldSources& more) {
+  python::append(more.sources, held.sources);
+  held.along.insert(more.along.begin(), more.along.end());
+  add_all(more.tabulations, held.tabulations);
 }
 
 }  // namespace
+
+void append(const Sources& more, Sources& all) {
+  add_all(more.everywhere, all.everywhere);
+  add_all(more.at, all.at);
+  add_all(more.along, all.along);
+  add_all(more.inside, all.inside);
+  add_all(more.near, all.near);
+  add_all(more.boxes, all.boxes);
+  add_all(more.fields, all.fields);
+  add_all(more.tables, all.tables);
+}
 
 void bind_sources(py::module_& module) {
   py::class_<HeldSources, std::shared_ptr<HeldSources>>(module, "HeldSources",
@@ -191,7 +213,11 @@ void bind_sources(py::module_& module) {
           },
           py::arg("model"), py::arg("patch"), py::arg("function"), py::arg("is_metric"),
           py::arg("is_in_space"), py::arg("precision"), py::arg("max_samples"),
-          "A Python function, tabulated; its error and entries.");
+          "A Python function, tabulated; its error and entries.")
+      .def("append", &append_held, py::arg("more"), "Add sizes after those that are here.")
+      .def(
+          "tabulations", [](const HeldSources& held) { return held.tabulations; },
+          "Errors and entries of the functions that became tables.");
 }
 
 }  // namespace surfmesh::python

@@ -276,6 +276,10 @@ void bind_builder(py::module_& module) {
       .def("add_contour_projection", &add_contour_projection, py::arg("name"), py::arg("patch"),
            "Another patch that a contour lies on.")
       .def(
+          "take_contours",
+          [](Builder& builder, const Builder& other) { builder.contours = other.contours; },
+          py::arg("other"), "Have the contours of another builder instead.")
+      .def(
           "add_cage",
           [](Builder& builder, const std::string& name, const Doubles& points, const Ints& corners,
              const Ints& offsets, const decltype(CageTags::creases)& creases,

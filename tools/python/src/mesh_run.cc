@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,24 +29,12 @@ namespace py = pybind11;
 
 using Input = std::shared_ptr<const HeldInput>;
 
-template <class Source>
-void add(const std::vector<Source>& more, std::vector<Source>& all) {
-  all.insert(all.end(), more.begin(), more.end());
-}
-
-/// What one run is asked for. The model is shared, unless contours of it are named.
+/// What one run is asked for, made with the GIL. The model is shared, unless contours of it are
+/// named.
 struct Request {
   Request(const HeldInput& held, const HeldSources& more, const Settings& settings)
       : sources(held.input.sources), options(held.input.options), given(held.given) {
-    const Sources& from = more.sources;
-    add(from.everywhere, sources.everywhere);
-    add(from.at, sources.at);
-    add(from.along, sources.along);
-    add(from.inside, sources.inside);
-    add(from.near, sources.near);
-    add(from.boxes, sources.boxes);
-    add(from.fields, sources.fields);
-    add(from.tables, sources.tables);
+    append(more.sources, sources);
     for (const auto& [name, value] : settings) {
       set_option(options, name, value);
       add_given({name, value, OptionOrigin::Python}, given);
@@ -124,16 +113,23 @@ JudgedBy judged_by(const Settings& settings) {
   return asks_for_sizes ? JudgedBy::SizesOfRun : JudgedBy::StoredMetric;
 }
 
+/// What a model asks of a mesh that is checked; nothing without one.
+std::optional<Request> request_of(const Input& model, const HeldSources& more,
+                                  const Settings& settings) {
+  if (!model) return {};
+  return std::make_optional<Request>(*model, more, settings);
+}
+
 /// Measure a mesh, and its fit to a model if there is one.
 MeshCheck checked(const MeshArraysFile& faces, const MeshFile& file, const Input& model,
-                  const HeldSources& more, const Settings& settings, Observer& observer) {
+                  const std::optional<Request>& request, const Settings& settings,
+                  Observer& observer) {
   MeshCheck check = check_mesh(faces, &observer);
   check.stored = measure_stored_metric(file.mesh);
-  if (!model) return check;
+  if (!request) return check;
   ModelInput input = model->input;
-  const Request request(*model, more, settings);
-  input.sources = request.sources;
-  input.options = request.options;
+  input.sources = request->sources;
+  input.options = request->options;
   append(input.model.notices, check.notices);
   check.patch_names = mesh_names(input.model).patches;
   MeshFile measured = file;
@@ -145,9 +141,10 @@ MeshCheck checked(const MeshArraysFile& faces, const MeshFile& file, const Input
 std::string check_file(const std::filesystem::path& path, const Input& model,
                        const HeldSources& more, const Settings& settings,
                        const py::object& progress) {
+  const auto request = request_of(model, more, settings);
   MeshCheck check;
   run_watched(progress, [&](Observer& observer) {
-    check = checked(read_mesh_arrays(path), read_mesh(path), model, more, settings, observer);
+    check = checked(read_mesh_arrays(path), read_mesh(path), model, request, settings, observer);
   });
   check.mesh = path.string();
   return to_json(check);
@@ -155,12 +152,13 @@ std::string check_file(const std::filesystem::path& path, const Input& model,
 
 std::string check_held(const HeldMesh& held, const Input& model, const HeldSources& more,
                        const Settings& settings, const py::object& progress) {
+  const auto request = request_of(model, more, settings);
   MeshCheck check;
   run_watched(progress, [&](Observer& observer) {
     MeshArraysFile faces;
     faces.mesh = mesh_arrays(held.mesh(), held.names(), ArrayParts::Faces);
     const MeshFile file{held.mesh(), held.names(), {}};
-    check = checked(faces, file, model, more, settings, observer);
+    check = checked(faces, file, model, request, settings, observer);
   });
   return to_json(check);
 }

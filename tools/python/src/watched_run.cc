@@ -6,11 +6,12 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
+
+#include "surfmesh/core/error.hh"
 
 namespace surfmesh::python {
 namespace {
@@ -76,10 +77,17 @@ class Collector : public Observer {
   std::atomic<bool> is_cancelled_ = false;
 };
 
+/// Whether it is False, or NumPy's bool of that value: what comparing arrays gives.
+bool is_false(const py::object& answer) {
+  if (answer.is_none()) return false;
+  const bool is_bool = py::isinstance<py::bool_>(answer) ||
+                       py::isinstance(answer, py::module_::import("numpy").attr("bool_"));
+  return is_bool && !answer.cast<bool>();
+}
+
 /// Tell the function of news. Returns false if it wants the run to end.
 bool tell(const py::object& progress, const News& news) {
-  const py::object answer = progress(news.stage, news.done, news.total, news.elements);
-  return !answer.is(py::bool_(false));
+  return !is_false(progress(news.stage, news.done, news.total, news.elements));
 }
 
 /// Look after the run until it is over; the GIL is held.
@@ -93,7 +101,7 @@ void watch(const py::object& progress, Collector& collector) {
     }
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     for (const News& news : all) {
-      if (is_told && !tell(progress, news)) collector.cancel();
+      if (is_told && !collector.is_cancelled() && !tell(progress, news)) collector.cancel();
     }
   }
 }
@@ -111,19 +119,21 @@ void run_watched(const py::object& progress, const std::function<void(Observer&)
     }
     collector.finish();
   });
-  std::optional<py::error_already_set> raised;
+  std::exception_ptr raised;
   try {
     watch(progress, collector);
-  } catch (py::error_already_set& error) {
-    raised.emplace(error);
+  } catch (...) {
+    raised = std::current_exception();
     collector.cancel();
   }
   {
     const py::gil_scoped_release release;
     thread.join();
   }
-  if (raised) throw py::error_already_set(*raised);
+  if (raised) std::rethrow_exception(raised);
   if (failure) std::rethrow_exception(failure);
+  // The last news come when the run has ended.
+  if (collector.is_cancelled()) throw Error(ErrorCode::Cancelled, "the run was cancelled");
 }
 
 }  // namespace surfmesh::python

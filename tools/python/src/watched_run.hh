@@ -13,11 +13,11 @@ namespace surfmesh::python {
 /// and gives it up between, looks after signals (Ctrl-C) and calls `progress(stage, done, total,
 /// elements)`; None is no function.
 ///
-/// A signal handler or function that raises ends the run, and so does one that returns False:
-/// `body` is asked to stop by the observer, and what was raised goes on from here. Of news that
-/// come faster than the function takes them, the last of each stage is told.
+/// A signal handler or function that raises ends the run, and so does one that returns False or
+/// NumPy's: `body` is asked to stop by the observer, and what was raised goes on from here. Of news
+/// that come faster than the function takes them, the last of each stage is told.
 /// Pre      `body` uses nothing of Python
-/// Throws   what `body` and `progress` throw
+/// Throws   what `body` and `progress` throw; Cancelled after False, even if `body` had ended
 void run_watched(const pybind11::object& progress, const std::function<void(Observer&)>& body);
 
 }  // namespace surfmesh::python

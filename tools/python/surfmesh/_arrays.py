@@ -12,8 +12,11 @@ from ._errors import InvalidInput
 
 
 def array(name: str, value: Any, shape: Sequence[Optional[int]], least: int = 0) -> np.ndarray:
-    """A contiguous array of finite doubles of a shape; None stands for any number from `least`."""
-    result = doubles(f"{name} is", value)
+    """A contiguous array of finite doubles of a shape; None stands for any number from `least`.
+
+    It is a copy: what its owner does to the array afterwards changes nothing here.
+    """
+    result = doubles(f"{name} is", value).copy()
     fits = result.ndim == len(shape) and all(
         n == given if n is not None else given >= least
         for n, given in zip(shape, result.shape)

@@ -93,10 +93,11 @@ class Mesh:
     @cached_property
     def group(self) -> np.ndarray:
         """First group of the patch of each face (f), -1 for none: an index in list(groups)."""
-        first = np.full(max(len(self.patch_names), int(self.patch.max(initial=-1)) + 1), -1)
-        for index, patches in reversed(list(enumerate(self.groups.values()))):
-            first[patches] = index
-        return _frozen(np.where(self.patch < 0, -1, first[self.patch]))
+        patches, place = np.unique(self.patch, return_inverse=True)
+        first = np.full(len(patches), -1)
+        for index, members in reversed(list(enumerate(self.groups.values()))):
+            first[np.isin(patches, members)] = index
+        return _frozen(first[place])
 
     @cached_property
     def uv(self) -> np.ndarray:

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import threading
 import warnings
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from contextlib import contextmanager
+from typing import (Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple,
+                    Union)
 
 import numpy as np
 
@@ -13,6 +15,7 @@ from . import _arrays, _surfmesh
 from ._errors import InvalidInput, PrecisionWarning
 from ._mesh import Mesh
 from ._options import Settings
+from ._places import patch_index, patch_indices, places, some_patches
 from ._types import (CURVE_POINTS, Function, Interval, Length, Loops, Range, Sampling, Size,
                      Tabulation, Where)
 
@@ -30,12 +33,11 @@ class Model:
         self._builder: Optional[_surfmesh.Builder] = _surfmesh.Builder()
         self._names: List[str] = []  # of patches
         self._settings: Settings = []
-        self._input: Optional[_surfmesh.HeldInput] = None
-        self._key: Any = None
+        self._input: Optional[_surfmesh.HeldInput] = None  # None once something was added
+        self._key: Tuple[Settings, str] = ([], "auto")  # what _input was made with
         self._wishes: List[_Wish] = []
-        self._sources: Optional[_surfmesh.HeldSources] = None
-        self._tabulations: List[Tabulation] = []
-        self._lock = threading.RLock()
+        self._sources: Optional[_surfmesh.HeldSources] = None  # None until all wishes are met
+        self._lock = threading.RLock()  # of all that is above
 
     @classmethod
     def _of_file(cls, held: _surfmesh.HeldInput, settings: Settings) -> "Model":
@@ -47,7 +49,7 @@ class Model:
         return model
 
     def __repr__(self) -> str:
-        origin = "built in Python" if self._builder else f"of {self._prepared().path()}"
+        origin = "built in Python" if self._builder else f"of {self._built().path()}"
         return f"<surfmesh.Model {origin}>"
 
     # Building.
@@ -83,29 +85,28 @@ class Model:
         patches that coincide are joined, within 1e-9 of the diagonal or four times the greatest
         error of the functions, whichever is more, unless the option `joining` says otherwise.
         """
-        builder = self._building()
         u_range, v_range = _arrays.interval("u", u), _arrays.interval("v", v)
         all_loops = [_arrays.names("loops", loop) for loop in loops]
         result = None
-        if callable(surface):
-            function = _arrays.batched(surface, 3, f"the surface of patch {name}")
-            text = _arrays.length("tolerance", tolerance)
-            found = builder.add_function(
-                name, function, u_range, v_range, all_loops, text, int(max_samples)
-            )
-            result = Sampling(*found)
-        elif isinstance(surface, np.ndarray):
-            points = _arrays.array("surface", surface, (None, None, 3), 6)
-            builder.add_grid(name, points, u_range, v_range, all_loops)
-        else:
-            formulas = ("u", "v", surface) if isinstance(surface, str) else tuple(surface)
-            if len(formulas) != 3 or not all(isinstance(text, str) for text in formulas):
-                raise InvalidInput(f"the surface of patch {name} is no function, no array, and "
-                                   "not three formulas")
-            builder.add_formulas(name, formulas, list((where or {}).items()),
-                                 dict(constants or {}), u_range, v_range, all_loops)
-        self._names.append(name)
-        self._input = None
+        with self._adding() as builder:
+            if callable(surface):
+                function = _arrays.batched(surface, 3, f"the surface of patch {name}")
+                text = _arrays.length("tolerance", tolerance)
+                found = builder.add_function(
+                    name, function, u_range, v_range, all_loops, text, int(max_samples)
+                )
+                result = Sampling(*found)
+            elif isinstance(surface, np.ndarray):
+                points = _arrays.array("surface", surface, (None, None, 3), 6)
+                builder.add_grid(name, points, u_range, v_range, all_loops)
+            else:
+                formulas = ("u", "v", surface) if isinstance(surface, str) else tuple(surface)
+                if len(formulas) != 3 or not all(isinstance(text, str) for text in formulas):
+                    raise InvalidInput(f"the surface of patch {name} is no function, no array, "
+                                       "and not three formulas")
+                builder.add_formulas(name, formulas, list((where or {}).items()),
+                                     dict(constants or {}), u_range, v_range, all_loops)
+            self._names.append(name)
         return result
 
     def add_nurbs(
@@ -133,10 +134,11 @@ class Model:
         if domain is not None:
             part = (_arrays.interval("domain[0]", domain[0]),
                     _arrays.interval("domain[1]", domain[1]))
-        self._building().add_nurbs(name, net, lines, list(degree), weight, list(periodic), part,
-                                   [_arrays.names("loops", loop) for loop in loops])
-        self._names.append(name)
-        self._input = None
+        all_loops = [_arrays.names("loops", loop) for loop in loops]
+        with self._adding() as builder:
+            builder.add_nurbs(name, net, lines, list(degree), weight, list(periodic), part,
+                              all_loops)
+            self._names.append(name)
 
     def add_contour(
         self,
@@ -157,26 +159,34 @@ class Model:
         - a function of an array of t that returns (n, 2): it is taken at 257 points of the range;
         - None for another patch where the contour is found by projection.
         """
-        builder = self._building()
         if not on:
             raise InvalidInput(f"contour {name} is on no patch")
-        for patch, curve in on.items():
-            if curve is None:
-                builder.add_contour_projection(name, patch)
-            elif isinstance(curve, (tuple, list)) and all(isinstance(part, str) for part in curve):
-                if len(curve) != 2:
-                    raise InvalidInput(f"contour {name} has formulas of u and v")
-                builder.add_contour_formulas(name, patch, list(curve), _arrays.interval("t", t),
-                                             dict(constants or {}))
-            elif callable(curve):
-                function = _arrays.batched(curve, 2, f"contour {name}")
-                points = function(np.linspace(*_arrays.interval("t", t), CURVE_POINTS))
-                _arrays.check_finite(f"contour {name}", points)
-                builder.add_contour_points(name, patch, points, True)
-            else:
-                points = _arrays.array(f"contour {name}", curve, (None, 2), 6 if smooth else 2)
-                builder.add_contour_points(name, patch, points, bool(smooth))
-        self._input = None
+        with self._adding() as builder:
+            trial = _surfmesh.Builder()  # so that nothing is left of a contour that fails
+            trial.take_contours(builder)
+            for patch, curve in on.items():
+                self._add_curve(trial, name, patch, curve, smooth, t, dict(constants or {}))
+            builder.take_contours(trial)
+
+    @staticmethod
+    def _add_curve(builder: _surfmesh.Builder, name: str, patch: str, curve: Any, smooth: bool,
+                   t: Range, constants: Dict[str, float]) -> None:
+        """Add the curve of a contour on one patch."""
+        if curve is None:
+            builder.add_contour_projection(name, patch)
+        elif isinstance(curve, (tuple, list)) and all(isinstance(part, str) for part in curve):
+            if len(curve) != 2:
+                raise InvalidInput(f"contour {name} has formulas of u and v")
+            builder.add_contour_formulas(name, patch, list(curve), _arrays.interval("t", t),
+                                         constants)
+        elif callable(curve):
+            function = _arrays.batched(curve, 2, f"contour {name}")
+            points = function(np.linspace(*_arrays.interval("t", t), CURVE_POINTS))
+            _arrays.check_finite(f"contour {name}", points)
+            builder.add_contour_points(name, patch, points, True)
+        else:
+            points = _arrays.array(f"contour {name}", curve, (None, 2), 6 if smooth else 2)
+            builder.add_contour_points(name, patch, points, bool(smooth))
 
     def add_cage(
         self,
@@ -198,7 +208,6 @@ class Model:
         left out. groups name faces; group_creases makes the borders of groups sharp. A model of
         several cages, or of a cage and patches, needs names: patches are then "name:f0".
         """
-        builder = self._building()
         points = _arrays.array("vertices", vertices, (None, 3), 3)
         flat, offsets = _arrays.faces(faces, len(points))
         count = len(offsets) - 1
@@ -211,61 +220,62 @@ class Model:
             if len(rows) and (rows.min() < 0 or rows.max() >= count):
                 raise InvalidInput(f"group {group} names a face beyond the {count} of the cage")
             named.append((group, rows.tolist()))
-        builder.add_cage(name, points, flat, offsets, chains, sharp,
-                         _arrays.integers("holes", holes).tolist(), named,
-                         list((group_creases or {}).items()))
-        self._input = None
+        left_out = _arrays.integers("holes", holes).tolist()
+        sharp_groups = list((group_creases or {}).items())
+        with self._adding() as builder:
+            builder.add_cage(name, points, flat, offsets, chains, sharp, left_out, named,
+                             sharp_groups)
 
     def add_group(self, name: str, patches: Sequence[str]) -> None:
         """Name a set of patches that were added by name."""
         wanted = _arrays.names("patches", patches)
-        for patch in wanted:
-            if patch not in self._names:
-                raise InvalidInput(f"group {name}: there is no patch {patch}")
-        self._building().add_group(name, [self._names.index(patch) for patch in wanted])
-        self._input = None
+        with self._adding() as builder:
+            for patch in wanted:
+                if patch not in self._names:
+                    raise InvalidInput(f"group {name}: there is no patch {patch}")
+            builder.add_group(name, [self._names.index(patch) for patch in wanted])
 
     # What the model is.
 
     @property
     def patch_names(self) -> List[str]:
         """Names of the patches."""
-        return self._prepared().patch_names()
+        return self._built().patch_names()
 
     @property
     def contour_names(self) -> List[str]:
         """Names of the contours; two patches share one where they are joined."""
-        return self._prepared().contour_names()
+        return self._built().contour_names()
 
     @property
     def groups(self) -> Dict[str, List[int]]:
         """Patches of each group."""
-        return dict(self._prepared().groups())
+        return dict(self._built().groups())
 
     @property
     def diagonal(self) -> float:
         """Length of the diagonal of the model's box, of which shares of lengths are."""
-        return self._prepared().diagonal()
+        return self._built().diagonal()
 
     @property
     def box(self) -> np.ndarray:
         """Least and greatest coordinates (2, 3)."""
-        return np.array(self._prepared().box())
+        return np.array(self._built().box())
 
     @property
     def notices(self) -> List[_surfmesh.Notice]:
         """What there is to tell of the model."""
-        return self._prepared().notices()
+        return self._built().notices()
 
     @property
     def options(self) -> Dict[str, Any]:
         """Options with their values, as the file of the model sets them."""
-        return self._prepared().options()
+        return self._built().options()
 
     def domain(self, patch: Union[int, str]) -> Tuple[Interval, Interval]:
         """Ranges of u and v of a patch."""
-        held = self._prepared()
-        return held.domain(self._patch(held, patch))
+        held = self._built()
+        return held.domain(patch_index(held, patch))
 
     def evaluate(
         self, patch: Union[int, str], u: Any, v: Any, order: int = 0
@@ -274,7 +284,7 @@ class Model:
 
         With order 1 a tuple of points and derivatives by u and v, with order 2 also by uu, uv, vv.
         """
-        held = self._prepared()
+        held = self._built()
         if order not in (0, 1, 2):
             raise InvalidInput(f"order = {order!r} is not 0, 1 or 2")
         try:
@@ -283,7 +293,7 @@ class Model:
             raise InvalidInput(f"u and v do not go together: {error}") from None
         uv = np.stack([us.ravel(), vs.ravel()], axis=1)
         _arrays.check_finite("(u, v)", uv)
-        rows = held.evaluate(self._patch(held, patch), uv, int(order))
+        rows = held.evaluate(patch_index(held, patch), uv, int(order))
         shaped = tuple(row.reshape(us.shape + (3,)) for row in rows)
         return shaped[0] if order == 0 else shaped
 
@@ -295,8 +305,8 @@ class Model:
         A size is a length, or a pair of those along and across a direction: p_u turned by `angle`
         degrees. Where several sizes are asked for, the least counts.
         """
-        wanted = _arrays.size(size, angle)
-        self._ask(lambda to, held: to.add_everywhere(self._patches(held, where), wanted))
+        wanted, here = _arrays.size(size, angle), places(where)
+        self._ask(lambda to, held: to.add_everywhere(patch_indices(held, here), wanted))
 
     def size_at(
         self,
@@ -315,7 +325,7 @@ class Model:
         """
         place = tuple(_arrays.array("uv", uv, (2,)).tolist())
         wish = _arrays.wish(size, angle, radius, outer, outer_radius)
-        self._ask(lambda to, held: to.add_at(self._patch(held, patch), place, wish))
+        self._ask(lambda to, held: to.add_at(patch_index(held, patch), place, wish))
 
     def size_along(
         self,
@@ -345,7 +355,7 @@ class Model:
         """Ask for a size inside a polygon (n, 2) in the parameters of a patch."""
         corners = _arrays.array("polygon", polygon, (None, 2), 3)
         wish = _arrays.wish(size, angle, radius, outer, outer_radius)
-        self._ask(lambda to, held: to.add_inside(self._patch(held, patch), corners, wish))
+        self._ask(lambda to, held: to.add_inside(patch_index(held, patch), corners, wish))
 
     def size_near(
         self,
@@ -361,8 +371,8 @@ class Model:
         """Ask for a size near a point (3,) or along a polyline (n, 3) in space."""
         line = np.asarray(points)
         line = _arrays.array("points", line[None] if line.ndim == 1 else points, (None, 3), 1)
-        wish = _arrays.wish(size, angle, radius, outer, outer_radius)
-        self._ask(lambda to, held: to.add_near(self._some(held, where), line, wish))
+        wish, here = _arrays.wish(size, angle, radius, outer, outer_radius), places(where)
+        self._ask(lambda to, held: to.add_near(some_patches(held, here), line, wish))
 
     def size_in_box(
         self,
@@ -380,8 +390,8 @@ class Model:
         corners = _arrays.array("box", [list(low), list(high)], (2, 3))
         if not (corners[0] <= corners[1]).all():
             raise InvalidInput(f"the box from {list(low)} to {list(high)} is empty")
-        wish = _arrays.wish(size, angle, radius, outer, outer_radius)
-        self._ask(lambda to, held: to.add_box(self._some(held, where), corners, wish))
+        wish, here = _arrays.wish(size, angle, radius, outer, outer_radius), places(where)
+        self._ask(lambda to, held: to.add_box(some_patches(held, here), corners, wish))
 
     def size_formula(
         self,
@@ -395,8 +405,9 @@ class Model:
         texts = _arrays.names("formula", formula)
         if len(texts) not in (1, 3):
             raise InvalidInput("a size takes one formula, a metric three")
-        self._ask(lambda to, held: to.add_formula(self._patches(held, where), texts,
-                                                  dict(constants or {}), precision))
+        numbers, here = dict(constants or {}), places(where)
+        self._ask(lambda to, held: to.add_formula(patch_indices(held, here), texts, numbers,
+                                                  precision))
 
     def size_function(
         self,
@@ -447,9 +458,8 @@ class Model:
         if not (table[:, 2:4 if width == 5 else 3] > 0).all():
             raise InvalidInput("rows have a size that is not above 0")
         if width == 5:
-            table = table.copy()
             table[:, 4] = np.radians(table[:, 4])
-        self._ask(lambda to, held: to.add_table(self._patch(held, patch), table, False, precision))
+        self._ask(lambda to, held: to.add_table(patch_index(held, patch), table, False, precision))
 
     def metric_table(
         self,
@@ -464,7 +474,7 @@ class Model:
         if bad is not None:
             raise InvalidInput(f"rows[{bad}] has the metric {table[bad, 2:]}, which is not "
                                "positive definite")
-        self._ask(lambda to, held: to.add_table(self._patch(held, patch), table, True, precision))
+        self._ask(lambda to, held: to.add_table(patch_index(held, patch), table, True, precision))
 
     def adapt_to(self, mesh: Mesh, metric: Any, *, precision: Optional[float] = None) -> None:
         """Ask for a metric at the corners of an earlier mesh of this model.
@@ -483,38 +493,54 @@ class Model:
         values = values[corners] if by_vertex else values
         patches = np.repeat(mesh.patch, np.diff(offsets))
         rows = np.column_stack([mesh.uv, values])
+        tables = []
         for patch in np.unique(patches):
             own = (patches == patch) & ~mesh.beyond
             # A vertex has one row for each (u,v) that it has in a patch.
             _, first = np.unique(rows[own, :2], axis=0, return_index=True)
             if len(first):
-                self.metric_table(int(patch), rows[own][np.sort(first)], precision=precision)
+                tables.append((int(patch), rows[own][np.sort(first)]))
+
+        def wish(to: _surfmesh.HeldSources, held: _surfmesh.HeldInput) -> None:
+            for patch, table in tables:
+                to.add_table(patch_index(held, patch), table, True, precision)
+
+        self._ask(wish)
 
     def clear_sizes(self) -> None:
         """Forget all sizes that were asked for here; those of a model file stay."""
         with self._lock:
             self._wishes.clear()
             self._sources = None if self._input is None else _surfmesh.HeldSources()
-            self._tabulations = []
 
     @property
     def tabulations(self) -> List[Tabulation]:
         """How functions of sizes became tables, one for each function and patch."""
-        self._prepared()
-        return list(self._tabulations)
+        return [Tabulation(*entry) for entry in self._prepared()[1].tabulations()]
 
     # Inside.
 
-    def _building(self) -> _surfmesh.Builder:
+    @contextmanager
+    def _adding(self) -> Iterator[_surfmesh.Builder]:
+        """The builder, for this thread alone; the model is made again afterwards."""
         if self._builder is None:
             raise InvalidInput("a model that was read cannot get more patches, only sizes")
-        return self._builder
+        with self._lock:
+            try:
+                yield self._builder
+            finally:  # a function of a surface may have asked for the model meanwhile
+                self._input = self._sources = None
 
     def _ask(self, wish: _Wish) -> None:
-        """Keep a wish; if the model is there already, tell what is wrong with it right away."""
+        """Keep a wish; if the model is there already, tell what is wrong with it right away.
+
+        Nothing of a wish that fails is left.
+        """
         with self._lock:
             if self._input is not None and self._sources is not None:
-                wish(self._sources, self._input)
+                part = _surfmesh.HeldSources()
+                wish(part, self._input)
+                self._sources.append(part)
             self._wishes.append(wish)
 
     def _ask_function(self, function: Function, where: Where, of: str, is_metric: bool,
@@ -526,12 +552,12 @@ class Model:
         what = "the function of the metric" if is_metric else "the function of sizes"
         wrapped = _arrays.batched(function, 3 if is_metric else 1, what)
         checked = (_arrays.positive_definite if is_metric else _arrays.positive)(wrapped, what)
+        here = places(where)
 
         def wish(to: _surfmesh.HeldSources, held: _surfmesh.HeldInput) -> None:
-            for patch in self._patches(held, where):
+            for patch in patch_indices(held, here):
                 result = Tabulation(*to.add_function(held, patch, checked, is_metric, of == "xyz",
                                                      float(precision), int(max_samples)))
-                self._tabulations.append(result)
                 if result.error > precision:
                     warnings.warn(
                         f"{what} changes so fast in patch {held.patch_names()[patch]} that "
@@ -543,58 +569,32 @@ class Model:
 
         self._ask(wish)
 
-    def _prepared(
+    def _built(
         self, settings: Optional[Settings] = None, scheme: Optional[str] = None
     ) -> _surfmesh.HeldInput:
-        """The model as C++ holds it, with sizes in self._sources."""
+        """The model as C++ holds it; as it was made last, if no settings are given."""
         with self._lock:
             if self._builder is None:
                 assert self._input is not None
+                if scheme not in (None, "auto"):
+                    raise InvalidInput(f"scheme = {scheme!r} comes too late for a model that was "
+                                       "read: give it to surfmesh.read")
                 return self._input
-            if settings is None:
-                settings, scheme = self._key if self._key else ([], "auto")
-            key = (settings, scheme)
+            key = self._key if settings is None else (settings, scheme or "auto")
             if self._input is None or key != self._key:
-                self._input = self._builder.build(settings, scheme or "auto")
-                self._key, self._tabulations, self._sources = key, [], None
+                self._input, self._key = self._builder.build(*key), key
+                self._sources = None if self._wishes else _surfmesh.HeldSources()
+            return self._input
+
+    def _prepared(
+        self, settings: Optional[Settings] = None, scheme: Optional[str] = None
+    ) -> Tuple[_surfmesh.HeldInput, _surfmesh.HeldSources]:
+        """The model as C++ holds it, and all sizes that were asked for of just this model."""
+        with self._lock:
+            held = self._built(settings, scheme)
             if self._sources is None:
                 sources = _surfmesh.HeldSources()
                 for wish in self._wishes:
-                    wish(sources, self._input)
+                    wish(sources, held)
                 self._sources = sources
-            return self._input
-
-    @staticmethod
-    def _patch(held: _surfmesh.HeldInput, patch: Union[int, str]) -> int:
-        if isinstance(patch, str):
-            return held.find_patch(patch)
-        count = len(held.patch_names())
-        if isinstance(patch, bool) or not isinstance(patch, (int, np.integer)):
-            raise InvalidInput(f"{patch!r} is no name and no index of a patch")
-        if not 0 <= patch < count:
-            raise InvalidInput(f"there is no patch {patch}; the model has {count}, from 0")
-        return int(patch)
-
-    @classmethod
-    def _patches(cls, held: _surfmesh.HeldInput, where: Where) -> List[int]:
-        """Indices of patches from names of groups and patches."""
-        if where is None:
-            return list(range(len(held.patch_names())))
-        if isinstance(where, (str, int, np.integer)):
-            where = [where]
-        groups = dict(held.groups())
-        found: List[int] = []
-        for entry in where:
-            if isinstance(entry, str) and entry in groups:
-                found += groups[entry]
-            elif isinstance(entry, str) and entry not in held.patch_names():
-                found += held.find_group(entry)  # tells what was probably meant
-            else:
-                found.append(cls._patch(held, entry))
-        return sorted(set(found))
-
-    @classmethod
-    def _some(cls, held: _surfmesh.HeldInput, where: Where) -> List[int]:
-        """As _patches, but none stands for all."""
-        return [] if where is None else cls._patches(held, where)
-
+            return held, self._sources

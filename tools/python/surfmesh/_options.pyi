@@ -61,5 +61,6 @@ class Options(TypedDict, total=False):
     across: Union[bool, str]
     normals: Union[bool, str]
     uv: Union[bool, str]
+    msh: str
     threads: Union[int, str]
     max_elements: Union[int, str]

@@ -40,13 +40,13 @@ def mesh(model: Union[Model, Path], *, scheme: str = "auto", progress: Optional[
     Options are those of the command line, with _ in their names: hmax=0.1, hmax="2%", quads=True.
     `progress(stage, done, total, elements)` is called by this thread; the run ends with Cancelled
     if it returns False, and with what it raises. Ctrl-C ends a run as well. Other threads of Python
-    go on meanwhile. The mesh is the same for any number of threads.
+    go on meanwhile. The mesh is the same for any number of threads. `scheme` is the subdivision of
+    cages; a Model that was read has that of surfmesh.read.
 
     Raises InvalidInput, InvalidOption, GeometryError, LimitError, Cancelled.
     """
-    source, settings, held = _asked(model, scheme, progress, keywords)
-    assert source._sources is not None
-    return Mesh(_surfmesh.mesh(held, source._sources, settings, progress))
+    held, sources, settings = _asked(model, scheme, progress, keywords)
+    return Mesh(_surfmesh.mesh(held, sources, settings, progress))
 
 
 @documented(*_ALL)
@@ -56,9 +56,8 @@ def estimate(model: Union[Model, Path], *, scheme: str = "auto",
 
     Otherwise as surfmesh.mesh.
     """
-    source, settings, held = _asked(model, scheme, progress, keywords)
-    assert source._sources is not None
-    return json.loads(_surfmesh.estimate(held, source._sources, settings, progress))
+    held, sources, settings = _asked(model, scheme, progress, keywords)
+    return json.loads(_surfmesh.estimate(held, sources, settings, progress))
 
 
 def read_mesh(path: Path) -> Mesh:
@@ -75,13 +74,12 @@ def check(mesh: Union[Mesh, Path], model: Union[None, Model, Path] = None, *,
     mesh is a Mesh or a file, which is checked exactly as it stands there. The result is that of
     `surfmesh check --json`: `clean`, `faults`, `counts`, `angles`, ..., with a model `fit`.
     """
-    if model is None:
-        if keywords:
-            raise InvalidInput(f"{next(iter(keywords))} needs a model")
-        held, sources, settings = None, _surfmesh.HeldSources(), []
-    else:
-        source, settings, held = _asked(model, scheme, progress, keywords)
-        sources = source._sources
+    held: Optional[_surfmesh.HeldInput] = None
+    sources, settings = _surfmesh.HeldSources(), []
+    if model is not None:
+        held, sources, settings = _asked(model, scheme, progress, keywords)
+    elif keywords or scheme != "auto":
+        raise InvalidInput(f"{next(iter(keywords), 'scheme')} needs a model")
     if isinstance(mesh, Mesh):
         return json.loads(_surfmesh.check_held(mesh._held, held, sources, settings, progress))
     return json.loads(_surfmesh.check_file(os.fspath(mesh), held, sources, settings, progress))
@@ -89,13 +87,14 @@ def check(mesh: Union[Mesh, Path], model: Union[None, Model, Path] = None, *,
 
 def _asked(
     model: Union[Model, Path], scheme: str, progress: Optional[Progress], keywords: Dict[str, Any]
-) -> Tuple[Model, Settings, _surfmesh.HeldInput]:
-    """The model, read or built, and all settings for it."""
+) -> Tuple[_surfmesh.HeldInput, _surfmesh.HeldSources, Settings]:
+    """The model, read or built, the sizes that it asks for, and all settings for it."""
     if isinstance(model, Model):
         settings = model._settings + settings_of(keywords)
         of_model = {option.name for option in options() if option.group == "model"}
-        return model, settings, model._prepared([s for s in settings if s[0] in of_model], scheme)
+        known = [setting for setting in settings if setting[0] in of_model]
+        return (*model._prepared(known, scheme), settings)
     if not isinstance(model, (str, os.PathLike)):
         raise InvalidInput(f"{model!r} is no model and no path")
     source = read(model, scheme=scheme, progress=progress, **keywords)
-    return source, source._settings, source._prepared()
+    return (*source._prepared(), source._settings)
