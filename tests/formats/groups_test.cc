@@ -160,7 +160,9 @@ TEST_P(GroupsOfGrids, AreReadBackWithTheNamesOfPatches) {
   const auto& given = mesh.property(require(mesh, keys::face_patch)).data_vector();
   EXPECT_EQ(std::count(patches.begin(), patches.end(), 1),
             std::count(given.begin(), given.end(), 1));
-  if (GetParam() != ".vtu") EXPECT_EQ(file.names.contours, names.contours);
+  if (GetParam() != ".vtu") {
+    EXPECT_EQ(file.names.contours, names.contours);
+  }
 }
 
 /// A patch without faces keeps its number; faces of no patch stay so, but for .msh, where all are
@@ -194,7 +196,7 @@ TEST(GroupsInVtu, HaveNoGreatNumbers) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, GroupsOfGrids, testing::Values(".vtu", ".msh", ".mesh"),
-                         [](const auto& info) { return info.param.substr(1); });
+                         [](const auto& format) { return format.param.substr(1); });
 
 TEST(GroupsInPly, StandInShortLines) {
   const TestFolder folder;

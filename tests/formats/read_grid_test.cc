@@ -230,12 +230,13 @@ std::string binary_medit(std::endian order, int version, bool has_values) {
     bytes.add(static_cast<Place>(bytes.size() + sizeof(Place) + size));
   };
   bytes.all<std::int32_t>(1, version);
-  keyword(3, sizeof(Integer));
-  bytes.add(Integer{3});
+  keyword(3, sizeof(std::int32_t));
+  bytes.add(std::int32_t{3});
   const std::size_t i = sizeof(Integer), n = sizeof(Number);
   if (has_values) {
-    keyword(62, 3 * i + 3 * n);
-    bytes.template all<Integer>(3, 1, 1).template all<Number>(0.5, 0.25, 2);
+    // Kinds of values have four bytes in all versions.
+    keyword(62, i + 2 * sizeof(std::int32_t) + 3 * n);
+    bytes.add(Integer{3}).template all<std::int32_t>(1, 1).template all<Number>(0.5, 0.25, 2);
   } else {
     keyword(4, i + 3 * (3 * n + i));
     bytes.add(Integer{3});

@@ -167,7 +167,8 @@ TEST(ReadMesh, TellsBadFiles) {
             "invalid input: a.vtk: .vtk files are only written; what is read is .obj, .off, .ply, "
             ".stl, .vtu, .msh, .mesh, .meshb or .om");
   EXPECT_EQ(error("a.vtp", ""),
-            "invalid input: a.vtp: the ending of a mesh to read is .obj, .off, .ply, .stl or .om");
+            "invalid input: a.vtp: the ending of a mesh to read is .obj, .off, .ply, .stl, .vtu, "
+            ".msh, .mesh, .meshb or .om");
   EXPECT_EQ(error_of([&] { read_mesh("none.ply"); }),
             "io: cannot read none.ply: it does not exist");
   std::filesystem::create_directory(folder / "b.stl");
