@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "mesh_command.hh"
+#include "read_model.hh"
 #include "standard_output.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/formats/mesh_endings.hh"
 #include "surfmesh/formats/read_mesh.hh"
 #include "surfmesh/pipeline/check_mesh.hh"
-#include "surfmesh/pipeline/set_option.hh"
 
 namespace surfmesh {
 namespace {
@@ -30,13 +30,6 @@ constexpr const char* kFooter =
     "Judged by the metric of an .om file; else, or with sizes, by that of a run; distance by "
     "--sag.\n"
     "Example:\n  surfmesh check knob.om --model knob.obj --json\n";
-
-ModelInput read_model_with(const std::string& path, Scheme scheme, const Settings& settings,
-                           Progress& progress) {
-  ModelInput input = load_model(path, load_options(scheme, settings), &progress);
-  for (const auto& [name, value] : settings) set_option(input.options, name, value);
-  return input;
-}
 
 /// Sizes asked for on the command line judge a mesh; otherwise those that it was made by do. A sag
 /// is a distance, no size.
@@ -76,8 +69,7 @@ MeshCheck CheckCommand::measure(Progress& progress) const {
   Settings settings = named_;
   settings.insert(settings.end(), set_.begin(), set_.end());
   progress.progress("read", 0, 1);
-  if (!model_.empty()) input = read_model_with(model_, scheme_, settings, progress);
-  throw_if_signalled();
+  if (!model_.empty()) input = read_model(model_, scheme_, settings, progress).input;
   progress.progress("check", 0, 1);
   MeshCheck check = check_mesh(read_mesh_arrays(mesh_), &progress);
   check.mesh = mesh_;

@@ -10,12 +10,9 @@
 #include "output_paths.hh"
 #include "outputs.hh"
 #include "progress.hh"
+#include "read_model.hh"
 #include "standard_output.hh"
-#include "surfmesh/core/parallel.hh"
 #include "surfmesh/formats/mesh_endings.hh"
-#include "surfmesh/pipeline/control_spaces.hh"
-#include "surfmesh/pipeline/load_model.hh"
-#include "surfmesh/pipeline/set_option.hh"
 #include "surfmesh/pipeline/write_control.hh"
 
 namespace surfmesh {
@@ -80,18 +77,9 @@ int ControlCommand::write_control_meshes(Progress& progress) const {
   check_not_overwritten(std::array{std::filesystem::path(input_)}, output_);
   Settings settings = named_;
   settings.insert(settings.end(), set_.begin(), set_.end());
-  progress.progress("read", 0, 1);
-  ModelInput input = load_model(input_, load_options(scheme_, settings), &progress);
+  const ModelInput input = read_model(input_, scheme_, settings, progress).input;
   check_not_overwritten(input.files, output_);
-  for (const auto& [name, value] : settings) set_option(input.options, name, value);
-  ControlSpaces control;
-  with_threads(input.options.threads, [&] {
-    at_input(input_, [&] {
-      control = make_control_spaces(input.model, input.sources,
-                                    resolve(input.options.sizing, input.model),
-                                    input.options.control, RunContext(&progress));
-    });
-  });
+  const ControlSpaces control = make_control_spaces(input_, input, progress);
   const std::vector<ControlPicture> pictures = pictures_of(input.model, control);
   Notices notices = input.model.notices;
   append(control.notices, notices);

@@ -13,14 +13,12 @@
 #include "output_paths.hh"
 #include "outputs.hh"
 #include "progress.hh"
+#include "read_model.hh"
 #include "standard_output.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/formats/write_mesh.hh"
-#include "surfmesh/pipeline/given_options.hh"
-#include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
-#include "surfmesh/pipeline/set_option.hh"
 
 namespace surfmesh {
 namespace {
@@ -51,43 +49,34 @@ int status_of(const Report& report) { return has_shortfall(report.notices) ? kFe
 /// One run of the command, with the clocks of reading and writing.
 class MeshRun {
  public:
-  MeshRun(const LoadOptions& load_options, const Settings& settings)
-      : load_options_(load_options), settings_(settings) {}
-
-  void read(const std::string& path, Progress& progress) {
+  void read(const std::string& path, Scheme scheme, const Settings& settings, Progress& progress) {
     const double start = processor_seconds();
-    progress.progress("read", 0, 1);
-    input_ = load_model(path, load_options_, &progress);
-    given_ = options_of_file(input_.options, input_.model);
-    for (const auto& [name, value] : settings_) {
-      set_option(input_.options, name, value);
-      add_given({name, value, OptionOrigin::CommandLine}, given_);
-    }
-    if (input_.options.sizing.sag) progress.expect_passes();
+    model_ = read_model(path, scheme, settings, progress);
+    if (model_.input.options.sizing.sag) progress.expect_passes();
     read_seconds_ = processor_seconds() - start;
-    throw_if_signalled();
   }
 
   /// Throws   Io where a mesh or a report would replace a file that was read
   void check_outputs(const std::string& mesh_path, const std::string& report_path) const {
     for (const std::string& path : {mesh_path, report_path}) {
-      if (!path.empty()) check_not_overwritten(input_.files, path);
+      if (!path.empty()) check_not_overwritten(model_.input.files, path);
     }
   }
 
   /// Made where it is returned to: a mesh cannot be moved, and a copy takes time.
   MeshResult mesh(const std::string& path, Progress& progress) const {
+    const ModelInput& input = model_.input;
     MeshResult result = at_input(
-        path, [&] { return mesh_model(input_.model, input_.sources, input_.options, &progress); });
+        path, [&] { return mesh_model(input.model, input.sources, input.options, &progress); });
     describe(path, result.report);
     throw_if_signalled();
     return result;
   }
 
   Report estimate(const std::string& path, Progress& progress) const {
-    Report report = at_input(path, [&] {
-      return estimate_mesh(input_.model, input_.sources, input_.options, &progress);
-    });
+    const ModelInput& input = model_.input;
+    Report report = at_input(
+        path, [&] { return estimate_mesh(input.model, input.sources, input.options, &progress); });
     describe(path, report);
     throw_if_signalled();
     return report;
@@ -117,7 +106,7 @@ class MeshRun {
     write_mesh(result, mesh_file);
     mesh_file.finish();
     if (const auto beside = companion_of(result.mesh, mesh_path)) {
-      check_not_overwritten(input_.files, *beside);
+      check_not_overwritten(model_.input.files, *beside);
       OutputFile& companion = outputs.add(*beside);
       write_companion(result.mesh, mesh_path, companion);
       companion.finish();
@@ -143,8 +132,8 @@ class MeshRun {
   /// What the run was asked for.
   void describe(const std::string& path, Report& report) const {
     report.input = path;
-    report.files = input_.files;
-    report.given = given_;
+    report.files = model_.input.files;
+    report.given = model_.given;
     report.seconds[Stage::Read] = read_seconds_;
   }
 
@@ -153,10 +142,7 @@ class MeshRun {
   }
 
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  LoadOptions load_options_;
-  const Settings& settings_;
-  ModelInput input_;
-  std::vector<GivenOption> given_;
+  ReadModel model_;
   double read_seconds_ = 0;
 };
 
@@ -234,8 +220,8 @@ int MeshCommand::run() const {
   try {
     const std::string output = is_dry_run_ ? std::string() : output_;
     check_paths(input_, output, report_);
-    MeshRun run(load_options(scheme_, settings), settings);
-    run.read(input_, progress);
+    MeshRun run;
+    run.read(input_, scheme_, settings, progress);
     run.check_outputs(output, report_);
     if (is_dry_run_) {
       Report report = run.estimate(input_, progress);

@@ -245,9 +245,10 @@ void PictureCommand::add_view(CLI::App& command) {
       command.add_option("--up", up_, "axis that is upwards: x, y or z (z)")
           ->check(quiet(CLI::IsMember({"x", "y", "z"})))
           ->type_name("AXIS"),
-      command.add_flag("--perspective", is_perspective_, "rays that meet in the eye, not parallel"),
-      number("--zoom", zoom_, "larger by so much than what fills the picture (1)",
-             1 / kGreatestZoom, kGreatestZoom),
+      command.add_flag("--perspective", is_perspective_,
+                       "perspective instead of parallel projection"),
+      number("--zoom", zoom_, "magnification; 1 fits the picture", 1 / kGreatestZoom,
+             kGreatestZoom),
       command.add_option("--look-at", look_at_, "point in the middle of the picture: X,Y,Z")
           ->delimiter(',')
           ->expected(3)
@@ -268,13 +269,17 @@ void PictureCommand::add_style(CLI::App& command) {
   add_switch(command, "--edges", edges_, "sides of all faces (on)");
   add_switch(command, "--contours", contours_, "borders, creases and lines between patches (on)");
   add_switch(command, "--key", key_, "what the colours mean, to the right (on)");
-  command.add_option("--line-width", line_width_, "of edges, pixels (by the size)")
+  command
+      .add_option("--line-width", line_width_,
+                  "edge width in pixels (default: scales with the picture)")
       ->check(quiet(CLI::Range(0.0, kGreatestWidth)))
       ->type_name("X");
-  command.add_option("--contour-width", contour_width_, "of contours, pixels (by the size)")
+  command
+      .add_option("--contour-width", contour_width_,
+                  "contour width in pixels (default: scales with the picture)")
       ->check(quiet(CLI::Range(0.0, kGreatestWidth)))
       ->type_name("X");
-  command.add_option("--background", background_, "white, or none, which lets through (white)")
+  command.add_option("--background", background_, "white, or none for transparent (white)")
       ->check(quiet(CLI::IsMember({"white", "none"})))
       ->type_name("COLOUR");
 }

@@ -28,6 +28,17 @@ inline constexpr std::array kControlStages = {
     StageWeight{"control", 0.85},
     StageWeight{"write", 0.10},
 };
+inline constexpr std::array kViewModelStages = {
+    StageWeight{"read", 0.02},    StageWeight{"control", 0.25},  StageWeight{"boundary", 0.03},
+    StageWeight{"mesh", 0.40},    StageWeight{"assemble", 0.05}, StageWeight{"across", 0.05},
+    StageWeight{"compare", 0.10}, StageWeight{"write", 0.10},
+};
+inline constexpr std::array kViewMeshStages = {
+    StageWeight{"read", 0.20},
+    StageWeight{"control", 0.30},
+    StageWeight{"compare", 0.30},
+    StageWeight{"write", 0.20},
+};
 inline constexpr std::array kCheckStages = {
     StageWeight{"read", 0.10},
     StageWeight{"check", 0.30},

@@ -3,30 +3,29 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
-#include <system_error>
+#include <optional>
+#include <span>
 
 #include "mesh_command.hh"
 #include "output_paths.hh"
 #include "outputs.hh"
+#include "read_model.hh"
 #include "standard_output.hh"
-#include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/formats/mesh_endings.hh"
 #include "surfmesh/formats/read_mesh.hh"
 #include "surfmesh/io/input_file.hh"
 #include "surfmesh/model/cad_input.hh"
-#include "surfmesh/pipeline/control_spaces.hh"
-#include "surfmesh/pipeline/given_options.hh"
-#include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
-#include "surfmesh/pipeline/set_option.hh"
 #include "surfmesh/quality/project_mesh.hh"
 #include "surfmesh/quality/sag.hh"
 #include "surfmesh/quality/statistics.hh"
 #include "surfmesh/quality/surface_search.hh"
 #include "view/page.hh"
+#include "view/page_mesh.hh"
 #include "view/viewer_script.hh"
 
 namespace surfmesh {
@@ -44,40 +43,28 @@ constexpr const char* kFooter =
     "  surfmesh view part.om --model part.step -o part.html   with names, sag and control meshes\n"
     "  surfmesh view knob.obj --hmax 5% -o knob.html          mesh a cage and show the mesh\n";
 
-/// A model with the options and the notices of the page.
-struct ViewedModel {
-  ModelInput input = {};
-  std::vector<GivenOption> given = {};
-  Notices notices = {};  ///< of the model, and of its control spaces
-  ControlSpaces control = {};
-};
-
-/// Read a model and make its control spaces.
-ViewedModel read_viewed_model(const std::string& path, Scheme scheme, const Settings& settings,
-                              Progress& progress) {
-  ViewedModel viewed{.input = load_model(path, load_options(scheme, settings), &progress)};
-  ModelInput& input = viewed.input;
-  viewed.given = options_of_file(input.options, input.model);
-  for (const auto& [name, value] : settings) {
-    set_option(input.options, name, value);
-    add_given({name, value, OptionOrigin::CommandLine}, viewed.given);
+/// The option as it was given, if it is one of meshing: a mesh that is there already is as it is.
+/// The number of threads is that of the whole command.
+std::optional<std::string> option_of_meshing(const Settings& named, const Settings& set) {
+  const auto is_of_meshing = [](const auto& setting) {
+    return find_option(setting.first).group == OptionGroup::Meshing &&
+           setting.first != ranges::kThreads.name;
+  };
+  const auto by_flag = std::find_if(named.begin(), named.end(), is_of_meshing);
+  if (by_flag != named.end()) {
+    std::string flag = by_flag->first;
+    std::replace(flag.begin(), flag.end(), '_', '-');
+    return fmt::format("--{}", flag);
   }
-  with_threads(input.options.threads, [&] {
-    at_input(path, [&] {
-      viewed.control = make_control_spaces(input.model, input.sources,
-                                           resolve(input.options.sizing, input.model),
-                                           input.options.control, RunContext(&progress));
-    });
-  });
-  viewed.notices = input.model.notices;
-  append(viewed.control.notices, viewed.notices);
-  throw_if_signalled();
-  return viewed;
+  const auto by_set = std::find_if(set.begin(), set.end(), is_of_meshing);
+  if (by_set != set.end()) return fmt::format("--set {}", by_set->first);
+  return std::nullopt;
 }
 
 /// The distance from the surface, where the mesh does not have it from its run.
 void add_sag(PolyMesh& mesh, const Model& model, Progress& progress) {
   if (find(mesh, keys::face_sag).is_valid()) return;
+  progress.progress("compare", 0, 1);
   const std::vector<double> sag = estimate_sag(mesh, model, RunContext(&progress));
   mesh.property(attach(mesh, keys::face_sag)).data_vector() = sag;
 }
@@ -94,27 +81,6 @@ void check_patches(const PolyMesh& mesh, const Model& model, const std::string& 
                 fmt::format("{} is no mesh of {}: face {} is on patch {}, and the model has {}",
                             mesh_path, model_path, fh.idx(), patch, model.patches.size()));
   }
-}
-
-/// Write the page and tell what it is. Returns the exit status.
-int finish_page(const PageContents& contents, const std::string& script, const std::string& path,
-                bool is_quiet, Progress& progress) {
-  int status = has_shortfall(contents.notices) ? kFellShort : kDone;
-  Outputs outputs;
-  write_page(contents, script, outputs.add(path));
-  outputs.commit(status);
-  progress.clear();
-  std::error_code ignored;
-  const auto size = static_cast<double>(std::filesystem::file_size(path, ignored));
-  constexpr double megabyte = 1e6;
-  if (!is_quiet) {
-    status = print_summary(
-        fmt::format("{}: {} vertices, {} faces, {:.1f} MB\n", path, contents.mesh.n_vertices(),
-                    contents.mesh.n_faces(), size / megabyte),
-        status);
-  }
-  print_notices(contents.notices);
-  return status;
 }
 
 }  // namespace
@@ -141,6 +107,7 @@ void ViewCommand::add_files(CLI::App& command) {
       ->type_name("FILE");
   command.add_flag("--mesh", is_meshed_, "mesh an .obj or .off file, which is a cage then");
   command.add_flag("--quiet", is_quiet_, "print warnings and errors only");
+  add_verbose(command, is_verbose_, "print every warning");
   command.parse_complete_callback([this] { check_usage(); });
 }
 
@@ -167,6 +134,9 @@ void ViewCommand::check_usage() const {
   if (is_model() && !model_.empty()) {
     throw CLI::ValidationError(fmt::format("--model: {} is a model itself", input_));
   }
+  if (const auto option = option_of_meshing(named_, set_); option && !model_.empty()) {
+    throw CLI::ValidationError(fmt::format("{}: a mesh with its --model is not meshed", *option));
+  }
   if (!is_model() && model_.empty() && asks_for_meshing()) {
     throw CLI::ValidationError(
         fmt::format("{} is a mesh, which is shown as it is: options of meshing are for models, or "
@@ -186,52 +156,80 @@ void ViewCommand::tell_choice() const {
                          input_));
 }
 
+/// Write the page and tell what it is. Returns the exit status.
+int ViewCommand::finish(const PageContents& contents, const std::string& script,
+                        Progress& progress) const {
+  int status = has_shortfall(contents.notices) ? kFellShort : kDone;
+  progress.progress("write", 0, 1);
+  Outputs outputs;
+  const auto bytes = static_cast<double>(write_page(contents, script, outputs.add(output_)));
+  outputs.commit(status);
+  progress.clear();
+  constexpr double megabyte = 1e6;
+  if (!is_quiet_) {
+    status = print_summary(
+        fmt::format("{}: {} vertices, {} faces, {:.1f} MB\n", output_, contents.mesh.n_vertices(),
+                    contents.mesh.n_faces(), bytes / megabyte),
+        status);
+  }
+  print_notices(contents.notices, is_verbose_);
+  return status;
+}
+
 int ViewCommand::view_model(const std::string& script, Progress& progress) const {
-  ViewedModel viewed = read_viewed_model(input_, scheme_, settings(), progress);
-  ModelInput& input = viewed.input;
+  const auto [input, given] = read_model(input_, scheme_, settings(), progress);
   check_not_overwritten(input.files, output_);
+  if (input.options.sizing.sag) progress.expect_passes();
+  const ControlSpaces control = make_control_spaces(input_, input, progress);
   MeshResult result = at_input(
       input_, [&] { return mesh_model(input.model, input.sources, input.options, &progress); });
   result.report.input = input_;
   result.report.files = input.files;
-  result.report.given = viewed.given;
+  result.report.given = given;
   throw_if_signalled();
   add_sag(result.mesh, input.model, progress);
-  return finish_page({.title = std::filesystem::path(input_).filename().string(),
-                      .model = input_,
-                      .mesh = result.mesh,
-                      .names = result.names,
-                      .notices = result.report.notices,
-                      .report = &result.report,
-                      .control = &viewed.control},
-                     script, output_, is_quiet_, progress);
+  return finish({.title = std::filesystem::path(input_).filename().string(),
+                 .model = input_,
+                 .mesh = result.mesh,
+                 .names = result.names,
+                 .notices = result.report.notices,
+                 .report = &result.report,
+                 .control = &control},
+                script, progress);
 }
 
 int ViewCommand::view_mesh(const std::string& script, Progress& progress) const {
   check_mesh_ending(input_);
+  progress.progress("read", 0, 1);
   MeshFile file = read_mesh(input_);
-  ViewedModel viewed;
-  if (!model_.empty()) {
-    viewed = read_viewed_model(model_, scheme_, settings(), progress);
-    check_not_overwritten(viewed.input.files, output_);
-    const Model& model = viewed.input.model;
+  throw_if_signalled();
+  ControlSpaces control;
+  if (model_.empty()) {
+    at_input(input_, [&] { check_patch_numbers(file.mesh, file.names); });
+  } else {
+    const ModelInput input = read_model(model_, scheme_, settings(), progress).input;
+    check_not_overwritten(input.files, output_);
+    control = make_control_spaces(model_, input, progress);
+    const Model& model = input.model;
     if (has_parameters(file.mesh)) {
       check_patches(file.mesh, model, input_, model_);
     } else {
+      progress.progress("compare", 0, 1);
       project_mesh(file.mesh, file.names.patches, model, SurfaceSearch(model),
                    RunContext(&progress));
     }
     file.names = mesh_names(model);
     add_sag(file.mesh, model, progress);
-    append(viewed.notices, file.notices);
+    append(model.notices, file.notices);
+    append(control.notices, file.notices);
   }
-  return finish_page({.title = std::filesystem::path(input_).filename().string(),
-                      .model = model_,
-                      .mesh = file.mesh,
-                      .names = file.names,
-                      .notices = file.notices,
-                      .control = model_.empty() ? nullptr : &viewed.control},
-                     script, output_, is_quiet_, progress);
+  return finish({.title = std::filesystem::path(input_).filename().string(),
+                 .model = model_,
+                 .mesh = file.mesh,
+                 .names = file.names,
+                 .notices = file.notices,
+                 .control = model_.empty() ? nullptr : &control},
+                script, progress);
 }
 
 int ViewCommand::view(Progress& progress) const {
@@ -250,7 +248,8 @@ int ViewCommand::view(Progress& progress) const {
 
 int ViewCommand::run() const {
   catch_signals();
-  Progress progress(!is_quiet_ && is_terminal());
+  Progress progress(!is_quiet_ && is_terminal(),
+                    is_model() ? std::span<const StageWeight>(kViewModelStages) : kViewMeshStages);
   try {
     return view(progress);
   } catch (const std::exception& error) {

@@ -9,6 +9,8 @@
 
 namespace surfmesh {
 
+struct PageContents;
+
 /// `surfmesh view`: write a page that shows a mesh in a browser.
 class ViewCommand {
  public:
@@ -28,6 +30,7 @@ class ViewCommand {
 
   int view(Progress& progress) const;
   int view_model(const std::string& script, Progress& progress) const;
+  int finish(const PageContents& contents, const std::string& script, Progress& progress) const;
   int view_mesh(const std::string& script, Progress& progress) const;
 
   std::string input_;
@@ -38,6 +41,7 @@ class ViewCommand {
   Scheme scheme_ = Scheme::Auto;
   bool is_meshed_ = false;  ///< an .obj or .off file is a cage
   bool is_quiet_ = false;
+  bool is_verbose_ = false;
 };
 
 }  // namespace surfmesh

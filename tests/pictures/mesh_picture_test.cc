@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <numbers>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 #include "pictures/scenes.hh"
 #include "support/errors.hh"
@@ -206,6 +208,26 @@ TEST(DrawMesh, ShowsThePlaneOfAPatch) {
   }
   EXPECT_EQ(svg.find("times as wide"), svg.npos);
   EXPECT_EQ(PngPixels(png(mesh, options)).width(), 900U);
+}
+
+TEST(DrawMesh, TellsTheLeastSizeOfAPlane) {
+  const PolyMesh mesh = testing::plane_grid(4, 4);
+  PictureOptions options;
+  options.plane = 0;
+  options.has_ellipses = true;
+  std::tie(options.width, options.height) = std::pair(24, 24);
+  // 27 pixels at the left and 16.2 below are for numbers, and 2 % on each side is free.
+  EXPECT_EQ(error_of([&] { png(mesh, options); }),
+            "invalid option: a picture of 24x24 pixels has no room for the plane of a patch beside "
+            "the numbers and the key: it takes at least 45x34");
+  std::tie(options.width, options.height) = std::pair(45, 34);
+  EXPECT_EQ(PngPixels(png(mesh, options)).width(), 45U);
+  options.colour = MeshField::Shape;  // has a key
+  EXPECT_TRUE(error_of([&] { png(mesh, options); }).ends_with("at least 89x34"));
+  std::tie(options.width, options.height) = std::pair(89, 34);
+  EXPECT_EQ(PngPixels(png(mesh, options)).width(), 89U);
+  options.width = 88;
+  EXPECT_TRUE(error_of([&] { png(mesh, options); }).ends_with("at least 89x34"));
 }
 
 TEST(DrawMesh, TellsThatEllipsesAreLargerThanTheMetricAsks) {

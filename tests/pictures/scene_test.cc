@@ -78,6 +78,24 @@ TEST(SceneInSpace, ZoomsAndLooksAtAPoint) {
   EXPECT_NEAR(scene.points[1].x, 250, 1e-9);
 }
 
+TEST(SceneInSpace, LooksOnlyAtPointsInFrontOfTheEye) {
+  SpaceView view = seen_from(-90, 0);
+  view.camera.lens = Lens::Perspective;
+  const double eye = -4 * std::sqrt(3.0);  // on the y axis
+  for (const double y : {eye, 1.001 * eye, 2 * eye, -1e300}) {
+    view.look_at = Vec3(0.5, y, 0);
+    SCOPED_TRACE(y);
+    EXPECT_TRUE(error_of([&] {
+                  scene_of(cube(), white(cube()), view);
+                }).starts_with("invalid option: the point to look at (0.5, "));
+    view.camera.lens = Lens::Parallel;
+    EXPECT_NO_THROW(scene_of(cube(), white(cube()), view));
+    view.camera.lens = Lens::Perspective;
+  }
+  view.look_at = Vec3(0, 0.99 * eye, 0);
+  EXPECT_NEAR(scene_of(cube(), white(cube()), view).points[0].x, 0, 1e-9);
+}
+
 TEST(SceneInSpace, FitsTheFacesThatAreAskedFor) {
   const PolyMesh grid = testing::plane_grid(10, 10);
   SpaceView view = seen_from(-90, 90);

@@ -52,6 +52,13 @@ TEST(Svg, WritesTextThatMayHoldAnySign) {
   EXPECT_NE(svg.text().find("text-anchor=\"middle\">a &lt; b &amp; c</text>"), std::string::npos);
 }
 
+TEST(Svg, IsXmlWhateverTextHolds) {
+  Svg svg(10, 10);
+  svg.add_text({1, 2}, "caf\xE9\x02<", 8);
+  EXPECT_NE(svg.text().find(">caf\xEF\xBF\xBD\xEF\xBF\xBD&lt;</text>"), std::string::npos)
+      << svg.text();
+}
+
 TEST(Svg, MayHaveNoBackground) {
   EXPECT_EQ(Svg(10, 10, "none").text().find("<rect"), std::string::npos);
 }

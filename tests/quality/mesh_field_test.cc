@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "support/errors.hh"
 #include "surfmesh/core/properties.hh"
@@ -70,6 +71,19 @@ TEST(MeshField, GivesPatchesTheirFirstGroup) {
   EXPECT_EQ(measure_field(mesh, names, MeshField::Patch), (std::vector<double>{0, 0, 1}));
   const std::vector<double> groups = measure_field(mesh, names, MeshField::Group);
   EXPECT_TRUE(std::isnan(groups[0]));
+  EXPECT_EQ(groups[2], 0);
+}
+
+TEST(MeshField, GivesGroupsToPatchesOfAnyNumber) {
+  PolyMesh mesh = plane_mesh(1);
+  const int large = std::numeric_limits<int>::max();
+  const auto patch_of = require(mesh, keys::face_patch);
+  mesh.property(patch_of, FaceHandle(0)) = large;
+  mesh.property(patch_of, FaceHandle(1)) = -1;
+  const MeshNames names = {{}, {{"one", {1, -7}}, {"two", {large}}}};
+  const std::vector<double> groups = measure_field(mesh, names, MeshField::Group);
+  EXPECT_EQ(groups[0], 1);
+  EXPECT_TRUE(std::isnan(groups[1]));
   EXPECT_EQ(groups[2], 0);
 }
 

@@ -80,6 +80,7 @@ TEST_F(PictureProgram, ShowsThePlaneOfAPatch) {
   EXPECT_NE(read("a.svg").find("#b2182b"), std::string::npos) << "an ellipse";
   EXPECT_EQ(run("picture wave.om -o b.svg --plane 0 --ellipses"), 0) << err_;
   EXPECT_EQ(read("a.svg"), read("b.svg"));
+  expect_fault("wave.om -o c.svg --plane wave --ellipses --size 24x24", "it takes at least 45x34");
   expect_fault("wave.om -o c.svg --plane wavy", "there is no patch wavy, did you mean wave?");
   expect_fault("wave.om -o c.svg --plane 1", "there is no patch 1: there is wave");
   expect_fault("wave.om -o c.svg --plane -1", "there is no patch -1");
@@ -101,6 +102,8 @@ TEST_F(PictureProgram, LooksFromEverywhere) {
                "there is no patch or group gripp, did you mean grip");
   expect_fault("knob.om -o b.svg --elevation 91", "--elevation", 2);
   expect_fault("knob.om -o b.svg --zoom 0", "--zoom", 2);
+  expect_fault("knob.om -o b.svg --perspective --azimuth 0 --look-at 1e6,0,1e6",
+               "the point to look at (1e+06, 0, 1e+06) is not in front of the eye");
   expect_fault("knob.om -o b.svg --look-at 1,2", "--look-at", 2);
 }
 

@@ -11,7 +11,8 @@ namespace {
 TEST(RunShare, WeighsStagesOfWhichTheSumIsOne) {
   for (const std::span<const StageWeight> stages :
        {std::span<const StageWeight>(kMeshStages), std::span<const StageWeight>(kControlStages),
-        std::span<const StageWeight>(kCheckStages)}) {
+        std::span<const StageWeight>(kCheckStages), std::span<const StageWeight>(kViewModelStages),
+        std::span<const StageWeight>(kViewMeshStages)}) {
     double sum = 0;
     for (const StageWeight& stage : stages) sum += stage.weight;
     EXPECT_NEAR(sum, 1, 1e-12) << stages.back().stage;

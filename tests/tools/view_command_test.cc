@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/program.hh"
+#include "support/pseudo_terminal.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/formats/write_mesh.hh"
@@ -16,6 +17,8 @@ namespace surfmesh {
 namespace {
 
 using Json = nlohmann::json;
+using testing::PseudoTerminal;
+using testing::shown_lines;
 
 /// A model of ours as a word of a command line.
 std::string quoted_model(const std::string& name) {
@@ -224,6 +227,118 @@ TEST_F(ViewProgram, ShowsPatchesWithoutNames) {
   EXPECT_EQ(all.at("patches").at(2).at("name"), "");
 }
 
+TEST_F(ViewProgram, RefusesPatchNumbersThatNoMeshHas) {
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+      "property int patch\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 ";
+  write_text(folder_ / "m.ply", head + "300000000\n");
+  EXPECT_EQ(view("m.ply -o p.html"), 1);
+  EXPECT_EQ(err_,
+            "surfmesh: error: m.ply: face 0 is on patch 300000000: a page has no patch of a number "
+            "above 99999\n");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "p.html"));
+  // A picture needs no room for numbers.
+  for (const char* options : {"", " --colour patch", " --fit 300000000"}) {
+    EXPECT_EQ(
+        shell(std::string("ulimit -v 2000000; a/bin/surfmesh picture m.ply -o p.svg") + options), 0)
+        << options << err_;
+  }
+  write_text(folder_ / "m.ply", head + "99999\n");
+  EXPECT_EQ(view("m.ply -o p.html"), 0) << err_;
+  EXPECT_EQ(facts().at("patches").size(), 100'000u);
+}
+
+TEST_F(ViewProgram, HasTheLinesOfPictures) {
+  // Two squares without patches that meet at a right angle: the fold is a line like the borders.
+  write_text(folder_ / "m.off",
+             "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0 1\n1 1 1\n4 0 1 2 3\n4 1 4 5 2\n");
+  EXPECT_EQ(view("m.off -o p.html"), 0) << err_;
+  EXPECT_EQ(count_of("lines"), 2u * 7);
+  EXPECT_FALSE(facts().at("arrays").contains("line_contour"));
+  // Where a mesh knows its contours, its other borders are lines, too.
+  PolyMesh mesh;
+  const auto a = mesh.add_vertex({0, 0, 0}), b = mesh.add_vertex({1, 0, 0}),
+             c = mesh.add_vertex({0, 1, 0}), d = mesh.add_vertex({1, 1, 0});
+  mesh.add_face(a, b, c);
+  mesh.add_face(b, d, c);
+  const auto contour_of = attach(mesh, keys::edge_contour, -1);
+  mesh.property(contour_of, EdgeHandle(0)) = 3;
+  write_mesh(mesh, folder_ / "m.om");
+  EXPECT_EQ(view("m.om -o p.html"), 0) << err_;
+  EXPECT_EQ(count_of("lines"), 2u * 4);
+  EXPECT_EQ(count_of("line_contour"), 4u);
+}
+
+TEST_F(ViewProgram, CountsWhatItWritesToAPipe) {
+  write_text(folder_ / "m.obj", kTwoTriangles);
+  EXPECT_EQ(
+      shell("{ mkfifo p.html; cat p.html >seen & a/bin/surfmesh view m.obj -o p.html; wait; }"), 0);
+  EXPECT_EQ(out_, "p.html: 4 vertices, 2 faces, 0.0 MB\n");
+  EXPECT_TRUE(page("seen").ends_with("</html>\n"));
+  // The size is that of the file.
+  write_text(folder_ / "a/share/surfmesh/viewer.js", std::string(2'000'000, ' '));
+  EXPECT_EQ(view("m.obj -o q.html"), 0) << err_;
+  EXPECT_EQ(out_, "q.html: 4 vertices, 2 faces, 2.0 MB\n");
+}
+
+TEST_F(ViewProgram, ShowsNamesThatAreNoText) {
+  write_text(folder_ / "m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\ng caf\xE9\nf 1 2 3\n");
+  std::filesystem::rename(folder_ / "m.obj", folder_ / "caf\xE9\x02.obj");
+  EXPECT_EQ(view("caf*.obj -o p.html"), 0) << err_;
+  EXPECT_NE(page().find("<title>caf\xEF\xBF\xBD\xEF\xBF\xBD.obj</title>"), std::string::npos);
+  EXPECT_EQ(facts().at("patches").at(0).at("name"), "caf\xEF\xBF\xBD");
+}
+
+TEST_F(ViewProgram, TellsStagesAndTakesThemAway) {
+  const std::string program = folder_.path().string() + "/a/bin/surfmesh view ";
+  const std::string output = " -o " + folder_.path().string() + "/p.html";
+  const auto stages = [&](const std::string& arguments) {
+    PseudoTerminal terminal("env TERM=dumb " + program + arguments + output, 80);
+    EXPECT_EQ(terminal.wait(), 0) << terminal.output();
+    Names names;
+    for (const std::string& line : shown_lines(terminal.output())) {
+      if (!line.starts_with("surfmesh: ")) continue;
+      const std::string name = line.substr(line.find(' ') + 1);
+      names.push_back(name.substr(0, name.find(' ')));
+    }
+    return names;
+  };
+  const std::string model = quoted_model("cylinder.json");
+  EXPECT_EQ(run("mesh " + model + " -o m.om --quiet"), 0) << err_;
+  const std::string mesh = folder_.path().string() + "/m.om";
+  EXPECT_EQ(stages(mesh), (Names{"read", "write"}));
+  EXPECT_EQ(stages(mesh + " --model " + model), (Names{"read", "control", "compare", "write"}));
+  const Names of_model = stages(model);
+  EXPECT_EQ(of_model.front(), "read");
+  EXPECT_EQ((Names{of_model.end() - 2, of_model.end()}), (Names{"compare", "write"}));
+}
+
+TEST_F(ViewProgram, TellsEveryWarningIfAsked) {
+  const std::string unused = quoted_model("cube.obj") +
+                             " -o p.html --quads on --placement circumcentre --conformity 0.5 "
+                             "--smoothing laplace --sweeps 3 --repairs 2";
+  EXPECT_EQ(view(unused), 0) << err_;
+  EXPECT_TRUE(err_.ends_with("smoothing has no effect on quads; and 2 more like these\n")) << err_;
+  EXPECT_EQ(view(unused + " -v"), 0) << err_;
+  EXPECT_TRUE(err_.ends_with("repairs has no effect on quads\n")) << err_;
+}
+
+TEST_F(ViewProgram, RefusesOptionsOfMeshingForAMeshWithItsModel) {
+  const std::string model = quoted_model("cylinder.json");
+  EXPECT_EQ(run("mesh " + model + " -o m.om --quiet"), 0) << err_;
+  for (const auto& [option, name] : {std::pair("--quads on", "--quads"),
+                                     {"--max-elements 9", "--max-elements"},
+                                     {"--set quads=on", "--set quads"}}) {
+    EXPECT_EQ(view("m.om -o p.html --model " + model + " " + option), 2) << option;
+    EXPECT_TRUE(says(std::string(name) + ": a mesh with its --model is not meshed")) << err_;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "p.html"));
+  for (const char* option : {"--hmax 20%", "--nodes 100", "--threads 1"}) {
+    EXPECT_EQ(view("m.om -o p.html --model " + model + " " + option), 0) << option << err_;
+  }
+}
+
 TEST_F(ViewProgram, HoldsNamesThatWouldEndItsScript) {
   const std::string name = "</script><b>";
   write_text(folder_ / "m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\ng " + name + "\nf 1 2 3\n");
@@ -282,6 +397,14 @@ TEST(ViewerScript, IsToldToBeMissingWithTheCommandThatMakesIt) {
   write_text(places.setup, "");
   EXPECT_NE(fault_of_places(places).find(places.setup.string() + " --viewer\""), std::string::npos);
   EXPECT_NE(fault_of_places(places).find(places.built.string()), std::string::npos);
+}
+
+TEST(ViewerScript, IsBesideAnInstalledProgramOnly) {
+  const ViewerPlaces places = viewer_places("/opt/a/bin/surfmesh");
+  EXPECT_EQ(places.installed.filename(), "viewer.js");
+  EXPECT_TRUE(places.installed.string().starts_with("/opt/a/")) << places.installed;
+  EXPECT_TRUE(places.built.empty());
+  EXPECT_TRUE(places.setup.empty());
 }
 
 TEST(ViewerScript, HasItsPlacesInTheSourcesAndBesideTheProgram) {

@@ -24,6 +24,51 @@ constexpr Rgb kPlainInSpace = {0.70, 0.78, 0.89}, kPlainInPlane = {0.95, 0.96, 0
 /// Height of text and the margin around the picture, by the lesser side.
 constexpr double kTextShare = 0.024, kLeastText = 9, kMarginShare = 0.02;
 
+/// Least sides of the frame that the plane of a patch is drawn in, pixels.
+constexpr double kLeastPlaneSide = 16;
+
+/// Height of text in a picture.
+double text_height_of(std::size_t width, std::size_t height) {
+  return std::max(kLeastText, kTextShare * static_cast<double>(std::min(width, height)));
+}
+
+double margin_of(std::size_t width, std::size_t height) {
+  return kMarginShare * static_cast<double>(std::min(width, height));
+}
+
+/// What is left of the width beside a key. It takes no more than half of the picture, however small
+/// that is.
+std::size_t width_beside(double key, std::size_t width) {
+  return width -
+         static_cast<std::size_t>(std::min(std::ceil(key), 0.5 * static_cast<double>(width)));
+}
+
+/// Where the plane of a patch is drawn: to the left of the key, beside and above the numbers.
+PictureFrame plane_frame(const PictureKey& key, std::size_t width, std::size_t height) {
+  const double text = text_height_of(width, height), margin = margin_of(width, height);
+  const double left = 3 * text, below = 1.8 * text;
+  const auto beside = static_cast<double>(width_beside(key_width(key, text), width));
+  return {{margin + left, margin},
+          beside - left - 2 * margin,
+          static_cast<double>(height) - below - 2 * margin};
+}
+
+/// Throws   InvalidOption where the plane would have no room, with a size that is enough
+void check_plane_room(const PictureKey& key, std::size_t width, std::size_t height) {
+  std::size_t wide = width, high = height;
+  for (bool has_room = false; !has_room;) {
+    const PictureFrame frame = plane_frame(key, wide, high);
+    if (frame.width < kLeastPlaneSide) ++wide;
+    if (frame.height < kLeastPlaneSide) ++high;
+    has_room = frame.width >= kLeastPlaneSide && frame.height >= kLeastPlaneSide;
+  }
+  if (wide == width && high == height) return;
+  throw Error(ErrorCode::InvalidOption,
+              fmt::format("a picture of {}x{} pixels has no room for the plane of a patch beside "
+                          "the numbers and the key: it takes at least {}x{}",
+                          width, height, wide, high));
+}
+
 /// Samples along each side of a pixel: four, or fewer on large pictures, for the memory.
 int samples_for(std::size_t width, std::size_t height) {
   constexpr std::size_t kOfFour = 2'000'000, kOfThree = 8'000'000;
@@ -91,15 +136,13 @@ class Drawing {
  public:
   Drawing(const PolyMesh& mesh, const MeshNames& names, const PictureOptions& options)
       : mesh_(mesh), options_(options) {
-    const double side = static_cast<double>(std::min(options.width, options.height));
-    text_height_ = std::max(kLeastText, kTextShare * side);
-    margin_ = kMarginShare * side;
+    text_height_ = text_height_of(options.width, options.height);
+    margin_ = margin_of(options.width, options.height);
     painted_ = paint_mesh(mesh, names, options.colour, shown_faces(),
                           options.plane ? kPlainInPlane : kPlainInSpace);
-    const double key = options.has_key ? key_width(painted_.key, text_height_) : 0;
-    // The key takes no more than half of the picture, however small that is.
-    scene_width_ = options.width -
-                   static_cast<std::size_t>(std::min(std::ceil(key), 0.5 * double(options.width)));
+    if (!options.has_key) painted_.key = {};
+    if (options.plane) check_plane_room(painted_.key, options.width, options.height);
+    scene_width_ = width_beside(key_width(painted_.key, text_height_), options.width);
     make_scene();
     buffer_ = std::make_unique<DepthBuffer>(scene_, scene_width_, options.height,
                                             samples_for(options.width, options.height));
@@ -138,16 +181,15 @@ class Drawing {
   }
 
   void make_scene() {
-    PictureFrame frame{{margin_, margin_},
-                       double(scene_width_) - 2 * margin_,
-                       double(options_.height) - 2 * margin_};
     if (!options_.plane) {
-      scene_ = scene_in_space(mesh_, painted_.paint, options_.view, frame);
+      scene_ = scene_in_space(mesh_, painted_.paint, options_.view,
+                              {{margin_, margin_},
+                               double(scene_width_) - 2 * margin_,
+                               double(options_.height) - 2 * margin_});
       return;
     }
-    const double left = 3 * text_height_, below = 1.8 * text_height_;  // for the numbers
-    frame = {{margin_ + left, margin_}, frame.width - left, frame.height - below};
-    PlaneScene plane = scene_in_plane(mesh_, *options_.plane, painted_.paint, frame);
+    PlaneScene plane = scene_in_plane(mesh_, *options_.plane, painted_.paint,
+                                      plane_frame(painted_.key, options_.width, options_.height));
     scene_ = std::move(plane.scene);
     plane_box_ = plane.box;
     place_ = std::move(plane.place);
@@ -158,7 +200,6 @@ class Drawing {
   void add_notes(Canvas& canvas) const {
     if (place_) add_axes(canvas);
     if (place_ && options_.has_ellipses) add_ellipses(canvas);
-    if (!options_.has_key) return;
     draw_key(canvas, painted_.key,
              {{double(scene_width_) + 0.4 * text_height_, margin_},
               double(options_.width - scene_width_),

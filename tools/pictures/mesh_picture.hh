@@ -34,7 +34,8 @@ struct PictureOptions {
 ///
 /// Cost     about 1 µs of processor time a triangle and 0.2 s for 900 × 600 pixels; twice that for
 ///          SVG where all triangles are seen
-/// Throws   InvalidOption for sizes out of their range; what paint_mesh and scene_in_plane throw
+/// Throws   InvalidOption for sizes out of their range, or too small for the plane of a patch; what
+///          paint_mesh, scene_in_space and scene_in_plane throw
 /// Returns  the file
 std::string draw_mesh(const PolyMesh& mesh, const MeshNames& names, const PictureOptions& options,
                       PictureFormat format);

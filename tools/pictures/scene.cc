@@ -24,6 +24,10 @@ constexpr double kDarkest = 0.62, kBrightest = 1.06, kShades = 64;
 /// Distance of the eye in perspective, in radii of the ball around the mesh.
 constexpr double kEyeDistance = 4;
 
+/// Points that are looked at are at most this share of the way to the eye: beyond it they are a
+/// thousand times as large as at the mesh, and at the eye itself infinite.
+constexpr double kNearestShare = 0.999;
+
 /// One axis of parameters may be shorter than the other by so much.
 constexpr double kGreatestSlimness = 5;
 
@@ -243,8 +247,19 @@ class Projection {
     middle_ = {frame.corner.x + 0.5 * frame.width, frame.corner.y + 0.5 * frame.height};
     if (box.isEmpty()) return;
     pixels_ = view.zoom * PlaneView(box, frame).scale();
-    look_at_ = view.look_at.allFinite() ? Eigen::Vector2d(seen(view.look_at).head<2>())
-                                        : Eigen::Vector2d(box.center());
+    look_at_ = view.look_at.allFinite() ? seen_by_eye(view.look_at) : Eigen::Vector2d(box.center());
+  }
+
+  /// Throws   InvalidOption for a point that is beside the eye or behind it
+  Eigen::Vector2d seen_by_eye(const Vec3& point) const {
+    const bool is_in_front =
+        lens_ == Lens::Parallel || local(point).dot(axes_.towards) < kNearestShare * kEyeDistance;
+    if (is_in_front) return seen(point).head<2>();
+    const Vec3 eye = centre_ + kEyeDistance * unit_ * axes_.towards;
+    throw Error(ErrorCode::InvalidOption,
+                fmt::format("the point to look at ({:.4g}, {:.4g}, {:.4g}) is not in front of the "
+                            "eye, which in perspective is at ({:.4g}, {:.4g}, {:.4g})",
+                            point.x(), point.y(), point.z(), eye.x(), eye.y(), eye.z()));
   }
 
   CameraAxes axes_;

@@ -70,6 +70,8 @@ struct SpaceView {
 
 /// Project a mesh. Faces are shaded by a light from the upper left, both sides alike. Faces of more
 /// than four corners are divided by triangulate_polygon.
+///
+/// Throws   InvalidOption in perspective, where the point to look at is not in front of the eye
 Scene scene_in_space(const PolyMesh& mesh, const MeshPaint& paint, const SpaceView& view,
                      const PictureFrame& frame);
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pictures/clean_text.hh"
+
 namespace surfmesh {
 namespace {
 
@@ -42,7 +44,7 @@ std::string style_text(const PictureStyle& style) {
 
 std::string escaped(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : clean_text(text)) {
     if (c == '<') {
       result += "&lt;";
     } else if (c == '&') {

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "pictures/clean_text.hh"
 #include "view/page_arrays.hh"
 #include "view/page_facts.hh"
 #include "view/page_mesh.hh"
@@ -17,7 +19,7 @@ namespace {
 /// Text as content of an HTML element.
 std::string escaped(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : clean_text(text)) {
     switch (c) {
       case '&':
         result += "&amp;";
@@ -76,7 +78,7 @@ std::string head(const std::string& title, const std::string& nonce) {
 
 }  // namespace
 
-void write_page(const PageContents& contents, const std::string& script, OutputFile& file) {
+std::size_t write_page(const PageContents& contents, const std::string& script, OutputFile& file) {
   const PageOrigins origins = page_origins(contents.mesh);
   PageArrays arrays;
   add_mesh(contents.mesh, origins, arrays);
@@ -86,14 +88,19 @@ void write_page(const PageContents& contents, const std::string& script, OutputF
   const std::string facts_text = escaped_json(facts);
   const std::string arrays_text = arrays.base64();
   const std::string nonce = nonce_of(arrays_text, facts_text);
-  file.write(head(contents.title, nonce));
-  file.write("<script type=\"application/json\" id=\"facts\">");
-  file.write(facts_text);
-  file.write("</script>\n<script type=\"text/plain\" id=\"arrays\">");
-  file.write(arrays_text);
-  file.write(fmt::format("</script>\n<script nonce=\"{}\">\n", nonce));
-  file.write(script);
-  file.write("\n</script>\n</body>\n</html>\n");
+  const std::string start = head(contents.title, nonce);
+  const std::string own_script = fmt::format("</script>\n<script nonce=\"{}\">\n", nonce);
+  const std::initializer_list<std::string_view> parts = {
+      start,       "<script type=\"application/json\" id=\"facts\">",
+      facts_text,  "</script>\n<script type=\"text/plain\" id=\"arrays\">",
+      arrays_text, own_script,
+      script,      "\n</script>\n</body>\n</html>\n"};
+  std::size_t bytes = 0;
+  for (const std::string_view part : parts) {
+    file.write(part);
+    bytes += part.size();
+  }
+  return bytes;
 }
 
 }  // namespace surfmesh

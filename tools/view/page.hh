@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -29,10 +30,13 @@ struct PageContents {
 /// `script` is that of read_viewer_script. Names and texts stand in the page as JSON in which "<"
 /// is escaped: whatever they are, they are never markup.
 ///
+/// Patches have numbers that check_patch_numbers lets pass.
+///
 /// Reads    surf:patch, surf:sag (face), surf:contour (edge), surf:uv, surf:metric (halfedge), all
 ///          optional; of the control meshes surf:uv, surf:size, surf:class
 /// Cost     about 2 µs and 40 bytes a triangle
 /// Throws   Io; Limit where memory runs out
-void write_page(const PageContents& contents, const std::string& script, OutputFile& file);
+/// Returns  the number of bytes that were written
+std::size_t write_page(const PageContents& contents, const std::string& script, OutputFile& file);
 
 }  // namespace surfmesh

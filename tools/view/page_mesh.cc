@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/page_mesh.hh"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "pictures/scene.hh"
+#include "surfmesh/core/error.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/quality/face_corners.hh"
 #include "surfmesh/quality/statistics.hh"
 
 namespace surfmesh {
 namespace {
+
+/// The page holds some 100 bytes for each number up to the greatest: those of any mesh, but not
+/// those of a file that is not sound.
+constexpr std::size_t kMostPatches = 100'000;
 
 std::uint32_t word(int number) { return static_cast<std::uint32_t>(number); }
 
@@ -126,26 +134,16 @@ void add_node_values(const std::vector<NodeValue>& values, const CornerValues& h
   if (has.has_metric) arrays.add_shown("metric", std::move(metric));
 }
 
-/// True where there is no contour, but a line to be seen.
-bool is_line(const PolyMesh& mesh, EdgeHandle eh) {
-  if (mesh.is_boundary(eh)) return true;
-  const auto patch_of = find(mesh, keys::face_patch);
-  if (!patch_of.is_valid()) return false;
-  const HalfedgeHandle heh = mesh.halfedge_handle(eh, 0);
-  return mesh.property(patch_of, mesh.face_handle(heh)) !=
-         mesh.property(patch_of, mesh.opposite_face_handle(heh));
-}
-
 void add_lines(const PolyMesh& mesh, PageArrays& arrays) {
   const auto contour_of = find(mesh, keys::edge_contour);
+  const std::vector<char> is_line = contour_edges(mesh);
   std::vector<std::uint32_t> ends, contours;
   for (const EdgeHandle eh : mesh.edges()) {
-    const int contour = contour_of.is_valid() ? mesh.property(contour_of, eh) : -1;
-    if (contour_of.is_valid() ? contour < 0 : !is_line(mesh, eh)) continue;
+    if (is_line[index(eh)] == 0) continue;
     const HalfedgeHandle heh = mesh.halfedge_handle(eh, 0);
     ends.push_back(word(mesh.from_vertex_handle(heh).idx()));
     ends.push_back(word(mesh.to_vertex_handle(heh).idx()));
-    if (contour_of.is_valid()) contours.push_back(word(contour));
+    if (contour_of.is_valid()) contours.push_back(word(mesh.property(contour_of, eh)));
   }
   arrays.add_steps("lines", std::move(ends));
   if (contour_of.is_valid()) arrays.add("line_contour", std::move(contours));
@@ -176,6 +174,19 @@ std::vector<Uv> origins_of_patches(const PolyMesh& mesh) {
 }
 
 }  // namespace
+
+void check_patch_numbers(const PolyMesh& mesh, const MeshNames& names) {
+  const auto patch_of = find(mesh, keys::face_patch);
+  if (!patch_of.is_valid()) return;
+  const std::size_t most = std::max({kMostPatches, mesh.n_faces(), names.patches.size()});
+  for (const FaceHandle fh : mesh.faces()) {
+    const int patch = mesh.property(patch_of, fh);
+    if (patch < 0 || static_cast<std::size_t>(patch) < most) continue;
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("face {} is on patch {}: a page has no patch of a number above {}",
+                            fh.idx(), patch, most - 1));
+  }
+}
 
 PageOrigins page_origins(const PolyMesh& mesh) {
   PageOrigins origins;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "surfmesh/core/mesh.hh"
+#include "surfmesh/core/mesh_names.hh"
 #include "surfmesh/core/values.hh"
 #include "view/page_arrays.hh"
 
@@ -17,6 +18,11 @@ struct PageOrigins {
   double radius = 1;           ///< half of its diagonal, never 0
   std::vector<Uv> of_patches;  ///< the least u and v of the corners of each patch
 };
+
+/// Throws   InvalidInput where a face has a patch of so great a number that no mesh has as many:
+/// the
+///          page takes room for all patches up to it
+void check_patch_numbers(const PolyMesh& mesh, const MeshNames& names);
 
 /// Infinite and unset positions and parameters are left out.
 PageOrigins page_origins(const PolyMesh& mesh);
@@ -31,9 +37,8 @@ PageOrigins page_origins(const PolyMesh& mesh);
 /// patch         of each face, if faces have one
 /// uv            u, v of each node, from the origin of the patch, if corners have them
 /// metric        m11, m12, m22 of each node, if corners have it
-/// lines         pairs of vertices: segments of contours; of a mesh without those, open edges and
-///               edges between patches
-/// line_contour  the contour of each segment, if the mesh has contours
+/// lines         pairs of vertices: the contour_edges of pictures
+/// line_contour  the contour of each of them, -1 for none, if the mesh has contours
 void add_mesh(const PolyMesh& mesh, const PageOrigins& origins, PageArrays& arrays);
 
 }  // namespace surfmesh

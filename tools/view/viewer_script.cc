@@ -12,12 +12,19 @@ namespace surfmesh {
 
 namespace fs = std::filesystem;
 
+ViewerPlaces viewer_places(const fs::path& program) {
+  const fs::path data = (program.parent_path() / SURFMESH_DATA_FROM_PROGRAM).lexically_normal();
+  ViewerPlaces places = {.installed = data / "surfmesh" / "viewer.js"};
+  const fs::path from_build = program.lexically_relative(SURFMESH_BUILD_TREE);
+  if (from_build.empty() || *from_build.begin() == "..") return places;
+  places.built = fs::path(SURFMESH_VIEW_SOURCES) / "page" / "dist" / "viewer.js";
+  places.setup = fs::path(SURFMESH_VIEW_SOURCES).parent_path() / "setup.sh";
+  return places;
+}
+
 ViewerPlaces viewer_places() {
   std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  return {.installed = program.parent_path().parent_path() / "share" / "surfmesh" / "viewer.js",
-          .built = fs::path(SURFMESH_VIEW_SOURCES) / "page" / "dist" / "viewer.js",
-          .setup = fs::path(SURFMESH_VIEW_SOURCES).parent_path() / "setup.sh"};
+  return viewer_places(fs::read_symlink("/proc/self/exe", ignored));
 }
 
 std::string read_viewer_script(const ViewerPlaces& places) {

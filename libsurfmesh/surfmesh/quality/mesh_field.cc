@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <unordered_map>
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
@@ -49,20 +50,17 @@ std::vector<double> patches(const PolyMesh& mesh) {
 }
 
 std::vector<double> groups(const PolyMesh& mesh, const MeshNames& names) {
-  std::vector<double> of_patches;
-  for (std::size_t g = names.groups.size(); g-- > 0;) {
+  std::unordered_map<int, double> of_patches;  // their numbers may be any
+  for (std::size_t g = 0; g < names.groups.size(); ++g) {
     for (const int patch : names.groups[g].patches) {
-      const auto p = static_cast<std::size_t>(patch);
-      if (p >= of_patches.size()) of_patches.resize(p + 1, kUnset);
-      of_patches[p] = static_cast<double>(g);
+      of_patches.emplace(patch, static_cast<double>(g));
     }
   }
-  std::vector<double> values = patches(mesh);
-  for (double& value : values) {
-    const bool is_known = value >= 0 && value < static_cast<double>(of_patches.size());
-    value = is_known ? of_patches[static_cast<std::size_t>(value)] : kUnset;
-  }
-  return values;
+  const auto patch_of = require(mesh, keys::face_patch);
+  return of_faces(mesh, [&](FaceHandle fh) -> double {
+    const auto found = of_patches.find(mesh.property(patch_of, fh));
+    return found != of_patches.end() ? found->second : kUnset;
+  });
 }
 
 std::vector<double> qualities(const PolyMesh& mesh) {

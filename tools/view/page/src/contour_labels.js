@@ -11,6 +11,7 @@ function middles(state) {
   const segments = new Map();
   if (!contourOfLine) return segments;
   contourOfLine.forEach((contour, i) => {
+    if (contour < 0) return;
     if (!segments.has(contour)) segments.set(contour, []);
     segments.get(contour).push(i);
   });

@@ -168,7 +168,7 @@ function addGroups(state) {
 }
 
 function addContours(state) {
-  const numbers = state.contourOfLine ? [...new Set(state.contourOfLine)] : [];
+  const numbers = [...new Set(state.contourOfLine ?? [])].filter((contour) => contour >= 0);
   if (numbers.length === 0) return;
   numbers.sort((a, b) => a - b);
   const { body, count } = section("contours", "Contours", false);

@@ -82,7 +82,7 @@ export class SpaceView {
     const positions = [],
       colours = [];
     for (let i = 0; i < lines.length / 2; ++i) {
-      const isChosen = contourOfLine !== null && contourOfLine[i] === chosenContour;
+      const isChosen = chosenContour >= 0 && contourOfLine?.[i] === chosenContour;
       if (!showsContours && !isChosen) continue;
       positions.push(...surface.point(lines[2 * i]), ...surface.point(lines[2 * i + 1]));
       const colour = linear(isChosen ? CHOSEN_CONTOUR : CONTOUR);

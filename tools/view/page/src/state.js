@@ -20,7 +20,8 @@ export class State {
     this.showsContours = true;
     this.chosenContour = -1;
     this.lines = page.arrays.lines;
-    this.contourOfLine = page.arrays.line_contour ?? null;
+    const contours = page.arrays.line_contour;
+    this.contourOfLine = contours ? new Int32Array(contours.buffer) : null; // -1 for none
     this.controlMeshes = [];
     this.planePatch = Math.max(0, this.surface.patchOf(0));
     this.planeShows = { mesh: true, control: Boolean(this.facts.control), ellipses: "none" };
