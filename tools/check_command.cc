@@ -46,11 +46,9 @@ JudgedBy judged_by(const Settings& settings) {
 
 void CheckCommand::add_to(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "check", "Tell what a mesh is like, what is wrong with it, and how it fits its model.");
+      "check", "Describe a mesh, list its faults, and tell how it fits its model.");
   command->footer(kFooter);
-  command->add_option("MESH", mesh_, "mesh to check: " + readable_mesh_endings())
-      ->required()
-      ->type_name("");
+  command->add_option("MESH", mesh_, "mesh: " + readable_mesh_endings())->required()->type_name("");
   CLI::Option* model =
       command->add_option("--model", model_, "what it is a mesh of: cage, CAD file or model file")
           ->type_name("INPUT");

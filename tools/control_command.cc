@@ -51,9 +51,8 @@ std::string summary_of(const std::vector<ControlPicture>& pictures, const std::s
 }  // namespace
 
 void ControlCommand::add_to(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "control",
-      "Write the control meshes of a cage, a CAD file or a model file, to look at the sizes.");
+  CLI::App* command =
+      app.add_subcommand("control", "Write the control meshes of a model, to look at its sizes.");
   command->footer(kFooter);
   command
       ->add_option("INPUT", input_,

@@ -173,7 +173,7 @@ int tell_failure(const std::exception& error, Progress& progress) {
 
 void MeshCommand::add_to(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "mesh", "Mesh a control cage, a CAD file or a model file with triangles or quads.");
+      "mesh", "Mesh a cage, a CAD file or a model file with triangles or quads.");
   command->footer(kFooter);
   add_files(*command);
   using enum OptionGroup;

@@ -216,7 +216,9 @@ void PictureCommand::add_to(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("picture", "Draw a mesh, in space or in the parameters of a patch.");
   command->footer(kFooter);
-  command->add_option("MESH", mesh_, "mesh to draw: " + mesh_endings())->required()->type_name("");
+  command->add_option("MESH", mesh_, "mesh to draw: " + readable_mesh_endings())
+      ->required()
+      ->type_name("");
   command->add_option("-o", output_, "picture to write: .svg or .png")
       ->required()
       ->type_name("OUT");

@@ -20,6 +20,18 @@ namespace {
 constexpr std::size_t kColumn = 32;
 constexpr std::size_t kScreen = 100;
 
+/// The text in lines that fit beside the column of the names, or have another width.
+std::string wrapped(std::string text, std::size_t width = kScreen - kColumn) {
+  std::size_t start = 0;
+  while (text.size() - start > width) {
+    const std::size_t blank = text.rfind(' ', start + width);
+    if (blank == text.npos || blank <= start) break;
+    text[blank] = '\n';
+    start = blank + 1;
+  }
+  return text;
+}
+
 /// Shows the flags that are most used, or all, without a double blank line between groups.
 class HelpFormatter : public CLI::Formatter {
  public:
@@ -42,6 +54,11 @@ class HelpFormatter : public CLI::Formatter {
     std::erase_if(flags, [this](const CLI::Option* flag) { return hidden_.contains(flag); });
     if (flags.empty()) return "";
     return CLI::Formatter::make_group(std::move(group), is_positional, std::move(flags));
+  }
+
+  std::string make_option_desc(const CLI::Option* option) const override {
+    std::string text = CLI::Formatter::make_option_desc(option);
+    return text.find('\n') == text.npos ? wrapped(std::move(text)) : text;
   }
 
  private:
@@ -88,18 +105,6 @@ std::string placeholder(const Option& option) {
     if (word.use == WordUse::Shown) add(word.word);
   }
   if (number->range->has_numbers()) add(number->range->is_whole ? "N" : "NUMBER");
-  return text;
-}
-
-/// The text in lines that fit beside the column of the names, or have another width.
-std::string wrapped(std::string text, std::size_t width = kScreen - kColumn) {
-  std::size_t start = 0;
-  while (text.size() - start > width) {
-    const std::size_t blank = text.rfind(' ', start + width);
-    if (blank == text.npos || blank <= start) break;
-    text[blank] = '\n';
-    start = blank + 1;
-  }
   return text;
 }
 

@@ -99,7 +99,7 @@ void ViewCommand::add_to(CLI::App& app) {
 void ViewCommand::add_files(CLI::App& command) {
   command
       .add_option("INPUT", input_,
-                  fmt::format("mesh ({}), CAD file or model file (.json)", mesh_endings()))
+                  fmt::format("mesh ({}), CAD file or model file (.json)", readable_mesh_endings()))
       ->required()
       ->type_name("");
   command.add_option("-o,--output", output_, "page to write: .html")->required()->type_name("FILE");

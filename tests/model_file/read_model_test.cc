@@ -357,9 +357,9 @@ TEST(ReadModelFaults, OfMissingKeys) {
   EXPECT_EQ(fault(R"({"patches": [{"name": "p", "surface": {"z": "0"}}]})"),
             " /patches/0/domain: this key is missing");
   EXPECT_EQ(fault(source("\"at\": [0, 0]")), " /patches/0/sources/0/size: this key is missing");
-  EXPECT_EQ(
-      fault(source("\"size\": 1")),
-      " /patches/0/sources/0: a source needs one of everywhere, at, along, inside, field, table");
+  EXPECT_EQ(fault(source("\"size\": 1")),
+            " /patches/0/sources/0: a source needs one of everywhere, at, along, inside, field, "
+            "table, background");
   EXPECT_EQ(fault(source("\"everywhere\": true, \"at\": [0, 0], \"size\": 1")),
             " /patches/0/sources/0: a source cannot have both everywhere and at");
 }
@@ -468,7 +468,8 @@ TEST(ReadModelFaults, OfSourcesOfGroups) {
     return fault(model("", "\"sources\": [{" + keys + "}]"));
   };
   EXPECT_EQ(group(R"("size": 1)"),
-            " /sources/0: a source needs one of near, along, inside, field, everywhere, group");
+            " /sources/0: a source needs one of near, along, inside, field, background, "
+            "everywhere, group");
   EXPECT_EQ(group(R"("group": "a", "size": 0)"), " /sources/0/size: must be above 0");
   EXPECT_EQ(group(R"("group": "a")"), " /sources/0/size: this key is missing");
   EXPECT_EQ(group(R"("group": "a", "size": 1, "radius": 2)"),

@@ -11,6 +11,7 @@
 #include <unordered_map>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/metric/triangle.hh"
@@ -72,14 +73,29 @@ std::vector<double> qualities(const PolyMesh& mesh) {
   return values;
 }
 
+/// The first four corners of a face, and how many there are.
+struct FaceCorners {
+  std::array<HalfedgeHandle, 4> first = {};
+  std::size_t count = 0;
+};
+
+FaceCorners corners_of(const PolyMesh& mesh, FaceHandle fh) {
+  FaceCorners corners;
+  for_each_corner(mesh, fh, [&](HalfedgeHandle corner) {
+    if (corners.count < corners.first.size()) corners.first[corners.count] = corner;
+    ++corners.count;
+  });
+  return corners;
+}
+
 double shape(const PolyMesh& mesh, FaceHandle fh) {
-  const std::vector<HalfedgeHandle> corners = detail::corners_of(mesh, fh);
-  if (corners.size() == 4) return quad_space_jacobian(mesh, fh);
-  if (corners.size() != 3) return kUnset;
-  double squares = 0;
-  for (const HalfedgeHandle heh : corners) squares += mesh.calc_edge_sqr_length(heh);
-  const double double_area = detail::double_area_of(mesh, corners).norm();
-  return squares > 0 ? 2 * std::numbers::sqrt3 * double_area / squares : 0;
+  const FaceCorners corners = corners_of(mesh, fh);
+  if (corners.count == 4) return quad_space_jacobian(mesh, fh);
+  if (corners.count != 3) return kUnset;
+  const auto [first, second, third, none] = corners.first;
+  const auto [a, b, c] = detail::points_of(mesh, {first, second, third});
+  const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+  return squares > 0 ? 2 * std::numbers::sqrt3 * (b - a).cross(c - a).norm() / squares : 0;
 }
 
 /// Two steps over a face, in space and in (u,v), with the metric in the middle.
@@ -89,24 +105,25 @@ struct FaceSteps {
   Metric metric = {};
 };
 
-Metric mean_metric(const detail::ResultCorners& values,
-                   const std::vector<HalfedgeHandle>& corners) {
+Metric mean_metric(const detail::ResultCorners& values, FaceHandle fh) {
   Metric sum{0, 0, 0};
-  for (const HalfedgeHandle corner : corners) {
+  double count = 0;
+  for_each_corner(values.mesh, fh, [&](HalfedgeHandle corner) {
     const Metric& m = values.metric(corner);
     sum = {sum.m11 + m.m11, sum.m12 + m.m12, sum.m22 + m.m22};
-  }
-  const double share = 1 / static_cast<double>(corners.size());
-  return {share * sum.m11, share * sum.m12, share * sum.m22};
+    ++count;
+  });
+  return {sum.m11 / count, sum.m12 / count, sum.m22 / count};
 }
 
 /// Two sides of a face, or the diagonals of a quad.
 FaceSteps steps_of(const detail::ResultCorners& values, FaceHandle fh) {
-  const std::vector<HalfedgeHandle> corners = detail::corners_of(values.mesh, fh);
-  const bool is_quad = corners.size() == 4;
-  FaceSteps steps{.metric = mean_metric(values, corners)};
+  const FaceCorners corners = corners_of(values.mesh, fh);
+  const bool is_quad = corners.count == 4;
+  FaceSteps steps{.metric = mean_metric(values, fh)};
   for (const std::size_t i : {0, 1}) {
-    const HalfedgeHandle from = corners[i], to = corners[is_quad ? i + 2 : (i + 1) % 3];
+    const HalfedgeHandle from = corners.first[i];
+    const HalfedgeHandle to = corners.first[is_quad ? i + 2 : (i + 1) % 3];
     steps.in_space[i] = detail::point_of(values.mesh, to) - detail::point_of(values.mesh, from);
     steps.in_uv[i] = values.uv(to) - values.uv(from);
   }
