@@ -219,7 +219,7 @@ void PictureCommand::add_to(CLI::App& app) {
   command->add_option("MESH", mesh_, "mesh to draw: " + readable_mesh_endings())
       ->required()
       ->type_name("");
-  command->add_option("-o", output_, "picture to write: .svg or .png")
+  command->add_option("-o,--output", output_, "picture to write: .svg or .png")
       ->required()
       ->type_name("OUT");
   command->add_option("--colour,--color", colour_, "field that gives the colours, or plain")

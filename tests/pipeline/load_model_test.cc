@@ -507,7 +507,8 @@ TEST(LoadModel, NamesTheFileOfACageThatCannotBeSubdivided) {
 
 TEST(LoadModel, RefusesUnknownEndings) {
   EXPECT_EQ(fault("a.stl"),
-            "invalid input: a.stl: the ending of a cage is .obj or .off, that of a CAD file .step, "
+            "invalid input: a.stl: this is a mesh, no model; the ending of a cage is .obj or .off, "
+            "that of a CAD file .step, "
             ".stp, .iges, .igs or .brep, that of a model file .json");
 }
 

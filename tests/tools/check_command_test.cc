@@ -54,6 +54,14 @@ TEST_F(CheckProgram, ProjectsMeshesWithoutParameters) {
 }
 
 /// A file without a metric is judged by that of a run, which is the one it was made by.
+TEST_F(CheckProgram, TellsAMeshOfAnotherModel) {
+  mesh("knob.obj");
+  EXPECT_EQ(run("convert a.om a.stl --quiet"), 0) << err_;
+  EXPECT_EQ(run("check a.stl --model '" + own_model("cube.obj") + "'"), 3);
+  EXPECT_TRUE(says("fault: corner_off_surface: 1, the first: a corner is ")) << err_;
+  EXPECT_TRUE(says("this is no mesh of it")) << err_;
+}
+
 TEST_F(CheckProgram, JudgesAMeshWithoutAMetricByThatOfARun) {
   for (const std::string& options : {std::string(), std::string(" --hmax 4%")}) {
     EXPECT_EQ(run("mesh '" + own_model("knob.obj") + "' -o a.om --report r.json" + options), 0);

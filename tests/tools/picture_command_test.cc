@@ -126,7 +126,7 @@ TEST_F(PictureProgram, TellsErrors) {
   expect_fault("a.obj -o b.png --size 900", "900 is no size: give WIDTHxHEIGHT", 2);
   expect_fault("a.obj -o b.png --size -3x4", "-3x4 is no size", 2);
   expect_fault("a.obj -o b.png --edges maybe", "--edges", 2);
-  expect_fault("a.obj", "-o is required", 2);
+  expect_fault("a.obj", "--output is required", 2);
   std::filesystem::copy_file(folder_ / "a.obj", folder_ / "a.png");
   EXPECT_EQ(run("picture a.png -o a.png"), 1);
   EXPECT_EQ(folder_.count(), 2);

@@ -40,6 +40,9 @@ double channel(double hue) {
 /// Sizes that are smaller by more than this ratio than the greatest have one colour.
 constexpr double kGreatestSizeRatio = 1e4;
 
+/// Sizes between which the ratio is less have nearly one colour.
+constexpr double kLeastSizeRatio = 1.01;
+
 template <class Chosen>
 std::pair<double, double> extremes(const std::vector<double>& values, Chosen is_chosen) {
   double least = INFINITY, greatest = -INFINITY;
@@ -111,6 +114,9 @@ ColourScale scale_of(MeshField field, const std::vector<double>& values, bool is
     case MeshField::Size:
     case MeshField::Stretch: {
       const auto [least, greatest] = extremes(values, positive);
+      if (greatest < kLeastSizeRatio * least) {  // rounding is not to be seen
+        return {ColourMap::Amounts, least / kLeastSizeRatio, greatest * kLeastSizeRatio, true};
+      }
       return {ColourMap::Amounts, std::max(least, greatest / kGreatestSizeRatio), greatest, true};
     }
     case MeshField::Sag:

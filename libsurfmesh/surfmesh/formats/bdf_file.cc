@@ -207,8 +207,8 @@ void write_bdf(const PolyMesh& mesh, const MeshNames& names, const OutputOptions
   BdfWriter(mesh, names, file).write();
 }
 
-std::vector<ChangedName> changed_in_bdf(const PolyMesh&, const MeshNames& names) {
-  return changed_words(names, kWords);
+std::vector<ChangedName> changed_in_bdf(const PolyMesh& mesh, const MeshNames& names) {
+  return changed_words(mesh, names, kWords);
 }
 
 std::vector<std::string> lost_in_bdf(const PolyMesh& mesh, const MeshNames& names,
@@ -217,7 +217,7 @@ std::vector<std::string> lost_in_bdf(const PolyMesh& mesh, const MeshNames& name
   add_lost_sets(mesh, names, lost);
   add_lost_digits(mesh, kLargeField, RealStyle::Nastran, lost);
   add_split_faces(mesh, 4, lost);
-  add_changed_words(names, kWords, lost);
+  add_changed_words(mesh, names, kWords, lost);
   return lost;
 }
 

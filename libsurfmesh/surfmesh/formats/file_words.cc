@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "surfmesh/core/counted.hh"
+#include "surfmesh/core/properties.hh"
 #include "surfmesh/formats/obj_labels.hh"
 
 namespace surfmesh {
@@ -36,6 +38,19 @@ class DifferentWords {
   DifferentNames different_;
 };
 
+/// Whether each of so many contours has edges in a mesh.
+std::vector<char> contours_with_edges(const PolyMesh& mesh, std::size_t count) {
+  std::vector<char> has_edges(count, 0);
+  const auto contour_of = find(mesh, keys::edge_contour);
+  if (!contour_of.is_valid()) return has_edges;
+  for (const int contour : mesh.property(contour_of).data_vector()) {
+    if (contour >= 0 && static_cast<std::size_t>(contour) < count) {
+      has_edges[static_cast<std::size_t>(contour)] = 1;
+    }
+  }
+  return has_edges;
+}
+
 }  // namespace
 
 FileWords file_words(const MeshNames& names, const WordRule& rule) {
@@ -47,7 +62,8 @@ FileWords file_words(const MeshNames& names, const WordRule& rule) {
   return words;
 }
 
-std::vector<ChangedName> changed_words(const MeshNames& names, const WordRule& rule) {
+std::vector<ChangedName> changed_words(const PolyMesh& mesh, const MeshNames& names,
+                                       const WordRule& rule) {
   const FileWords words = file_words(names, rule);
   std::vector<ChangedName> changed;
   const auto compare = [&](const std::string& name, const std::string& word) {
@@ -59,19 +75,20 @@ std::vector<ChangedName> changed_words(const MeshNames& names, const WordRule& r
   for (std::size_t g = 0; g < words.groups.size(); ++g) {
     compare(names.groups[g].name, words.groups[g]);
   }
+  const std::vector<char> has_edges = contours_with_edges(mesh, words.contours.size());
   for (std::size_t c = 0; c < words.contours.size(); ++c) {
-    compare(names.contours[c], words.contours[c]);
+    if (has_edges[c] != 0) compare(names.contours[c], words.contours[c]);
   }
   return changed;
 }
 
-void add_changed_words(const MeshNames& names, const WordRule& rule,
+void add_changed_words(const PolyMesh& mesh, const MeshNames& names, const WordRule& rule,
                        std::vector<std::string>& lost) {
-  const std::size_t count = changed_words(names, rule).size();
-  if (count == 0) return;
-  lost.push_back(fmt::format(
-      "{} names of patches, groups and contours, which are changed to be words of their own",
-      count));
+  const std::vector<ChangedName> changed = changed_words(mesh, names, rule);
+  if (changed.empty()) return;
+  lost.push_back(fmt::format("{} as they are, the first: {} is {}",
+                             counted(changed.size(), "name", "names"), changed.front().name,
+                             changed.front().word));
 }
 
 std::string one_line(std::string_view name) {

@@ -28,11 +28,14 @@ struct FileWords {
 /// The words for all names. Those that would be the same get a number: "rim_2".
 FileWords file_words(const MeshNames& names, const WordRule& rule);
 
-/// Names that are other words.
-std::vector<ChangedName> changed_words(const MeshNames& names, const WordRule& rule);
+/// Names that are other words, but for those of contours that have no edges.
+///
+/// Reads    surf:contour (edge; optional)
+std::vector<ChangedName> changed_words(const PolyMesh& mesh, const MeshNames& names,
+                                       const WordRule& rule);
 
 /// Add to what is lost the names that are changed.
-void add_changed_words(const MeshNames& names, const WordRule& rule,
+void add_changed_words(const PolyMesh& mesh, const MeshNames& names, const WordRule& rule,
                        std::vector<std::string>& lost);
 
 /// A name as a part of one line: bytes below 32 and 127 are blanks.

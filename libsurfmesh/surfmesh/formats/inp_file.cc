@@ -164,8 +164,8 @@ void write_inp(const PolyMesh& mesh, const MeshNames& names, const OutputOptions
   InpWriter(mesh, names, file).write();
 }
 
-std::vector<ChangedName> changed_in_inp(const PolyMesh&, const MeshNames& names) {
-  return changed_words(names, kWords);
+std::vector<ChangedName> changed_in_inp(const PolyMesh& mesh, const MeshNames& names) {
+  return changed_words(mesh, names, kWords);
 }
 
 std::vector<std::string> lost_in_inp(const PolyMesh& mesh, const MeshNames& names,
@@ -174,7 +174,7 @@ std::vector<std::string> lost_in_inp(const PolyMesh& mesh, const MeshNames& name
   add_lost_sets(mesh, names, lost);
   add_lost_digits(mesh, kRealWidth, RealStyle::Plain, lost);
   add_split_faces(mesh, 4, lost);
-  add_changed_words(names, kWords, lost);
+  add_changed_words(mesh, names, kWords, lost);
   return lost;
 }
 

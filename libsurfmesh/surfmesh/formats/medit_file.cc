@@ -262,8 +262,8 @@ void write_companion_of_medit(const PolyMesh& mesh, OutputFile& file) {
   write_metrics(mesh, is_binary, file);
 }
 
-std::vector<ChangedName> changed_in_medit(const PolyMesh&, const MeshNames& names) {
-  return changed_words(names, kWords);
+std::vector<ChangedName> changed_in_medit(const PolyMesh& mesh, const MeshNames& names) {
+  return changed_words(mesh, names, kWords);
 }
 
 std::vector<std::string> lost_in_medit(const PolyMesh& mesh, const MeshNames& names,
@@ -272,7 +272,7 @@ std::vector<std::string> lost_in_medit(const PolyMesh& mesh, const MeshNames& na
   std::vector<std::string> lost = lost_properties(mesh, {.metric = has_metrics, .contours = true});
   if (has_metrics) lost.push_back("the metric of corners where those at a vertex differ");
   add_split_faces(mesh, 4, lost);
-  add_changed_words(names, kWords, lost);
+  add_changed_words(mesh, names, kWords, lost);
   return lost;
 }
 

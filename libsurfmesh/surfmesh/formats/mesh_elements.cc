@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <tuple>
 #include <unordered_set>
@@ -233,14 +234,15 @@ void add_lost_sets(const PolyMesh& mesh, const MeshNames& names, std::vector<std
 
 void add_lost_digits(const PolyMesh& mesh, std::size_t width, RealStyle style,
                      std::vector<std::string>& lost) {
-  double greatest = 0;
+  double greatest = 0, largest = 0;
   for (const VertexHandle vh : mesh.vertices()) {
     for (const double x : mesh.point(vh)) {
       if (!std::isfinite(x)) continue;  // is no mesh to write
+      largest = std::max(largest, std::abs(x));
       greatest = std::max(greatest, std::abs(ShortReal(x, width, style).value() - x));
     }
   }
-  if (!(greatest > 0)) return;
+  if (!(greatest > std::numeric_limits<double>::epsilon() * largest)) return;
   lost.push_back(
       fmt::format("the digits of coordinates beyond {} characters: they change by up to {:.3g}",
                   width, greatest));

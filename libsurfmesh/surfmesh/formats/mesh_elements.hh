@@ -86,7 +86,8 @@ std::vector<int> nodes_of(const MeshElements& elements, const ContourElements& c
 /// contours does not hold of those, and of names without elements.
 void add_lost_sets(const PolyMesh& mesh, const MeshNames& names, std::vector<std::string>& lost);
 
-/// Add to what is lost the digits of positions that have more characters than `width`.
+/// Add to what is lost the digits of positions that have more characters than `width`, where they
+/// matter beside the largest coordinate.
 void add_lost_digits(const PolyMesh& mesh, std::size_t width, RealStyle style,
                      std::vector<std::string>& lost);
 

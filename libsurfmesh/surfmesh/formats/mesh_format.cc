@@ -25,6 +25,7 @@
 #include "surfmesh/formats/vtu_file.hh"
 #include "surfmesh/io/file_writer.hh"
 #include "surfmesh/io/input_file.hh"
+#include "surfmesh/model/cad_input.hh"
 
 namespace surfmesh {
 namespace {
@@ -62,6 +63,10 @@ std::string endings_of(IsMeant is_meant) {
   return text;
 }
 
+bool is_model(const std::filesystem::path& path) {
+  return has_cad_ending(path) || lower_case_ending(path) == ".json";
+}
+
 }  // namespace
 
 std::span<const MeshFormat> mesh_formats() {
@@ -92,7 +97,8 @@ const MeshFormat& format_to_read(const std::filesystem::path& path) {
   throw Error(
       ErrorCode::InvalidInput,
       fmt::format("{}: {}{}", path.string(),
-                  format == nullptr
+                  is_model(path) ? "this is a model, no mesh: mesh it first; what is read is "
+                  : format == nullptr
                       ? "the ending of a mesh to read is "
                       : fmt::format("{} files are only written; what is read is ", format->ending),
                   readable_mesh_endings()));

@@ -483,8 +483,8 @@ void write_msh(const PolyMesh& mesh, const MeshNames& names, const OutputOptions
   MshWriter(mesh, names, options.msh, file).write();
 }
 
-std::vector<ChangedName> changed_in_msh(const PolyMesh&, const MeshNames& names) {
-  return changed_words(names, kWords);
+std::vector<ChangedName> changed_in_msh(const PolyMesh& mesh, const MeshNames& names) {
+  return changed_words(mesh, names, kWords);
 }
 
 /// Version 2.2 has one physical group an element.
@@ -520,7 +520,7 @@ std::vector<std::string> lost_in_msh(const PolyMesh& mesh, const MeshNames& name
   std::vector<std::string> lost = lost_properties(mesh, {.contours = true});
   add_split_faces(mesh, 4, lost);
   if (is_version_2(options.msh)) add_lost_groups(mesh, names, lost);
-  add_changed_words(names, kWords, lost);
+  add_changed_words(mesh, names, kWords, lost);
   return lost;
 }
 

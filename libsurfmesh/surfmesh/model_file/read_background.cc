@@ -34,8 +34,8 @@ const GridValues& find_values(const GridFile& grid, const std::string& name) {
   const std::string there = fmt::format("it has {}", fmt::join(names, ", "));
   if (!name.empty()) {
     const auto meant = nearest_word(name, names);
-    fail(fmt::format("it has no values {}{}; {}", name,
-                     meant ? fmt::format(", did you mean {}?", *meant) : "", there));
+    fail(fmt::format("it has no values {} at its points, {}{}", name,
+                     meant ? fmt::format("did you mean {}? ", *meant) : "", there));
   }
   if (names.size() > 1) fail(fmt::format("it has several values, name one of them: {}", there));
   return grid.at_points.front();

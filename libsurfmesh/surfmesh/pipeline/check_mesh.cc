@@ -35,6 +35,10 @@ using Json = nlohmann::ordered_json;
 /// How near chords between points of contours keep to these, as a share of the model's diagonal.
 constexpr double kContourTolerance = 1e-6;
 
+/// Share of the diagonal of a model beyond which a corner belongs to no mesh of it: these have
+/// their corners near the surface, however coarse they are.
+constexpr double kFarCorner = 0.1;
+
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 MetricFit measure_metric(const PolyMesh& mesh) {
@@ -307,6 +311,15 @@ ModelFit measure_fit(MeshFile& mesh, const ModelInput& input, JudgedBy judged_by
     fit.max_contour = input.model.contour(fit.distance.max_contour).name;
   }
   fit.differences = compare_with_promise(mesh.mesh, input.model);
+  if (fit.is_projected && fit.distance.max_corner > kFarCorner * input.model.diagonal) {
+    fit.differences.push_back(
+        {"corner_off_surface",
+         1,
+         {fmt::format("a corner is {:.3g} from the surface, {:.0f} % of the diagonal of the model: "
+                      "this is no mesh of it",
+                      fit.distance.max_corner,
+                      100 * fit.distance.max_corner / input.model.diagonal)}});
+  }
   fit.is_by_stored_metric =
       judged_by == JudgedBy::StoredMetric && !fit.is_projected && has_metric(mesh.mesh);
   const Sizing& sizing = input.options.sizing;

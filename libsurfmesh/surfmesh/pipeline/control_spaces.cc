@@ -123,8 +123,9 @@ void tell_unsearched(const Model& model, const std::vector<ControlInput>& inputs
     if (!inputs[p].sampling.is_search_incomplete) continue;
     Notice notice = warning_at(
         label(model.patches[p]), NoticeKind::UnsearchedSizes,
-        fmt::format("the search for small sizes in its fields ended at {} evaluations; formulas "
-                    "that use each variable fewer times take fewer",
+        fmt::format("the search for small sizes in its fields ended at {} evaluations: small ones "
+                    "may be missed; formulas that use each variable fewer times take fewer, as do "
+                    "background meshes that lie on the surface",
                     kSearchBudget));
     notice.patch = static_cast<int>(p);
     notices.push_back(std::move(notice));

@@ -24,6 +24,7 @@
 #include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/core/run_context.hh"
 #include "surfmesh/formats/mesh_endings.hh"
+#include "surfmesh/formats/mesh_format.hh"
 #include "surfmesh/formats/read_cage.hh"
 #include "surfmesh/io/input_file.hh"
 #include "surfmesh/io/nearest_word.hh"
@@ -571,6 +572,8 @@ ModelInput load_model_file(const std::filesystem::path& path, const LoadOptions&
   return input;
 }
 
+bool is_mesh(const std::filesystem::path& path) { return find_format(path) != nullptr; }
+
 /// By the ending, see load_model.
 ModelInput load(const std::filesystem::path& path, const LoadOptions& options,
                 const RunContext& context) {
@@ -578,9 +581,10 @@ ModelInput load(const std::filesystem::path& path, const LoadOptions& options,
   if (has_cad_ending(path)) return load_cad(path, options, context);
   if (lower_case_ending(path) != ".json") {
     throw Error(ErrorCode::InvalidInput,
-                fmt::format("{}: the ending of a cage is {}, that of a CAD file .step, .stp, "
+                fmt::format("{}: {}the ending of a cage is {}, that of a CAD file .step, .stp, "
                             ".iges, .igs or .brep, that of a model file .json",
-                            path.string(), cage_endings()));
+                            path.string(), is_mesh(path) ? "this is a mesh, no model; " : "",
+                            cage_endings()));
   }
   return load_model_file(path, options, context);
 }
