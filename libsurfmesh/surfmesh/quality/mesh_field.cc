@@ -75,7 +75,7 @@ std::vector<double> qualities(const PolyMesh& mesh) {
 
 /// The first four corners of a face, and how many there are.
 struct FaceCorners {
-  std::array<HalfedgeHandle, 4> first = {};
+  std::array<HalfedgeHandle, 4> first;
   std::size_t count = 0;
 };
 
