@@ -264,8 +264,10 @@ TEST_F(BackgroundFile, IsRefusedWithItsPlaces) {
             patch + "background: cannot read no.vtu");
   EXPECT_EQ(error(R"({"background": "sizes.vtu"})"),
             patch + "background: sizes.vtu: it has several values, name one of them: it has h, k");
-  EXPECT_EQ(error(R"({"background": "sizes.vtu", "values": "hh"})"),
-            patch + "background: sizes.vtu: it has no values hh at its points, did you mean h? it has h, k");
+  EXPECT_EQ(
+      error(R"({"background": "sizes.vtu", "values": "hh"})"),
+      patch +
+          "background: sizes.vtu: it has no values hh at its points, did you mean h? it has h, k");
   EXPECT_EQ(error(R"({"background": "sizes.vtu", "in": "xyz"})"),
             patch + "in: must be \"space\" or \"uv\"");
   EXPECT_EQ(error(R"({"background": "sizes.vtu", "values": "h", "reach": 0})"),

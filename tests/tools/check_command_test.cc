@@ -230,7 +230,8 @@ TEST_F(CheckProgram, TellsErrors) {
   EXPECT_EQ(run("check none.obj"), 1);
   EXPECT_TRUE(says("error: cannot read none.obj: it does not exist")) << err_;
   EXPECT_EQ(run("check none.step"), 1);
-  EXPECT_TRUE(says("the ending of a mesh to read is")) << err_;
+  EXPECT_TRUE(says("none.step: this is a model, no mesh: mesh it first; what is read is .obj"))
+      << err_;
   EXPECT_EQ(run("check"), 2);
   EXPECT_EQ(run("check a.obj --set hmin=1"), 2);
   EXPECT_TRUE(says("--set requires --model")) << err_;
