@@ -12,7 +12,7 @@
 #include "support/errors.hh"
 #include "support/models.hh"
 #include "surfmesh/boundary/contour_memory.hh"
-#include "surfmesh/boundary/crossing_segments.hh"
+#include "surfmesh/geometry/crossing_segments.hh"
 #include "surfmesh/boundary/metric_arc.hh"
 
 namespace surfmesh {

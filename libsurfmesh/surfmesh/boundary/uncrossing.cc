@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "surfmesh/boundary/crossing_segments.hh"
+#include "surfmesh/geometry/crossing_segments.hh"
 #include "surfmesh/boundary/loop_steps.hh"
 #include "surfmesh/boundary/pole_room.hh"
 

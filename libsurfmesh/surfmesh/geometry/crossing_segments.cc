@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surfmesh/boundary/crossing_segments.hh"
+#include "surfmesh/geometry/crossing_segments.hh"
 
 #include <algorithm>
 #include <limits>
