@@ -14,9 +14,12 @@
 
 #include "surfmesh/cage/block_surface.hh"
 #include "surfmesh/cage/creases.hh"
+#include "surfmesh/cage/face_neighbours.hh"
 #include "surfmesh/cage/gather_blocks.hh"
+#include "surfmesh/cage/gather_regions.hh"
 #include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/cage/refine_cage.hh"
+#include "surfmesh/cage/region_model.hh"
 #include "surfmesh/cage/subdivision.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/option_range.hh"
@@ -321,11 +324,10 @@ std::string name_of(int face, const RefinedCage& regular) {
   return fmt::format("f{}.{}", parent(face), part);
 }
 
-std::vector<int> cage_faces_of(const Block& block, const RefinedCage& regular) {
+/// The faces of the given cage that some of the regular one are parts of.
+std::vector<int> cage_faces_of(const std::vector<int>& of_regular, const RefinedCage& regular) {
   std::vector<int> faces;
-  for (const BlockFace& f : block.faces) {
-    faces.push_back(regular.parent_faces[static_cast<std::size_t>(f.face)]);
-  }
+  for (const int f : of_regular) faces.push_back(regular.parent_faces[static_cast<std::size_t>(f)]);
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return faces;
@@ -336,29 +338,52 @@ bool has_blocks(PatchKind kind, Scheme scheme) {
   return kind != PatchKind::Faces && scheme == Scheme::CatmullClark;
 }
 
-Model model_of_blocks(const RefinedCage& regular, Scheme scheme, const CageOptions& options) {
-  const CageTopology topology = make_topology(regular.cage, scheme);
-  const Surfaces surfaces = make_limit_surfaces(*topology.refiner, regular.cage.points,
-                                                {options.approximation_level, true});
-  const Level level = topology.refiner->GetLevel(0);
-  const std::vector<int> sets = group_sets(regular.cage, surfaces);
-  const std::vector<Block> blocks =
-      has_blocks(options.patches, scheme)
-          ? gather_blocks(*topology.refiner, sets, regular.cage.points)
-          : single_faces(sets);
-  ModelBuilder builder(level, scheme, blocks);
+Model model_of_blocks(const CageTopology& topology, const RefinedCage& regular,
+                      const Surfaces& surfaces, const std::vector<Block>& blocks, Scheme scheme) {
+  ModelBuilder builder(topology.refiner->GetLevel(0), scheme, blocks);
   for (const Block& block : blocks) {
+    std::vector<int> faces;
+    for (const BlockFace& f : block.faces) faces.push_back(f.face);
     Patch patch;
     patch.name = name_of(first_face(block), regular);
     patch.surface = surface_of(block, surfaces);
-    patch.cage_faces = cage_faces_of(block, regular);
+    patch.cage_faces = cage_faces_of(faces, regular);
     builder.add_patch(std::move(patch));
   }
   builder.finish();
-  builder.model.notices = regular.notices;
-  builder.model.notices.insert(builder.model.notices.end(), topology.notices.begin(),
-                               topology.notices.end());
   return std::move(builder.model);
+}
+
+Model model_of_regions(const CageTopology& topology, const RefinedCage& regular,
+                       const Surfaces& surfaces, const std::vector<int>& sets) {
+  const FaceNeighbours neighbours(*topology.refiner, sets);
+  const std::vector<FaceRegion> regions = gather_regions(neighbours, surfaces);
+  Model model = model_of_regions(neighbours, surfaces, regions);
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    model.patches[r].name = name_of(regions[r].faces.front(), regular);
+    model.patches[r].cage_faces = cage_faces_of(regions[r].faces, regular);
+  }
+  return model;
+}
+
+Model model_of_regular(const RefinedCage& regular, Scheme scheme, const CageOptions& options) {
+  const CageTopology topology = make_topology(regular.cage, scheme);
+  const Surfaces surfaces = make_limit_surfaces(*topology.refiner, regular.cage.points,
+                                                {options.approximation_level, true});
+  const std::vector<int> sets = group_sets(regular.cage, surfaces);
+  Model model;
+  if (options.patches == PatchKind::Regions && scheme != Scheme::Bilinear) {
+    model = model_of_regions(topology, regular, surfaces, sets);
+  } else {
+    const std::vector<Block> blocks =
+        has_blocks(options.patches, scheme)
+            ? gather_blocks(*topology.refiner, sets, regular.cage.points)
+            : single_faces(sets);
+    model = model_of_blocks(topology, regular, surfaces, blocks, scheme);
+  }
+  model.notices = regular.notices;
+  model.notices.insert(model.notices.end(), topology.notices.begin(), topology.notices.end());
+  return model;
 }
 
 /// Blocks were asked for where each face is a patch.
@@ -420,7 +445,7 @@ Model model_from_cage(const Cage& cage, const CageOptions& options) {
   if (options.crease_angle.value_or(0) > 0) add_creases(*options.crease_angle, mended.cage);
   const Scheme scheme = resolve_scheme(mended.cage, options.scheme);
   const RefinedCage regular = make_regular(mended.cage, scheme, mended.parent_faces);
-  Model model = model_of_blocks(regular, scheme, options);
+  Model model = model_of_regular(regular, scheme, options);
   model.notices.insert(model.notices.begin(), std::make_move_iterator(mended.notices.begin()),
                        std::make_move_iterator(mended.notices.end()));
   if (model.patches.empty()) {

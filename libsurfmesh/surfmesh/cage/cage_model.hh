@@ -9,8 +9,9 @@
 
 namespace surfmesh {
 
-/// What becomes a patch of a cage: a face, or a block of faces. Auto: blocks.
-enum class PatchKind { Auto, Faces, Blocks };
+/// What becomes a patch of a cage: a face, a rectangular block of faces, or a region of faces over
+/// a plane. Auto: blocks.
+enum class PatchKind { Auto, Faces, Blocks, Regions };
 
 /// How a cage becomes a model.
 struct CageOptions {

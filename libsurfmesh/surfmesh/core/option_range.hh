@@ -99,7 +99,7 @@ inline constexpr std::array kQuadFront = {OptionWord{"lee-lo", 0}, OptionWord{"q
 inline constexpr std::array kMsh = {OptionWord{"4.1", 0}, OptionWord{"4.1-text", 1},
                                     OptionWord{"2.2", 2}, OptionWord{"2.2-text", 3}};
 inline constexpr std::array kPatches = {OptionWord{"auto", 0}, OptionWord{"faces", 1},
-                                        OptionWord{"blocks", 2}};
+                                        OptionWord{"blocks", 2}, OptionWord{"regions", 3}};
 
 }  // namespace words
 

@@ -286,6 +286,7 @@ static_assert(stands_for(words::kMsh, "2.2-text", MshVersion::Text22));
 static_assert(stands_for(words::kPatches, "auto", PatchKind::Auto));
 static_assert(stands_for(words::kPatches, "faces", PatchKind::Faces));
 static_assert(stands_for(words::kPatches, "blocks", PatchKind::Blocks));
+static_assert(stands_for(words::kPatches, "regions", PatchKind::Regions));
 
 }  // namespace
 

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/cage/chart_surface.hh"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "surfmesh/core/error.hh"
+
+namespace surfmesh {
+namespace {
+
+/// A point is found when it is missed by less than this share of a face: what is left is corrected
+/// to second order.
+constexpr double kMiss = 1e-7;
+
+/// Steps of Newton's method and from face to face, of which five are usual.
+constexpr int kMostSteps = 60;
+
+/// Faces around a corner that are gone through one after the other, at most.
+constexpr int kMostTurns = 24;
+
+/// Share of a squared miss that a step along the border leaves at most; otherwise the point is
+/// beyond the border.
+constexpr double kNearer = 0.25;
+
+/// Share of a face by which a step may lead beyond it: less than is missed in the end.
+constexpr double kBeyond = 1e-9;
+
+/// Twice the area of a triangle, positive if it turns counter-clockwise.
+double doubled_area(Uv a, Uv b, Uv c) { return cross(b - a, c - a); }
+
+double squared_norm(Uv step) { return step.u * step.u + step.v * step.v; }
+
+/// The inverse of the matrix whose columns are two steps.
+struct InverseSteps {
+  InverseSteps(Uv a, Uv b) {
+    const double determinant = cross(a, b);
+    row_a = {b.v / determinant, -b.u / determinant};
+    row_b = {-a.v / determinant, a.u / determinant};
+  }
+
+  Uv operator()(Uv step) const {
+    return {row_a.u * step.u + row_a.v * step.v, row_b.u * step.u + row_b.v * step.v};
+  }
+
+  Uv row_a, row_b;
+};
+
+/// The point at a share of a side of a domain.
+Uv on_side(const Domain& domain, int side, double share) {
+  return lerp(domain.corner(side), domain.corner((side + 1) % domain.corner_count()), share);
+}
+
+/// How far a point is inside of a side of a unit square or triangle, in units of its height.
+double inside_of(const Domain& domain, int side, Uv at) {
+  if (domain.shape == Domain::Shape::Triangle) {
+    return side == 0 ? at.v : side == 1 ? 1 - at.u - at.v : at.u;
+  }
+  return side == 0 ? at.v : side == 1 ? 1 - at.u : side == 2 ? 1 - at.v : at.u;
+}
+
+/// The share of a side that a point on it is at.
+double share_of(const Domain& domain, int side, Uv at) {
+  if (domain.shape == Domain::Shape::Triangle) {
+    return side == 0 ? at.u : side == 1 ? at.v : 1 - at.v;
+  }
+  return side == 0 ? at.u : side == 1 ? at.v : side == 2 ? 1 - at.u : 1 - at.v;
+}
+
+/// Where a step leaves a domain.
+struct Exit {
+  int side = -1;
+  double share = 1;  ///< of the step
+};
+
+/// Of two sides in a corner, one that has a neighbour is left through.
+Exit exit_of(const Domain& domain, Uv at, Uv step, const ChartFace& face) {
+  Exit first;
+  for (int side = 0; side < domain.corner_count(); ++side) {
+    double before = inside_of(domain, side, at);
+    if (before <= kBeyond) before = 0;
+    const double after = inside_of(domain, side, at + step);
+    if (after >= -kBeyond) continue;
+    const double share = before / (before - after);
+    const bool is_better =
+        share == first.share && face.neighbours[static_cast<std::size_t>(side)].face >= 0;
+    if (first.side < 0 || share < first.share || is_better) first = {side, share};
+  }
+  return first;
+}
+
+/// The point of a triangle or square next to one that is just outside.
+Uv pulled_in(const Domain& domain, Uv at) {
+  at = {std::clamp(at.u, 0.0, 1.0), std::clamp(at.v, 0.0, 1.0)};
+  if (domain.shape == Domain::Shape::Triangle && at.u + at.v > 1) {
+    const double half = (at.u + at.v - 1) / 2;
+    at = {std::max(at.u - half, 0.0), std::max(at.v - half, 0.0)};
+  }
+  return at;
+}
+
+}  // namespace
+
+ChartFrame ChartFrame::at(const Vec3& origin, const Vec3& normal) {
+  const Vec3 along_u = normal.unitOrthogonal();
+  return {origin, along_u, normal.cross(along_u), normal};
+}
+
+Chart::Chart(const ChartFrame& frame, std::vector<ChartFace> faces)
+    : frame_(frame), faces_(std::move(faces)) {
+  if (faces_.empty()) throw Error(ErrorCode::InvalidInput, "a chart has no faces");
+  unit_ = faces_[0].surface->domain();
+  double area = 0;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    std::array<Uv, 4>& corners = corners_.emplace_back();
+    for (int i = 0; i < 4; ++i) {
+      const Uv corner = unit_.corner(std::min(i, unit_.corner_count() - 1));
+      corners[static_cast<std::size_t>(i)] =
+          frame_.project(faces_[f].surface->evaluate(corner, Order::Position).point);
+    }
+    area += doubled_area(corners[0], corners[1], corners[2]) +
+            doubled_area(corners[0], corners[2], corners[3]);
+    for (int side = 0; side < unit_.corner_count(); ++side) {
+      if (faces_[f].neighbours[static_cast<std::size_t>(side)].face >= 0) continue;
+      border_.push_back({f, side});
+    }
+  }
+  face_size_ = std::sqrt(std::abs(area) / 2 / static_cast<double>(faces_.size()));
+  sort_into_cells();
+}
+
+Jet Chart::evaluate(Uv uv, Order order) const {
+  const Found found = find(uv);
+  const bool needs_second = order == Order::Second || !found.is_inside;
+  const Jet of_face =
+      needs_second ? faces_[found.place.face].surface->evaluate(found.place.at, Order::Second)
+                   : found.jet;
+  Jet jet = in_plane(of_face, needs_second ? Order::Second : Order::First);
+  const Uv miss = found.miss;
+  if (needs_second) {
+    jet.point += 0.5 * (miss.u * miss.u * jet.duu + 2 * miss.u * miss.v * jet.duv +
+                        miss.v * miss.v * jet.dvv);
+  }
+  jet.point += miss.u * jet.du + miss.v * jet.dv;
+  if (!jet.point.allFinite()) {
+    throw Error(ErrorCode::Geometry, "the limit surface has no tangent plane at (" +
+                                         std::to_string(uv.u) + ", " + std::to_string(uv.v) +
+                                         ") of a chart");
+  }
+  if (order == Order::Position) return {jet.point};
+  if (needs_second) {
+    jet.du += miss.u * jet.duu + miss.v * jet.duv;
+    jet.dv += miss.u * jet.duv + miss.v * jet.dvv;
+  }
+  return order == Order::Second ? jet : Jet{jet.point, jet.du, jet.dv};
+}
+
+/// A rounding of a face is as it is in the face's own parameters.
+Uv Chart::beside_roundings(Uv uv) const {
+  const Found found = find(uv);
+  if (!found.is_inside) return uv;
+  const Surface& surface = *faces_[found.place.face].surface;
+  const Uv beside = surface.beside_roundings(found.place.at);
+  if (beside == found.place.at) return uv;
+  return frame_.project(surface.evaluate(beside, Order::Position).point);
+}
+
+bool Chart::covers(Uv uv) const { return find(uv).is_inside; }
+
+/// Derivatives by the parameters of a face become those by the coordinates in the plane: at a fixed
+/// point of the plane the surface moves along the normal only.
+Jet Chart::in_plane(const Jet& jet, Order order) const {
+  const InverseSteps inverse(frame_.step(jet.du), frame_.step(jet.dv));
+  // Columns of the inverse: how the parameters of the face change along u and v.
+  const Uv by_u{inverse.row_a.u, inverse.row_b.u}, by_v{inverse.row_a.v, inverse.row_b.v};
+  Jet result;
+  result.point = jet.point;
+  result.du = by_u.u * jet.du + by_u.v * jet.dv;
+  result.dv = by_v.u * jet.du + by_v.v * jet.dv;
+  if (order != Order::Second) return result;
+  const auto second = [&](Uv a, Uv b) {
+    const Vec3 bent = a.u * b.u * jet.duu + (a.u * b.v + a.v * b.u) * jet.duv + a.v * b.v * jet.dvv;
+    const Uv shift = inverse(frame_.step(bent));
+    return Vec3(bent - shift.u * jet.du - shift.v * jet.dv);
+  };
+  result.duu = second(by_u, by_u);
+  result.duv = second(by_u, by_v);
+  result.dvv = second(by_v, by_v);
+  return result;
+}
+
+Chart::Found Chart::find(Uv uv) const {
+  const double most_miss = kMiss * kMiss * face_size_ * face_size_;
+  Found found{start(uv), {}, {}, false};
+  double miss_at_border = std::numeric_limits<double>::infinity();
+  int turns = 0;
+  for (int step = 0; step < kMostSteps; ++step) {
+    found.jet = faces_[found.place.face].surface->evaluate(found.place.at, Order::First);
+    found.miss = uv - frame_.project(found.jet.point);
+    const double miss = squared_norm(found.miss);
+    found.is_inside = miss <= most_miss;
+    const Uv wanted =
+        InverseSteps(frame_.step(found.jet.du), frame_.step(found.jet.dv))(found.miss);
+    if (found.is_inside || !std::isfinite(wanted.u) || !std::isfinite(wanted.v)) return found;
+    const Move move = go(found.place, wanted);
+    turns = move.is_turn ? turns + 1 : 0;
+    if (turns > kMostTurns) return found;
+    if (move.is_along_border && miss > kNearer * miss_at_border) return found;
+    if (move.is_along_border) miss_at_border = miss;
+    found.place = move.to;
+  }
+  return found;
+}
+
+/// Go a step within a face, into the neighbour where it leaves the face, or along the border where
+/// there is none.
+Chart::Move Chart::go(const Place& place, Uv step) const {
+  const Exit exit = exit_of(unit_, place.at, step, faces_[place.face]);
+  if (exit.side < 0) return {{place.face, pulled_in(unit_, place.at + step)}};
+  const ChartFace::Neighbour neighbour =
+      faces_[place.face].neighbours[static_cast<std::size_t>(exit.side)];
+  if (neighbour.face < 0) {
+    return {{place.face, pulled_in(unit_, place.at + step)}, false, true};
+  }
+  const Uv at_exit = pulled_in(unit_, place.at + exit.share * step);
+  const double share = std::clamp(share_of(unit_, exit.side, at_exit), 0.0, 1.0);
+  return {{static_cast<std::size_t>(neighbour.face), on_side(unit_, neighbour.side, 1 - share)},
+          exit.share == 0};
+}
+
+/// A place near a point, which Newton's method starts from.
+Chart::Place Chart::start(Uv uv) const {
+  if (!std::isfinite(uv.u) || !std::isfinite(uv.v)) {
+    throw Error(ErrorCode::Geometry, "a chart is evaluated at a point that is not finite");
+  }
+  if (uv.u >= lower_.u && uv.u <= upper_.u && uv.v >= lower_.v && uv.v <= upper_.v) {
+    const std::size_t cell = row(uv.v) * columns_ + column(uv.u);
+    for (std::size_t i = first_[cell]; i < first_[cell + 1]; ++i) {
+      if (contains(in_cells_[i], uv)) return place_in(in_cells_[i], uv);
+    }
+  }
+  return nearest_on_border(uv);
+}
+
+Chart::Place Chart::nearest_on_border(Uv uv) const {
+  Place best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [face, side] : border_) {
+    const std::array<Uv, 4>& c = corners_[face];
+    const Uv a = c[static_cast<std::size_t>(side)];
+    const Uv along = c[static_cast<std::size_t>((side + 1) % unit_.corner_count())] - a;
+    const Uv to = uv - a;
+    const double share =
+        std::clamp((to.u * along.u + to.v * along.v) / squared_norm(along), 0.0, 1.0);
+    const double distance = squared_norm(to - share * along);
+    if (distance >= least) continue;
+    least = distance;
+    best = {face, on_side(unit_, side, share)};
+  }
+  return best;
+}
+
+bool Chart::contains(std::size_t face, Uv uv) const {
+  const std::array<Uv, 4>& c = corners_[face];
+  const std::size_t count = static_cast<std::size_t>(unit_.corner_count());
+  for (std::size_t side = 0; side < count; ++side) {
+    if (doubled_area(c[side], c[(side + 1) % count], uv) < 0) return false;
+  }
+  return true;
+}
+
+/// As if the face were flat.
+Chart::Place Chart::place_in(std::size_t face, Uv uv) const {
+  const std::array<Uv, 4>& c = corners_[face];
+  const bool is_upper = unit_.shape == Domain::Shape::Rectangle &&
+                        doubled_area(c[1], c[3], uv) < 0;  // the triangle at corner 2
+  const Uv origin = is_upper ? c[2] : c[0];
+  const Uv beside_u = is_upper ? c[3] : c[1];
+  const Uv beside_v = is_upper ? c[1] : unit_.shape == Domain::Shape::Triangle ? c[2] : c[3];
+  const Uv share = InverseSteps(beside_u - origin, beside_v - origin)(uv - origin);
+  const Uv at = is_upper ? Uv{1 - share.u, 1 - share.v} : share;
+  return {face, pulled_in(unit_, at)};
+}
+
+std::size_t Chart::column(double u) const {
+  const double share = (u - lower_.u) / (upper_.u - lower_.u);
+  return std::min(static_cast<std::size_t>(std::max(share, 0.0) * static_cast<double>(columns_)),
+                  columns_ - 1);
+}
+
+std::size_t Chart::row(double v) const {
+  const double share = (v - lower_.v) / (upper_.v - lower_.v);
+  return std::min(static_cast<std::size_t>(std::max(share, 0.0) * static_cast<double>(rows_)),
+                  rows_ - 1);
+}
+
+void Chart::sort_into_cells() {
+  lower_ = upper_ = corners_[0][0];
+  for (const auto& corners : corners_) {
+    for (const Uv corner : corners) {
+      lower_ = {std::min(lower_.u, corner.u), std::min(lower_.v, corner.v)};
+      upper_ = {std::max(upper_.u, corner.u), std::max(upper_.v, corner.v)};
+    }
+  }
+  const double width = upper_.u - lower_.u, height = upper_.v - lower_.v;
+  const double count = static_cast<double>(faces_.size());
+  const double side = std::sqrt(width * height / count);
+  columns_ = static_cast<std::size_t>(std::clamp(width / side, 1.0, count));
+  rows_ = static_cast<std::size_t>(std::clamp(height / side, 1.0, count));
+  std::vector<std::vector<std::size_t>> in_cells(columns_ * rows_);
+  for (std::size_t f = 0; f < corners_.size(); ++f) {
+    Uv low = corners_[f][0], high = low;
+    for (const Uv corner : corners_[f]) {
+      low = {std::min(low.u, corner.u), std::min(low.v, corner.v)};
+      high = {std::max(high.u, corner.u), std::max(high.v, corner.v)};
+    }
+    for (std::size_t j = row(low.v); j <= row(high.v); ++j) {
+      for (std::size_t i = column(low.u); i <= column(high.u); ++i) {
+        in_cells[j * columns_ + i].push_back(f);
+      }
+    }
+  }
+  first_.push_back(0);
+  for (const std::vector<std::size_t>& faces : in_cells) {
+    in_cells_.insert(in_cells_.end(), faces.begin(), faces.end());
+    first_.push_back(in_cells_.size());
+  }
+}
+
+}  // namespace surfmesh

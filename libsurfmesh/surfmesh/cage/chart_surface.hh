@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "surfmesh/geometry/surface.hh"
+
+namespace surfmesh {
+
+/// A plane with its axes in space: coordinates along the first two are (u,v), in model units.
+struct ChartFrame {
+  Vec3 origin = Vec3::Zero();
+  Vec3 along_u = Vec3::UnitX();
+  Vec3 along_v = Vec3::UnitY();
+  Vec3 normal = Vec3::UnitZ();
+
+  /// A frame whose normal is the unit vector given.
+  static ChartFrame at(const Vec3& origin, const Vec3& normal);
+
+  Uv project(const Vec3& point) const { return step(point - origin); }
+  Uv step(const Vec3& in_space) const { return {along_u.dot(in_space), along_v.dot(in_space)}; }
+};
+
+/// A face of a chart: the limit surface over a face of a cage, and its neighbours in the chart.
+struct ChartFace {
+  /// Beyond one of its sides.
+  struct Neighbour {
+    int face = -1;  ///< in the chart, -1 for none
+    int side = -1;  ///< of that face, which it passes in the opposite direction
+  };
+
+  std::shared_ptr<const Surface> surface;
+  std::array<Neighbour, 4> neighbours = {};
+};
+
+/// A part of a limit surface of many small faces, as the graph of a function over a plane.
+///
+/// Beyond its faces it goes on with the curvature that it has at their border.
+class Chart {
+ public:
+  /// Pre      each face, seen along the normal of the frame, turns counter-clockwise and covers no
+  ///          part of another one
+  /// Cost     an evaluation for each corner of a face, and O(n) for n faces
+  /// Throws   InvalidInput if there are no faces
+  Chart(const ChartFrame& frame, std::vector<ChartFace> faces);
+
+  /// The surface above a point of the plane.
+  ///
+  /// Error    positions 1e-14 of a face, derivatives 1e-7 (test Chart.IsThatOfItsFaces)
+  /// Cost     three to four evaluations of a face, five with second derivatives
+  /// Throws   Geometry if the point is not finite, or the surface has no tangent plane there
+  Jet evaluate(Uv uv, Order order) const;
+
+  /// True if a face is above a point of the plane.
+  bool covers(Uv uv) const;
+
+  /// See Surface::beside_roundings. A rounding is as it is in the parameters of its face.
+  Uv beside_roundings(Uv uv) const;
+
+  const ChartFrame& frame() const { return frame_; }
+
+  /// The side of a square of the area that faces cover, on average.
+  double face_size() const { return face_size_; }
+
+ private:
+  /// A point of a face in its own parameters.
+  struct Place {
+    std::size_t face = 0;
+    Uv at;
+  };
+
+  /// What a search has come to.
+  struct Found {
+    Place place;
+    Jet jet;         ///< of the face there, of first order
+    Uv miss;         ///< the point asked for, as seen from there
+    bool is_inside;  ///< false beyond all faces
+  };
+
+  /// A step of a search.
+  struct Move {
+    Place to;
+    bool is_turn = false;          ///< into another face at the same corner
+    bool is_along_border = false;  ///< kept from leaving the last face
+  };
+
+  /// A side of a face beyond which there is none.
+  struct BorderSide {
+    std::size_t face = 0;
+    int side = 0;
+  };
+
+  Place start(Uv uv) const;
+  Place nearest_on_border(Uv uv) const;
+  Place place_in(std::size_t face, Uv uv) const;
+  bool contains(std::size_t face, Uv uv) const;
+  Found find(Uv uv) const;
+  Move go(const Place& place, Uv step) const;
+  Jet in_plane(const Jet& jet, Order order) const;
+  std::size_t column(double u) const;
+  std::size_t row(double v) const;
+  void sort_into_cells();
+
+  ChartFrame frame_;
+  std::vector<ChartFace> faces_;
+  Domain unit_;                             ///< of each face
+  std::vector<std::array<Uv, 4>> corners_;  ///< of the faces, in the plane
+  std::vector<BorderSide> border_;
+  double face_size_ = 0;
+  // A grid over the corners.
+  Uv lower_{0, 0}, upper_{0, 0};
+  std::size_t columns_ = 1, rows_ = 1;
+  std::vector<std::size_t> first_;     ///< by cell, into `in_cells_`
+  std::vector<std::size_t> in_cells_;  ///< faces
+};
+
+/// The surface of a chart. Its parameters are coordinates in the plane.
+///
+/// So they run smoothly over the faces, whatever the parameters of those do, and elements of any
+/// size may lie on them.
+class ChartSurface : public Surface {
+ public:
+  /// `domain` is a rectangle in the plane.
+  ChartSurface(std::shared_ptr<const Chart> chart, const Domain& domain, CellCount cells)
+      : chart_(std::move(chart)), domain_(domain), cells_(cells) {}
+
+  Jet evaluate(Uv uv, Order order) const override { return chart_->evaluate(uv, order); }
+  Domain domain() const override { return domain_; }
+  CellCount cells() const override { return cells_; }
+  Uv beside_roundings(Uv uv) const override { return chart_->beside_roundings(uv); }
+
+ private:
+  std::shared_ptr<const Chart> chart_;
+  Domain domain_;
+  CellCount cells_;
+};
+
+}  // namespace surfmesh

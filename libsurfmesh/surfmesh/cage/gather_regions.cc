@@ -1,0 +1,568 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/cage/gather_regions.hh"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <queue>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "surfmesh/cage/face_loops.hh"
+#include "surfmesh/core/error.hh"
+#include "surfmesh/core/parallel.hh"
+#include "surfmesh/geometry/crossing_segments.hh"
+
+namespace surfmesh {
+namespace {
+
+constexpr int kNone = -1;
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// Greatest angle between the normals of a region and that of its plane. Elements are stretched in
+/// the plane by up to 1/cos of it, 1.7, which the metric makes up for.
+constexpr double kMostTurn = 55 * kDegree;
+
+/// The same for small regions that become parts of others, and for the margin around a region.
+constexpr double kMostTurnOfRest = 65 * kDegree;
+
+/// Faces of a region, about. Twice that is too many.
+constexpr std::size_t kFacesOfRegion = 800;
+
+/// Regions of fewer faces become parts of others where they may.
+constexpr std::size_t kFewFaces = 24;
+
+/// How much farther apart faces count that turn away from the plane of the region by 90°.
+constexpr double kTurnCost = 3;
+
+/// Times that seeds move to the middles of their regions.
+constexpr int kMoves = 3;
+
+/// Times that faces without a region become seeds after that.
+constexpr int kMostRounds = 30;
+
+/// Rings of faces around a region that its chart covers, too.
+constexpr int kMarginRings = 4;
+
+/// Sine of the angle between derivatives below which they leave no normal.
+constexpr double kLeastSine = 1e-6;
+
+/// What a region needs to know of a face.
+struct FaceShape {
+  Vec3 centre = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();
+  double turn = std::numbers::pi;  ///< greatest angle of its normals to this one
+  double area = 0;
+};
+
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::acos(std::clamp(a.dot(b), -1.0, 1.0));
+}
+
+/// The greatest angle of the normals of a face to an axis.
+double turn_from(const FaceShape& shape, const Vec3& axis) {
+  return angle_between(shape.normal, axis) + shape.turn;
+}
+
+/// From samples at the corners, at the middles of sides and in the middle.
+FaceShape shape_of(const Surface& surface) {
+  const Domain domain = surface.domain();
+  const int count = domain.corner_count();
+  Uv middle{0, 0};
+  std::vector<Uv> samples;
+  for (int i = 0; i < count; ++i) {
+    samples.push_back(domain.corner(i));
+    samples.push_back(lerp(domain.corner(i), domain.corner((i + 1) % count), 0.5));
+    middle = middle + (1.0 / count) * domain.corner(i);
+  }
+  samples.push_back(middle);
+  FaceShape shape;
+  Vec3 sum = Vec3::Zero();
+  std::vector<Vec3> normals;
+  try {
+    for (const Uv uv : samples) {
+      const Jet jet = surface.evaluate(uv, Order::First);
+      const Vec3 area = jet.du.cross(jet.dv);
+      const double length = area.norm();
+      if (!(length > kLeastSine * jet.du.norm() * jet.dv.norm())) return {};
+      shape.centre = jet.point;
+      shape.area = length / (count == 3 ? 2 : 1);
+      sum += area;
+      normals.push_back(area / length);
+    }
+  } catch (const Error&) {
+    return {};  // the surface is not finite there: such a face is no part of a region
+  }
+  shape.normal = sum.normalized();
+  shape.turn = 0;
+  for (const Vec3& normal : normals) {
+    shape.turn = std::max(shape.turn, angle_between(normal, shape.normal));
+  }
+  return shape;
+}
+
+std::vector<FaceShape> shapes_of(const std::vector<std::shared_ptr<const Surface>>& surfaces) {
+  std::vector<FaceShape> shapes(surfaces.size());
+  share_ranges(surfaces.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t f = first; f < end; ++f) {
+      if (surfaces[f]) shapes[f] = shape_of(*surfaces[f]);
+    }
+  });
+  return shapes;
+}
+
+/// Divides the faces among seeds.
+class RegionGatherer {
+ public:
+  RegionGatherer(const FaceNeighbours& neighbours, const std::vector<FaceShape>& shapes)
+      : neighbours_(neighbours), shapes_(shapes), region_of_(shapes.size(), kNone) {}
+
+  /// The region of each face, from 0; -1 for faces by themselves.
+  std::vector<int> run() {
+    place_first_seeds();
+    for (int move = 0; move < kMoves; ++move) {
+      flood();
+      drop_small();
+      add_seeds(kFewFaces);
+      flood();
+      merge();
+      move_seeds();
+    }
+    flood();
+    for (int round = 0; round < kMostRounds && add_seeds(1); ++round) flood();
+    absorb_small();
+    return std::move(region_of_);
+  }
+
+  std::size_t seed_count() const { return seeds_.size(); }
+
+  /// The normals of the planes, by region.
+  const Vec3& axis(int region) const { return seeds_[index(region)].axis; }
+
+ private:
+  struct Seed {
+    int face = kNone;
+    Vec3 axis;
+  };
+
+  /// What a region is made of.
+  struct Sum {
+    std::vector<int> faces = {};
+    Vec3 normal = Vec3::Zero();  ///< times the area
+
+    void add(int face, const FaceShape& shape) {
+      faces.push_back(face);
+      normal += shape.area * shape.normal;
+    }
+    void add(const Sum& other) {
+      faces.insert(faces.end(), other.faces.begin(), other.faces.end());
+      normal += other.normal;
+    }
+    Vec3 axis() const { return normal.normalized(); }
+  };
+
+  /// A face that a region may take, at a cost.
+  using Offer = std::tuple<double, int, int>;  // cost, face, region
+  using Offers = std::priority_queue<Offer, std::vector<Offer>, std::greater<>>;
+
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  const FaceShape& shape(int face) const { return shapes_[index(face)]; }
+  int& region(int face) { return region_of_[index(face)]; }
+  int region(int face) const { return region_of_[index(face)]; }
+
+  bool may_be_in_region(int face) const {
+    return neighbours_.is_used(face) && shape(face).turn <= kMostTurn;
+  }
+
+  bool fits(int face, const Vec3& axis, double most_turn) const {
+    return turn_from(shape(face), axis) <= most_turn;
+  }
+
+  /// True if a face lies beside one of a region in an edge where they are no neighbours: both sides
+  /// of a crease.
+  bool is_beside_itself(int face, int of_region) const {
+    const auto& level = neighbours_.level();
+    for (int side = 0; side < neighbours_.corner_count(); ++side) {
+      if (neighbours_.across({face, side}).face >= 0) continue;
+      for (const int other : level.GetEdgeFaces(neighbours_.edge({face, side}))) {
+        if (other != face && region(other) == of_region) return true;
+      }
+    }
+    return false;
+  }
+
+  double step_cost(int from, int to, const Vec3& axis) const {
+    const double turn = 1 - shape(to).normal.dot(axis);
+    return (shape(to).centre - shape(from).centre).norm() * (1 + kTurnCost * turn);
+  }
+
+  /// Take faces from the offers, each for the region to which it is nearest, until `limit` are
+  /// taken.
+  void take(Offers& offers, std::size_t limit = std::numeric_limits<std::size_t>::max()) {
+    for (std::size_t taken = 0; !offers.empty() && taken < limit;) {
+      const auto [cost, face, of_region] = offers.top();
+      offers.pop();
+      if (region(face) != kNone || is_beside_itself(face, of_region)) continue;
+      region(face) = of_region;
+      ++taken;
+      for (int side = 0; side < neighbours_.corner_count(); ++side) {
+        const int next = neighbours_.across({face, side}).face;
+        const Vec3& axis = seeds_[index(of_region)].axis;
+        if (next < 0 || region(next) != kNone || !fits(next, axis, kMostTurn)) continue;
+        offers.emplace(cost + step_cost(face, next, axis), next, of_region);
+      }
+    }
+  }
+
+  /// One region after the other, each from the first face that is left.
+  void place_first_seeds() {
+    for (int face = 0; face < neighbours_.face_count(); ++face) {
+      if (region(face) != kNone || !may_be_in_region(face)) continue;
+      grow_from(face);
+    }
+    move_seeds();
+  }
+
+  void grow_from(int face) {
+    seeds_.push_back({face, shape(face).normal});
+    Offers offers;
+    offers.emplace(0.0, face, static_cast<int>(seeds_.size()) - 1);
+    take(offers, kFacesOfRegion);
+  }
+
+  void flood() {
+    std::fill(region_of_.begin(), region_of_.end(), kNone);
+    Offers offers;
+    for (std::size_t r = 0; r < seeds_.size(); ++r) {
+      offers.emplace(0.0, seeds_[r].face, static_cast<int>(r));
+    }
+    take(offers);
+  }
+
+  std::vector<std::vector<int>> faces_by_region() const {
+    std::vector<std::vector<int>> faces(seeds_.size());
+    for (int f = 0; f < neighbours_.face_count(); ++f) {
+      if (region(f) != kNone) faces[index(region(f))].push_back(f);
+    }
+    return faces;
+  }
+
+  /// Seeds become the faces nearest to the middles of their regions.
+  void move_seeds() {
+    const std::vector<std::vector<int>> faces = faces_by_region();
+    for (std::size_t r = 0; r < seeds_.size(); ++r) {
+      if (faces[r].empty()) continue;
+      Vec3 centre = Vec3::Zero(), normal = Vec3::Zero();
+      double area = 0;
+      for (const int f : faces[r]) {
+        centre += shape(f).area * shape(f).centre;
+        normal += shape(f).area * shape(f).normal;
+        area += shape(f).area;
+      }
+      centre /= area;
+      normal.normalize();
+      Seed seed;
+      double least = std::numeric_limits<double>::infinity();
+      for (const int f : faces[r]) {
+        const double distance = (shape(f).centre - centre).squaredNorm();
+        if (distance >= least || !fits(f, normal, kMostTurn)) continue;
+        least = distance;
+        seed = {f, normal};
+      }
+      if (seed.face != kNone) seeds_[r] = seed;
+    }
+  }
+
+  /// Merge regions that fit over one plane, those of the least angle first.
+  void merge() {
+    std::vector<Sum> sums(seeds_.size());
+    for (int f = 0; f < neighbours_.face_count(); ++f) {
+      if (region(f) != kNone) sums[index(region(f))].add(f, shape(f));
+    }
+    std::vector<std::tuple<double, int, int>> pairs;
+    for (const auto& [a, b] : neighbouring_regions()) {
+      pairs.emplace_back(angle_between(sums[index(a)].axis(), sums[index(b)].axis()), a, b);
+    }
+    std::sort(pairs.begin(), pairs.end());
+    std::vector<int> host(seeds_.size());
+    std::iota(host.begin(), host.end(), 0);
+    const auto root = [&](int r) {
+      while (host[index(r)] != r) r = host[index(r)];
+      return r;
+    };
+    for (const auto& [angle, first, second] : pairs) {
+      const int a = root(first), b = root(second);
+      if (a == b || !may_merge(sums[index(a)], sums[index(b)])) continue;
+      host[index(b)] = a;
+      sums[index(a)].add(sums[index(b)]);
+    }
+    for (int f = 0; f < neighbours_.face_count(); ++f) {
+      if (region(f) != kNone) region(f) = root(region(f));
+    }
+  }
+
+  bool may_merge(const Sum& a, const Sum& b) const {
+    if (a.faces.size() + b.faces.size() > kFacesOfRegion) return false;
+    const Vec3 axis = (a.normal + b.normal).normalized();
+    for (const Sum* sum : {&a, &b}) {
+      for (const int face : sum->faces) {
+        if (!fits(face, axis, kMostTurn)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// Pairs of regions with an edge in common, the lower one first.
+  std::set<std::pair<int, int>> neighbouring_regions() const {
+    std::set<std::pair<int, int>> pairs;
+    for (int f = 0; f < neighbours_.face_count(); ++f) {
+      for (int side = 0; side < neighbours_.corner_count() && region(f) != kNone; ++side) {
+        const int next = neighbours_.across({f, side}).face;
+        if (next >= 0 && region(next) > region(f)) pairs.emplace(region(f), region(next));
+      }
+    }
+    return pairs;
+  }
+
+  /// Take back the seeds of small regions.
+  void drop_small() {
+    const std::vector<std::vector<int>> faces = faces_by_region();
+    std::vector<Seed> kept;
+    for (std::size_t r = 0; r < seeds_.size(); ++r) {
+      const bool is_small = faces[r].size() < kFewFaces;
+      if (!is_small) kept.push_back(seeds_[r]);
+      for (const int face : faces[r]) {
+        region(face) = is_small ? kNone : static_cast<int>(kept.size()) - 1;
+      }
+    }
+    seeds_ = std::move(kept);
+  }
+
+  /// Faces without a region, of each connected part of at least so many the first one, become
+  /// seeds, and the last faces of regions that are too large.
+  /// Returns  false if there was none to add
+  bool add_seeds(std::size_t least) {
+    const std::size_t before = seeds_.size();
+    std::vector<char> is_seen(shapes_.size(), 0);
+    for (int face = 0; face < neighbours_.face_count(); ++face) {
+      if (is_seen[index(face)] || region(face) != kNone || !may_be_in_region(face)) continue;
+      if (mark_connected(face, is_seen) < least) continue;
+      seeds_.push_back({face, shape(face).normal});
+    }
+    for (const std::vector<int>& faces : faces_by_region()) {
+      if (faces.size() <= 2 * kFacesOfRegion) continue;
+      const Seed& seed = seeds_[index(region(faces[0]))];
+      const Vec3& centre = shape(seed.face).centre;
+      const int farthest = *std::max_element(faces.begin(), faces.end(), [&](int a, int b) {
+        return (shape(a).centre - centre).squaredNorm() < (shape(b).centre - centre).squaredNorm();
+      });
+      seeds_.push_back({farthest, shape(farthest).normal});
+    }
+    return seeds_.size() > before;
+  }
+
+  /// Mark the faces without a region that are connected with one.
+  /// Returns  their number
+  std::size_t mark_connected(int first, std::vector<char>& is_seen) const {
+    std::vector<int> stack = {first};
+    is_seen[index(first)] = 1;
+    std::size_t count = 0;
+    for (; !stack.empty(); ++count) {
+      const int face = stack.back();
+      stack.pop_back();
+      for (int side = 0; side < neighbours_.corner_count(); ++side) {
+        const int next = neighbours_.across({face, side}).face;
+        if (next < 0 || is_seen[index(next)] || region(next) != kNone || !may_be_in_region(next)) {
+          continue;
+        }
+        is_seen[index(next)] = 1;
+        stack.push_back(next);
+      }
+    }
+    return count;
+  }
+
+  /// Small regions become parts of the neighbours with which they have most sides in common, where
+  /// these may have them.
+  void absorb_small() {
+    std::vector<std::vector<int>> faces = faces_by_region();
+    for (std::size_t r = 0; r < faces.size(); ++r) {
+      if (faces[r].empty() || faces[r].size() >= kFewFaces) continue;
+      const int host = host_of(faces[r], static_cast<int>(r));
+      if (host == kNone) continue;
+      for (const int face : faces[r]) region(face) = host;
+      faces[index(host)].insert(faces[index(host)].end(), faces[r].begin(), faces[r].end());
+      faces[r].clear();
+    }
+  }
+
+  int host_of(const std::vector<int>& faces, int own) const {
+    std::vector<std::pair<int, int>> shared;  // region, sides
+    for (const int face : faces) {
+      for (int side = 0; side < neighbours_.corner_count(); ++side) {
+        const int next = neighbours_.across({face, side}).face;
+        if (next < 0 || region(next) == own || region(next) == kNone) continue;
+        const auto known = std::find_if(shared.begin(), shared.end(), [&](const auto& entry) {
+          return entry.first == region(next);
+        });
+        if (known == shared.end()) {
+          shared.emplace_back(region(next), 1);
+        } else {
+          ++known->second;
+        }
+      }
+    }
+    std::stable_sort(shared.begin(), shared.end(),
+                     [](const auto& a, const auto& b) { return a.second > b.second; });
+    for (const auto& [host, sides] : shared) {
+      const Vec3& axis = seeds_[index(host)].axis;
+      const bool fit = std::all_of(faces.begin(), faces.end(), [&, host = host](int face) {
+        return fits(face, axis, kMostTurnOfRest) && !is_beside_itself(face, host);
+      });
+      if (fit) return host;
+    }
+    return kNone;
+  }
+
+  const FaceNeighbours& neighbours_;
+  const std::vector<FaceShape>& shapes_;
+  std::vector<int> region_of_;
+  std::vector<Seed> seeds_;
+};
+
+/// Makes the charts of regions.
+class ChartMaker {
+ public:
+  ChartMaker(const FaceNeighbours& neighbours, const std::vector<FaceShape>& shapes,
+             const std::vector<std::shared_ptr<const Surface>>& surfaces)
+      : neighbours_(neighbours), shapes_(shapes), surfaces_(surfaces), marks_(shapes.size(), 0) {}
+
+  /// The region of the faces; nothing if their chart would cover itself.
+  std::optional<FaceRegion> make(std::vector<int> faces, const Vec3& axis) {
+    FaceRegion region;
+    region.frame = frame_of(faces, axis);
+    region.faces = std::move(faces);
+    region.is_chart = true;
+    ++mark_;
+    for (const int face : region.faces) mark(face) = mark_;
+    if (!lies_side_by_side(region.faces, region.frame)) return std::nullopt;
+    for (int rings = kMarginRings; rings > 0; rings /= 2) {
+      region.margin = margin_of(region, rings);
+      std::vector<int> all = region.faces;
+      all.insert(all.end(), region.margin.begin(), region.margin.end());
+      std::sort(all.begin(), all.end());
+      if (lies_side_by_side(all, region.frame)) return region;
+      for (const int face : region.margin) mark(face) = 0;
+    }
+    region.margin.clear();
+    return region;
+  }
+
+ private:
+  int& mark(int face) { return marks_[static_cast<std::size_t>(face)]; }
+  const FaceShape& shape(int face) const { return shapes_[static_cast<std::size_t>(face)]; }
+
+  ChartFrame frame_of(const std::vector<int>& faces, const Vec3& axis) const {
+    Vec3 centre = Vec3::Zero();
+    for (const int face : faces) centre += shape(face).centre;
+    return ChartFrame::at(centre / static_cast<double>(faces.size()), axis);
+  }
+
+  /// Rings of neighbours around a region that lie over its plane. They are marked.
+  std::vector<int> margin_of(const FaceRegion& region, int rings) {
+    std::vector<int> margin;
+    std::vector<int> last = region.faces;
+    for (int ring = 0; ring < rings; ++ring) {
+      std::vector<int> next;
+      for (const int face : last) {
+        for (int side = 0; side < neighbours_.corner_count(); ++side) {
+          const int other = neighbours_.across({face, side}).face;
+          if (other < 0 || mark(other) == mark_ || !may_be_in_margin(other, region.frame.normal)) {
+            continue;
+          }
+          mark(other) = mark_;
+          next.push_back(other);
+        }
+      }
+      margin.insert(margin.end(), next.begin(), next.end());
+      last = std::move(next);
+    }
+    return margin;
+  }
+
+  /// Not beyond a crease: there a point of the plane would have two tangent planes.
+  bool may_be_in_margin(int face, const Vec3& axis) const {
+    if (turn_from(shape(face), axis) > kMostTurnOfRest) return false;
+    for (int side = 0; side < neighbours_.corner_count(); ++side) {
+      if (neighbours_.across({face, side}).face >= 0) continue;
+      for (const int other : neighbours_.level().GetEdgeFaces(neighbours_.edge({face, side}))) {
+        if (other != face && marks_[static_cast<std::size_t>(other)] == mark_) return false;
+      }
+    }
+    return true;
+  }
+
+  /// True if marked faces, seen along the normal, cover no part of each other. As all turn
+  /// counter-clockwise, it is enough that their borders do not cross.
+  bool lies_side_by_side(const std::vector<int>& faces, const ChartFrame& frame) const {
+    std::vector<detail::NodeLoop> loops;
+    for (const FaceLoop& loop : face_loops(neighbours_, faces, marks_, mark_)) {
+      detail::NodeLoop& nodes = loops.emplace_back();
+      for (const FaceNeighbours::Side side : loop) {
+        const Surface& surface = *surfaces_[static_cast<std::size_t>(side.face)];
+        const Uv corner = surface.domain().corner(side.side);
+        nodes.push_back(frame.project(surface.evaluate(corner, Order::Position).point));
+      }
+    }
+    return detail::crossing_segments(loops).empty();
+  }
+
+  const FaceNeighbours& neighbours_;
+  const std::vector<FaceShape>& shapes_;
+  const std::vector<std::shared_ptr<const Surface>>& surfaces_;
+  std::vector<int> marks_;  ///< by face
+  int mark_ = 0;            ///< of the region at hand
+};
+
+}  // namespace
+
+std::vector<FaceRegion> gather_regions(
+    const FaceNeighbours& neighbours, const std::vector<std::shared_ptr<const Surface>>& surfaces) {
+  const std::vector<FaceShape> shapes = shapes_of(surfaces);
+  RegionGatherer gatherer(neighbours, shapes);
+  const std::vector<int> region_of = gatherer.run();
+  std::vector<std::vector<int>> faces(gatherer.seed_count());
+  std::vector<FaceRegion> regions;
+  const auto add_single = [&](int face) { regions.push_back({{face}}); };
+  for (int face = 0; face < neighbours.face_count(); ++face) {
+    const int region = region_of[static_cast<std::size_t>(face)];
+    if (region >= 0) {
+      faces[static_cast<std::size_t>(region)].push_back(face);
+    } else if (neighbours.is_used(face)) {
+      add_single(face);
+    }
+  }
+  ChartMaker maker(neighbours, shapes, surfaces);
+  for (std::size_t r = 0; r < faces.size(); ++r) {
+    auto region = faces[r].size() > 1 ? maker.make(faces[r], gatherer.axis(static_cast<int>(r)))
+                                      : std::nullopt;
+    if (region) {
+      regions.push_back(std::move(*region));
+    } else {
+      for (const int face : faces[r]) add_single(face);
+    }
+  }
+  std::sort(regions.begin(), regions.end(), [](const FaceRegion& a, const FaceRegion& b) {
+    return a.faces.front() < b.faces.front();
+  });
+  return regions;
+}
+
+}  // namespace surfmesh

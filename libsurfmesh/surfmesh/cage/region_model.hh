@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "surfmesh/cage/face_neighbours.hh"
+#include "surfmesh/cage/gather_regions.hh"
+#include "surfmesh/geometry/surface.hh"
+#include "surfmesh/model/model.hh"
+
+namespace surfmesh {
+
+/// Make a model whose patches are the regions: vertices, contours, and patches with surfaces and
+/// loops, in the order of the regions. Patches have no names yet, and no cage_faces.
+///
+/// A contour between charts that is where it is only because the regions are is a smooth curve near
+/// the edges of the cage; others run along these.
+/// Cost     a few evaluations of a chart for each edge between regions
+/// Error    uses of a contour agree to rounding (test RegionModel.UsesOfAContourAgree)
+Model model_of_regions(const FaceNeighbours& neighbours,
+                       const std::vector<std::shared_ptr<const Surface>>& surfaces,
+                       const std::vector<FaceRegion>& regions);
+
+}  // namespace surfmesh
