@@ -25,6 +25,7 @@
 #include "surfmesh/core/option_range.hh"
 #include "surfmesh/geometry/parts.hh"
 #include "surfmesh/model/finish_model.hh"
+#include "surfmesh/model/pin_ends.hh"
 
 namespace surfmesh {
 namespace {
@@ -456,6 +457,8 @@ Model model_from_cage(const Cage& cage, const CageOptions& options) {
   model.box = bounding_box(cage);
   model.diagonal = diagonal(cage);
   if (model.diagonal > 0 && std::isfinite(model.diagonal)) check_area(model, cage);
+  // Where a region touches itself in a corner, its loops do so to the last bit.
+  if (options.patches == PatchKind::Regions) pin_ends(model);
   if (cage.is_chaikin) warn_of_gaps(model);
   if (options.patches == PatchKind::Blocks && !has_blocks(options.patches, scheme)) {
     warn_of_faces(model);

@@ -20,11 +20,13 @@ constexpr double kMiss = 1e-7;
 constexpr int kMostSteps = 60;
 
 /// Faces around a corner that are gone through one after the other, at most.
-constexpr int kMostTurns = 24;
+constexpr int kMostTurns = 8;
 
-/// Share of a squared miss that a step along the border leaves at most; otherwise the point is
-/// beyond the border.
+/// Share of a squared miss that a step along the border leaves at most. Where more is left some
+/// times, the point is beyond the border; once or twice it may be so near an extraordinary vertex,
+/// where derivatives are not those of the surface.
 constexpr double kNearer = 0.25;
+constexpr int kMostSlowSteps = 3;
 
 /// Share of a face by which a step may lead beyond it: less than is missed in the end.
 constexpr double kBeyond = 1e-9;
@@ -68,6 +70,10 @@ double share_of(const Domain& domain, int side, Uv at) {
     return side == 0 ? at.u : side == 1 ? at.v : 1 - at.v;
   }
   return side == 0 ? at.u : side == 1 ? at.v : side == 2 ? 1 - at.u : 1 - at.v;
+}
+
+Uv middle_of(const Domain& domain) {
+  return domain.shape == Domain::Shape::Triangle ? Uv{1.0 / 3, 1.0 / 3} : Uv{0.5, 0.5};
 }
 
 /// Where a step leaves a domain.
@@ -193,10 +199,24 @@ Jet Chart::in_plane(const Jet& jet, Order order) const {
 }
 
 Chart::Found Chart::find(Uv uv) const {
+  const Found first = search(uv, start(uv));
+  if (first.is_inside || !has_cell(uv)) return first;
+  // Around an extraordinary vertex derivatives may lead in circles. Then one of the faces there has
+  // the point.
+  const std::size_t cell = row(uv.v) * columns_ + column(uv.u);
+  for (std::size_t i = first_[cell]; i < first_[cell + 1]; ++i) {
+    const Found found = search(uv, {in_cells_[i], middle_of(unit_)});
+    if (found.is_inside) return found;
+  }
+  return first;
+}
+
+/// Newton's method from a place on.
+Chart::Found Chart::search(Uv uv, const Place& from) const {
   const double most_miss = kMiss * kMiss * face_size_ * face_size_;
-  Found found{start(uv), {}, {}, false};
+  Found found{from, {}, {}, false};
   double miss_at_border = std::numeric_limits<double>::infinity();
-  int turns = 0;
+  int turns = 0, slow_steps = 0;
   for (int step = 0; step < kMostSteps; ++step) {
     found.jet = faces_[found.place.face].surface->evaluate(found.place.at, Order::First);
     found.miss = uv - frame_.project(found.jet.point);
@@ -208,8 +228,11 @@ Chart::Found Chart::find(Uv uv) const {
     const Move move = go(found.place, wanted);
     turns = move.is_turn ? turns + 1 : 0;
     if (turns > kMostTurns) return found;
-    if (move.is_along_border && miss > kNearer * miss_at_border) return found;
-    if (move.is_along_border) miss_at_border = miss;
+    if (move.is_along_border) {
+      slow_steps += miss > kNearer * miss_at_border ? 1 : 0;
+      miss_at_border = miss;
+    }
+    if (slow_steps > kMostSlowSteps) return found;
     found.place = move.to;
   }
   return found;
@@ -236,7 +259,7 @@ Chart::Place Chart::start(Uv uv) const {
   if (!std::isfinite(uv.u) || !std::isfinite(uv.v)) {
     throw Error(ErrorCode::Geometry, "a chart is evaluated at a point that is not finite");
   }
-  if (uv.u >= lower_.u && uv.u <= upper_.u && uv.v >= lower_.v && uv.v <= upper_.v) {
+  if (has_cell(uv)) {
     const std::size_t cell = row(uv.v) * columns_ + column(uv.u);
     for (std::size_t i = first_[cell]; i < first_[cell + 1]; ++i) {
       if (contains(in_cells_[i], uv)) return place_in(in_cells_[i], uv);
@@ -283,6 +306,10 @@ Chart::Place Chart::place_in(std::size_t face, Uv uv) const {
   const Uv share = InverseSteps(beside_u - origin, beside_v - origin)(uv - origin);
   const Uv at = is_upper ? Uv{1 - share.u, 1 - share.v} : share;
   return {face, pulled_in(unit_, at)};
+}
+
+bool Chart::has_cell(Uv uv) const {
+  return uv.u >= lower_.u && uv.u <= upper_.u && uv.v >= lower_.v && uv.v <= upper_.v;
 }
 
 std::size_t Chart::column(double u) const {

@@ -99,8 +99,10 @@ class Chart {
   Place place_in(std::size_t face, Uv uv) const;
   bool contains(std::size_t face, Uv uv) const;
   Found find(Uv uv) const;
+  Found search(Uv uv, const Place& from) const;
   Move go(const Place& place, Uv step) const;
   Jet in_plane(const Jet& jet, Order order) const;
+  bool has_cell(Uv uv) const;
   std::size_t column(double u) const;
   std::size_t row(double v) const;
   void sort_into_cells();

@@ -34,7 +34,7 @@ constexpr double kMostTurn = 55 * kDegree;
 constexpr double kMostTurnOfRest = 65 * kDegree;
 
 /// Faces of a region, about. Twice that is too many.
-constexpr std::size_t kFacesOfRegion = 800;
+constexpr std::size_t kFacesOfRegion = 2000;
 
 /// Regions of fewer faces become parts of others where they may.
 constexpr std::size_t kFewFaces = 24;
@@ -137,6 +137,8 @@ class RegionGatherer {
     }
     flood();
     for (int round = 0; round < kMostRounds && add_seeds(1); ++round) flood();
+    merge();
+    move_seeds();
     absorb_small();
     return std::move(region_of_);
   }
@@ -192,7 +194,7 @@ class RegionGatherer {
     for (int side = 0; side < neighbours_.corner_count(); ++side) {
       if (neighbours_.across({face, side}).face >= 0) continue;
       for (const int other : level.GetEdgeFaces(neighbours_.edge({face, side}))) {
-        if (other != face && region(other) == of_region) return true;
+        if (other != face && region(other) != kNone && region(other) == of_region) return true;
       }
     }
     return false;
@@ -301,22 +303,20 @@ class RegionGatherer {
       const int a = root(first), b = root(second);
       if (a == b || !may_merge(sums[index(a)], sums[index(b)])) continue;
       host[index(b)] = a;
+      for (const int face : sums[index(b)].faces) region(face) = a;
       sums[index(a)].add(sums[index(b)]);
-    }
-    for (int f = 0; f < neighbours_.face_count(); ++f) {
-      if (region(f) != kNone) region(f) = root(region(f));
     }
   }
 
   bool may_merge(const Sum& a, const Sum& b) const {
     if (a.faces.size() + b.faces.size() > kFacesOfRegion) return false;
     const Vec3 axis = (a.normal + b.normal).normalized();
-    for (const Sum* sum : {&a, &b}) {
-      for (const int face : sum->faces) {
-        if (!fits(face, axis, kMostTurn)) return false;
-      }
-    }
-    return true;
+    const auto all_fit = [&](const std::vector<int>& faces, int other_region) {
+      return std::all_of(faces.begin(), faces.end(), [&](int face) {
+        return fits(face, axis, kMostTurn) && !is_beside_itself(face, other_region);
+      });
+    };
+    return all_fit(a.faces, region(b.faces.front())) && all_fit(b.faces, kNone);
   }
 
   /// Pairs of regions with an edge in common, the lower one first.

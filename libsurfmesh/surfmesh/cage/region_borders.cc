@@ -31,7 +31,7 @@ class BorderFinder {
       for (const FaceLoop& loop : loops.back()) meet(loop, regions_[r].is_chart);
     }
     for (const auto& of_region : loops) {
-      for (const FaceLoop& loop : of_region) close(loop);
+      for (const FaceLoop& loop : of_region) add_ends(loop);
     }
     RegionBorders borders;
     borders.loops.resize(regions_.size());
@@ -93,11 +93,48 @@ class BorderFinder {
     return at.is_end || at.edges != 2;
   }
 
-  /// A loop without an end gets one.
-  void close(const FaceLoop& loop) {
-    const bool has_end = std::any_of(
-        loop.begin(), loop.end(), [this](Side side) { return is_end(neighbours_.vertex(side)); });
-    if (!has_end) vertex(neighbours_.vertex(loop.front())).is_end = true;
+  /// Add ends, so that a loop has three at least and no chain is closed: with large elements a
+  /// chain may become one segment.
+  void add_ends(const FaceLoop& loop) {
+    const auto is_end_at = [&](std::size_t i) {
+      return is_end(neighbours_.vertex(loop[i % loop.size()]));
+    };
+    const auto end_at = [&](std::size_t i) {
+      vertex(neighbours_.vertex(loop[i % loop.size()])).is_end = true;
+    };
+    std::size_t first = 0;
+    while (first < loop.size() && !is_end_at(first)) ++first;
+    if (first == loop.size()) end_at(first = 0);
+    std::size_t ends = 0;
+    for (std::size_t from = first; from < first + loop.size();) {
+      std::size_t to = from + 1;
+      while (!is_end_at(to)) ++to;
+      const bool is_closed = neighbours_.vertex(loop[from % loop.size()]) ==
+                             neighbours_.vertex(loop[to % loop.size()]);
+      if (is_closed && to - from >= 3) {
+        end_at(from + (to - from) / 3);
+        end_at(from + 2 * (to - from) / 3);
+      }
+      from = to;
+    }
+    for (std::size_t i = 0; i < loop.size(); ++i) ends += is_end_at(i) ? 1 : 0;
+    if (ends == 2) end_at(middle_of_longest_run(loop));
+  }
+
+  /// The place in a loop, in the middle of the longest run between two ends.
+  std::size_t middle_of_longest_run(const FaceLoop& loop) const {
+    std::size_t last_end = 0, longest = 0, middle = 0;
+    bool has_end = false;
+    for (std::size_t i = 0; i < 2 * loop.size(); ++i) {
+      if (!is_end(neighbours_.vertex(loop[i % loop.size()]))) continue;
+      if (has_end && i - last_end > longest) {
+        longest = i - last_end;
+        middle = last_end + longest / 2;
+      }
+      last_end = i;
+      has_end = true;
+    }
+    return middle;
   }
 
   std::vector<ChainUse> chains_of(FaceLoop loop, int region, std::vector<BorderChain>& chains) {

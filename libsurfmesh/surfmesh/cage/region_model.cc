@@ -121,7 +121,6 @@ class CurveMaker {
   ChainCurves curves_of(const BorderChain& chain) const {
     ChainCurves along = along_edges(chain);
     if (!chain.is_free || chain.uses.size() != 2 || chain.edge_count() < 2) return along;
-    if (chain.start == chain.end) return along;
     std::vector<Uv> points;
     for (int i = 0; i <= chain.edge_count(); ++i) {
       points.push_back(along[0]->evaluate(double(i) / chain.edge_count()));
