@@ -14,6 +14,7 @@
 
 #include "surfmesh/cage/block_surface.hh"
 #include "surfmesh/cage/creases.hh"
+#include "surfmesh/cage/faces_of_cage.hh"
 #include "surfmesh/cage/gather_blocks.hh"
 #include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/cage/refine_cage.hh"
@@ -336,10 +337,12 @@ bool has_blocks(PatchKind kind, Scheme scheme) {
   return kind != PatchKind::Faces && scheme == Scheme::CatmullClark;
 }
 
-Model model_of_blocks(const RefinedCage& regular, Scheme scheme, const CageOptions& options) {
+/// `faces` tells for each face of the regular cage what it is of the cage as given.
+Model model_of_blocks(const RefinedCage& regular, const std::vector<FaceOfCage>& faces,
+                      Scheme scheme, const CageOptions& options) {
   const CageTopology topology = make_topology(regular.cage, scheme);
   const Surfaces surfaces = make_limit_surfaces(*topology.refiner, regular.cage.points,
-                                                {options.approximation_level, true});
+                                                {options.approximation_level, true}, faces);
   const Level level = topology.refiner->GetLevel(0);
   const std::vector<int> sets = group_sets(regular.cage, surfaces);
   const std::vector<Block> blocks =
@@ -420,7 +423,9 @@ Model model_from_cage(const Cage& cage, const CageOptions& options) {
   if (options.crease_angle.value_or(0) > 0) add_creases(*options.crease_angle, mended.cage);
   const Scheme scheme = resolve_scheme(mended.cage, options.scheme);
   const RefinedCage regular = make_regular(mended.cage, scheme, mended.parent_faces);
-  Model model = model_of_blocks(regular, scheme, options);
+  Model model = model_of_blocks(regular, faces_of_cage(cage, mended, regular), scheme, options);
+  const auto given = std::make_shared<const Cage>(cage);
+  for (Patch& patch : model.patches) patch.cage = given;
   model.notices.insert(model.notices.begin(), std::make_move_iterator(mended.notices.begin()),
                        std::make_move_iterator(mended.notices.end()));
   if (model.patches.empty()) {
