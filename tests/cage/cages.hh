@@ -37,6 +37,20 @@ inline Cage torus(int m = 6, int n = 4) {
   return cage;
 }
 
+/// The triangles of a cage of quads. Their diagonals run this way and that, so that half of the
+/// vertices are irregular.
+inline Cage triangulated(Cage cage) {
+  std::vector<std::vector<int>> triangles;
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
+    const std::vector<int> q = cage.faces[f];
+    const std::size_t first = f * f % 7 < 2 ? 1 : 0;
+    triangles.push_back({q[first], q[first + 1], q[first + 2]});
+    triangles.push_back({q[first], q[first + 2], q[(first + 3) % 4]});
+  }
+  cage.faces = triangles;
+  return cage;
+}
+
 /// An open tube about the z axis of m × n quads, all vertices regular.
 inline Cage tube(int m, int n, double radius = 1) {
   Cage cage;
@@ -89,7 +103,14 @@ inline Cage sheet(int m = 3, int n = 3) {
   return cage;
 }
 
-/// The same with every quad cut into two triangles: interior vertices have valence 6.
+/// The same, but nearly flat.
+inline Cage flat_sheet(int m, int n) {
+  Cage cage = sheet(m, n);
+  for (Vec3& point : cage.points) point.z() *= 0.3 / (m + n);
+  return cage;
+}
+
+/// A bent sheet with every quad cut into two triangles: interior vertices have valence 6.
 inline Cage triangle_sheet(int m = 3, int n = 3) {
   Cage cage = sheet(m, n);
   std::vector<std::vector<int>> triangles;

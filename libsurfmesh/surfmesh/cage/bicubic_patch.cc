@@ -36,9 +36,10 @@ Weights bernstein_second(double t) {
 }
 
 /// A bicubic polynomial over the unit square.
-class BicubicPatch : public Surface {
+class BicubicPatch : public CageSurface {
  public:
-  explicit BicubicPatch(const BicubicPolynomial& polynomial) : polynomial_(polynomial) {}
+  BicubicPatch(const BicubicPolynomial& polynomial, const FaceOfCage& face)
+      : polynomial_(polynomial), face_(face) {}
 
   Jet evaluate(Uv uv, Order order) const override {
     if (!std::isfinite(uv.u) || !std::isfinite(uv.v)) {
@@ -48,10 +49,13 @@ class BicubicPatch : public Surface {
     return polynomial_.evaluate(uv, order);
   }
 
+  CagePlace place(Uv uv) const override { return place_on(face_, uv); }
+
   Domain domain() const override { return {}; }
 
  private:
   BicubicPolynomial polynomial_;
+  FaceOfCage face_;
 };
 
 }  // namespace
@@ -103,8 +107,9 @@ Jet BicubicPolynomial::evaluate(Uv uv, Order order) const {
   return jet;
 }
 
-std::shared_ptr<const Surface> make_bicubic_patch(const std::array<Jet, 4>& corners) {
-  return std::make_shared<BicubicPatch>(BicubicPolynomial(corners));
+std::shared_ptr<const Surface> make_bicubic_patch(const std::array<Jet, 4>& corners,
+                                                  const FaceOfCage& face) {
+  return std::make_shared<BicubicPatch>(BicubicPolynomial(corners), face);
 }
 
 }  // namespace surfmesh

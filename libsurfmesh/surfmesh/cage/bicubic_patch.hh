@@ -5,7 +5,7 @@
 #include <array>
 #include <memory>
 
-#include "surfmesh/geometry/surface.hh"
+#include "surfmesh/cage/cage_surface.hh"
 
 namespace surfmesh {
 
@@ -31,9 +31,10 @@ class BicubicPolynomial {
   std::array<std::array<Eigen::Vector4d, 4>, 4> rows_;
 };
 
-/// Make a surface from such a polynomial.
+/// Make a surface from such a polynomial, over the given face of a cage.
 ///
 /// Throws   Geometry if a vector is not finite
-std::shared_ptr<const Surface> make_bicubic_patch(const std::array<Jet, 4>& corners);
+std::shared_ptr<const Surface> make_bicubic_patch(const std::array<Jet, 4>& corners,
+                                                  const FaceOfCage& face = {});
 
 }  // namespace surfmesh

@@ -8,26 +8,11 @@
 #include <cstddef>
 #include <utility>
 
+#include "surfmesh/cage/turn_square.hh"
 #include "surfmesh/core/error.hh"
 
 namespace surfmesh {
 namespace {
-
-/// From the unit square of a place to the domain of a surface that lies rotated in it.
-Uv into_surface(Uv uv, int rotation) {
-  switch (rotation) {
-    case 1:
-      return {1 - uv.v, uv.u};
-    case 2:
-      return {1 - uv.u, 1 - uv.v};
-    case 3:
-      return {uv.v, 1 - uv.u};
-    default:
-      return uv;
-  }
-}
-
-Uv out_of_surface(Uv uv, int rotation) { return into_surface(uv, (4 - rotation) % 4); }
 
 /// Express derivatives in the directions of the place; members that are unset stay so.
 void turn_derivatives(Jet& jet, int rotation) {
@@ -82,13 +67,18 @@ BlockSurface::CellPoint BlockSurface::find_cell(Uv uv) const {
 Jet BlockSurface::evaluate(Uv uv, Order order) const {
   const auto [cell, corner] = find_cell(uv);
   try {
-    Jet jet = cell.surface->evaluate(into_surface(uv - corner, cell.rotation), order);
+    Jet jet = cell.surface->evaluate(into_turned_square(uv - corner, cell.rotation), order);
     turn_derivatives(jet, cell.rotation);
     return jet;
   } catch (const Error& error) {
     throw Error(error.code(),
                 fmt::format("at ({}, {}) of a block of faces: {}", uv.u, uv.v, error.what()));
   }
+}
+
+CagePlace BlockSurface::place(Uv uv) const {
+  const auto [cell, corner] = find_cell(uv);
+  return cage_place(*cell.surface, into_turned_square(uv - corner, cell.rotation));
 }
 
 Domain BlockSurface::domain() const {
@@ -102,7 +92,7 @@ std::vector<SingularPoint> BlockSurface::singular_points() const {
       const BlockCell& cell = cells_[static_cast<std::size_t>(j * columns_ + i)];
       for (SingularPoint point : cell.surface->singular_points()) {
         point.at = Uv{static_cast<double>(i), static_cast<double>(j)} +
-                   out_of_surface(point.at, cell.rotation);
+                   out_of_turned_square(point.at, cell.rotation);
         const bool is_new =
             std::none_of(points.begin(), points.end(),
                          [&](const SingularPoint& known) { return known.at == point.at; });
@@ -115,9 +105,9 @@ std::vector<SingularPoint> BlockSurface::singular_points() const {
 
 Uv BlockSurface::beside_roundings(Uv uv) const {
   const auto [cell, corner] = find_cell(uv);
-  const Uv inside = into_surface(uv - corner, cell.rotation);
+  const Uv inside = into_turned_square(uv - corner, cell.rotation);
   const Uv beside = cell.surface->beside_roundings(inside);
-  return beside == inside ? uv : corner + out_of_surface(beside, cell.rotation);
+  return beside == inside ? uv : corner + out_of_turned_square(beside, cell.rotation);
 }
 
 }  // namespace surfmesh

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "surfmesh/geometry/surface.hh"
+#include "surfmesh/cage/cage_surface.hh"
 
 namespace surfmesh {
 
@@ -17,9 +17,9 @@ struct BlockCell {
 /// Surfaces side by side in a rectangle, as one surface over [0,columns] × [0,rows].
 ///
 /// Each cell is a unit square. Derivatives are those of the cell, in the directions of the block;
-/// on an edge between two cells, those of the right or upper one. Singular points are those of the
-/// cells.
-class BlockSurface : public Surface {
+/// on an edge between two cells, those of the right or upper one. Singular points and places on the
+/// cage are those of the cells.
+class BlockSurface : public CageSurface {
  public:
   /// Cells row by row from the bottom, each row from the left.
   ///
@@ -29,6 +29,9 @@ class BlockSurface : public Surface {
 
   /// Cost     that of the cell plus 5 ns, for any number of cells
   Jet evaluate(Uv uv, Order order) const override;
+
+  /// The place that the cell tells; of no face where its surface is one of no cage.
+  CagePlace place(Uv uv) const override;
 
   Domain domain() const override;
   CellCount cells() const override { return {columns_, rows_}; }

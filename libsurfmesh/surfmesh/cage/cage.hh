@@ -34,6 +34,13 @@ struct Cage {
     std::string name;
     std::vector<int> faces;
   };
+  /// Texture coordinates, by corners of faces: along seams a vertex has several.
+  struct Texture {
+    std::vector<Uv> points;
+    /// By face, for each of its corners the number of its point, -1 for none; all of it empty for
+    /// a cage without texture.
+    std::vector<std::vector<int>> faces;
+  };
 
   std::vector<Vec3> points;
   std::vector<std::vector<int>> faces;  ///< vertices from 0, at least three different ones per face
@@ -41,6 +48,7 @@ struct Cage {
   std::vector<Corner> corners;
   std::vector<int> holes;         ///< faces that are left out
   std::vector<FaceGroup> groups;  ///< in the order of their first face; a face may be in several
+  Texture texture;
   BoundaryRule boundary = BoundaryRule::EdgeOnly;
   bool is_chaikin = false;  ///< crease method
   bool is_smooth_triangles = false;

@@ -15,6 +15,7 @@
 #include "surfmesh/cage/block_surface.hh"
 #include "surfmesh/cage/creases.hh"
 #include "surfmesh/cage/face_neighbours.hh"
+#include "surfmesh/cage/faces_of_cage.hh"
 #include "surfmesh/cage/gather_blocks.hh"
 #include "surfmesh/cage/gather_regions.hh"
 #include "surfmesh/cage/mend_cage.hh"
@@ -34,6 +35,12 @@ namespace Far = OpenSubdiv::Far;
 
 /// The uses of a contour are the same points up to rounding: this share of the diagonal.
 constexpr double kContourGap = 1e-9;
+
+/// Models of fewer patches are as quick to mesh either way.
+constexpr std::size_t kManyPatches = 200;
+
+/// How many times fewer regions are chosen over blocks and faces, whose parameters follow the cage.
+constexpr std::size_t kFewerPatches = 2;
 
 using Level = Far::TopologyLevel;
 using Surfaces = std::vector<std::shared_ptr<const Surface>>;
@@ -339,6 +346,11 @@ bool has_blocks(PatchKind kind, Scheme scheme) {
   return kind != PatchKind::Faces && scheme == Scheme::CatmullClark;
 }
 
+/// Facets of a bilinear cage meet in edges everywhere.
+bool has_regions(PatchKind kind, Scheme scheme) {
+  return (kind == PatchKind::Auto || kind == PatchKind::Regions) && scheme != Scheme::Bilinear;
+}
+
 Model model_of_blocks(const CageTopology& topology, const RefinedCage& regular,
                       const Surfaces& surfaces, const std::vector<Block>& blocks, Scheme scheme) {
   ModelBuilder builder(topology.refiner->GetLevel(0), scheme, blocks);
@@ -355,42 +367,59 @@ Model model_of_blocks(const CageTopology& topology, const RefinedCage& regular,
   return std::move(builder.model);
 }
 
-Model model_of_regions(const CageTopology& topology, const RefinedCage& regular,
-                       const Surfaces& surfaces, const std::vector<int>& sets) {
-  const FaceNeighbours neighbours(*topology.refiner, sets);
-  const std::vector<FaceRegion> regions = gather_regions(neighbours, surfaces);
+Model model_of_regions(const FaceNeighbours& neighbours, const RefinedCage& regular,
+                       const Surfaces& surfaces, const std::vector<FaceRegion>& regions) {
   Model model = model_of_regions(neighbours, surfaces, regions);
   for (std::size_t r = 0; r < regions.size(); ++r) {
     model.patches[r].name = name_of(regions[r].faces.front(), regular);
     model.patches[r].cage_faces = cage_faces_of(regions[r].faces, regular);
   }
+  // Where a region touches itself in a corner, its loops do so to the last bit.
+  model.diagonal = diagonal(regular.cage);
+  pin_ends(model);
   return model;
 }
 
-Model model_of_regular(const RefinedCage& regular, Scheme scheme, const CageOptions& options) {
+/// True if regions make a model of far fewer patches than blocks, or than faces.
+bool are_far_fewer(std::size_t regions, std::size_t others) {
+  return others >= kManyPatches && kFewerPatches * regions <= others;
+}
+
+/// `faces` tells for each face of the regular cage what it is of the cage as given.
+Model model_of_regular(const RefinedCage& regular, const std::vector<FaceOfCage>& faces,
+                       Scheme scheme, const CageOptions& options) {
   const CageTopology topology = make_topology(regular.cage, scheme);
   const Surfaces surfaces = make_limit_surfaces(*topology.refiner, regular.cage.points,
-                                                {options.approximation_level, true});
+                                                {options.approximation_level, true}, faces);
   const std::vector<int> sets = group_sets(regular.cage, surfaces);
-  Model model;
-  if (options.patches == PatchKind::Regions && scheme != Scheme::Bilinear) {
-    model = model_of_regions(topology, regular, surfaces, sets);
-  } else {
-    const std::vector<Block> blocks =
-        has_blocks(options.patches, scheme)
-            ? gather_blocks(*topology.refiner, sets, regular.cage.points)
-            : single_faces(sets);
-    model = model_of_blocks(topology, regular, surfaces, blocks, scheme);
+  const FaceNeighbours neighbours(*topology.refiner, sets);
+  std::vector<FaceRegion> regions;
+  std::vector<Block> blocks;
+  if (has_regions(options.patches, scheme)) regions = gather_regions(neighbours, surfaces);
+  if (options.patches != PatchKind::Regions || scheme == Scheme::Bilinear) {
+    blocks = has_blocks(options.patches, scheme)
+                 ? gather_blocks(*topology.refiner, sets, regular.cage.points)
+                 : single_faces(sets);
   }
+  const bool takes_regions = blocks.empty() || are_far_fewer(regions.size(), blocks.size());
+  Model model = !regions.empty() && takes_regions
+                    ? model_of_regions(neighbours, regular, surfaces, regions)
+                    : model_of_blocks(topology, regular, surfaces, blocks, scheme);
   model.notices = regular.notices;
   model.notices.insert(model.notices.end(), topology.notices.begin(), topology.notices.end());
   return model;
 }
 
-/// Blocks were asked for where each face is a patch.
-void warn_of_faces(Model& model) {
-  model.notices.push_back(warning(NoticeKind::IgnoredInput,
-                                  "only Catmull-Clark cages have blocks; each face is a patch"));
+/// Tell where blocks or regions were asked for, but each face is a patch.
+void warn_of_faces(PatchKind kind, Scheme scheme, Model& model) {
+  if (kind == PatchKind::Blocks && !has_blocks(kind, scheme)) {
+    model.notices.push_back(warning(NoticeKind::IgnoredInput,
+                                    "only Catmull-Clark cages have blocks; each face is a patch"));
+  }
+  if (kind == PatchKind::Regions && !has_regions(kind, scheme)) {
+    model.notices.push_back(
+        warning(NoticeKind::IgnoredInput, "bilinear cages have no regions; each face is a patch"));
+  }
 }
 
 /// Throws   Geometry if the points of the cage, and so its surface, lie on a line
@@ -446,7 +475,9 @@ Model model_from_cage(const Cage& cage, const CageOptions& options) {
   if (options.crease_angle.value_or(0) > 0) add_creases(*options.crease_angle, mended.cage);
   const Scheme scheme = resolve_scheme(mended.cage, options.scheme);
   const RefinedCage regular = make_regular(mended.cage, scheme, mended.parent_faces);
-  Model model = model_of_regular(regular, scheme, options);
+  Model model = model_of_regular(regular, faces_of_cage(cage, mended, regular), scheme, options);
+  const auto given = std::make_shared<const Cage>(cage);
+  for (Patch& patch : model.patches) patch.cage = given;
   model.notices.insert(model.notices.begin(), std::make_move_iterator(mended.notices.begin()),
                        std::make_move_iterator(mended.notices.end()));
   if (model.patches.empty()) {
@@ -457,12 +488,8 @@ Model model_from_cage(const Cage& cage, const CageOptions& options) {
   model.box = bounding_box(cage);
   model.diagonal = diagonal(cage);
   if (model.diagonal > 0 && std::isfinite(model.diagonal)) check_area(model, cage);
-  // Where a region touches itself in a corner, its loops do so to the last bit.
-  if (options.patches == PatchKind::Regions) pin_ends(model);
   if (cage.is_chaikin) warn_of_gaps(model);
-  if (options.patches == PatchKind::Blocks && !has_blocks(options.patches, scheme)) {
-    warn_of_faces(model);
-  }
+  warn_of_faces(options.patches, scheme, model);
   add_groups(cage, mended.stand_ins, model);
   model.made_with = made_with(options);
   return model;

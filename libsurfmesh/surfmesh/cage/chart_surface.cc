@@ -174,7 +174,16 @@ Uv Chart::beside_roundings(Uv uv) const {
   return frame_.project(surface.evaluate(beside, Order::Position).point);
 }
 
-bool Chart::covers(Uv uv) const { return find(uv).is_inside; }
+CagePlace Chart::place(Uv uv) const {
+  const FacePoint point = find(uv).place;
+  return cage_place(*faces_[point.face].surface, point.at);
+}
+
+std::optional<Vec3> Chart::point_on_faces(Uv uv) const {
+  const Found found = find(uv);
+  if (!found.is_inside) return std::nullopt;
+  return found.jet.point;
+}
 
 /// Derivatives by the parameters of a face become those by the coordinates in the plane: at a fixed
 /// point of the plane the surface moves along the normal only.
@@ -211,38 +220,45 @@ Chart::Found Chart::find(Uv uv) const {
   return first;
 }
 
-/// Newton's method from a place on.
-Chart::Found Chart::search(Uv uv, const Place& from) const {
-  const double most_miss = kMiss * kMiss * face_size_ * face_size_;
-  Found found{from, {}, {}, false};
-  double miss_at_border = std::numeric_limits<double>::infinity();
+Chart::Found Chart::look(Uv uv, const FacePoint& place) const {
+  const Jet jet = faces_[place.face].surface->evaluate(place.at, Order::First);
+  const Uv miss = uv - frame_.project(jet.point);
+  return {place, jet, miss, squared_norm(miss) <= kMiss * kMiss * face_size_ * face_size_};
+}
+
+/// Newton's method from a place on. Near an extraordinary vertex derivatives may be a few times too
+/// small; so a step that leads away is halved.
+Chart::Found Chart::search(Uv uv, const FacePoint& from) const {
+  Found found = look(uv, from);
+  double share = 1, miss_at_border = std::numeric_limits<double>::infinity();
   int turns = 0, slow_steps = 0;
-  for (int step = 0; step < kMostSteps; ++step) {
-    found.jet = faces_[found.place.face].surface->evaluate(found.place.at, Order::First);
-    found.miss = uv - frame_.project(found.jet.point);
-    const double miss = squared_norm(found.miss);
-    found.is_inside = miss <= most_miss;
+  for (int step = 0; step < kMostSteps && !found.is_inside; ++step) {
     const Uv wanted =
         InverseSteps(frame_.step(found.jet.du), frame_.step(found.jet.dv))(found.miss);
-    if (found.is_inside || !std::isfinite(wanted.u) || !std::isfinite(wanted.v)) return found;
-    const Move move = go(found.place, wanted);
+    if (!std::isfinite(wanted.u) || !std::isfinite(wanted.v)) return found;
+    const Move move = go(found.place, share * wanted);
+    const double miss = squared_norm(found.miss);
     turns = move.is_turn ? turns + 1 : 0;
-    if (turns > kMostTurns) return found;
     if (move.is_along_border) {
       slow_steps += miss > kNearer * miss_at_border ? 1 : 0;
       miss_at_border = miss;
     }
-    if (slow_steps > kMostSlowSteps) return found;
-    found.place = move.to;
+    if (turns > kMostTurns || slow_steps > kMostSlowSteps) return found;
+    const Found next = look(uv, move.to);
+    const bool is_too_far = move.is_within_face && squared_norm(next.miss) > miss;
+    share = is_too_far ? share / 2 : std::min(1.0, 2 * share);
+    if (!is_too_far) found = next;
   }
   return found;
 }
 
 /// Go a step within a face, into the neighbour where it leaves the face, or along the border where
 /// there is none.
-Chart::Move Chart::go(const Place& place, Uv step) const {
+Chart::Move Chart::go(const FacePoint& place, Uv step) const {
   const Exit exit = exit_of(unit_, place.at, step, faces_[place.face]);
-  if (exit.side < 0) return {{place.face, pulled_in(unit_, place.at + step)}};
+  if (exit.side < 0) {
+    return {{place.face, pulled_in(unit_, place.at + step)}, false, false, true};
+  }
   const ChartFace::Neighbour neighbour =
       faces_[place.face].neighbours[static_cast<std::size_t>(exit.side)];
   if (neighbour.face < 0) {
@@ -255,7 +271,7 @@ Chart::Move Chart::go(const Place& place, Uv step) const {
 }
 
 /// A place near a point, which Newton's method starts from.
-Chart::Place Chart::start(Uv uv) const {
+Chart::FacePoint Chart::start(Uv uv) const {
   if (!std::isfinite(uv.u) || !std::isfinite(uv.v)) {
     throw Error(ErrorCode::Geometry, "a chart is evaluated at a point that is not finite");
   }
@@ -268,8 +284,8 @@ Chart::Place Chart::start(Uv uv) const {
   return nearest_on_border(uv);
 }
 
-Chart::Place Chart::nearest_on_border(Uv uv) const {
-  Place best;
+Chart::FacePoint Chart::nearest_on_border(Uv uv) const {
+  FacePoint best;
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [face, side] : border_) {
     const std::array<Uv, 4>& c = corners_[face];
@@ -296,7 +312,7 @@ bool Chart::contains(std::size_t face, Uv uv) const {
 }
 
 /// As if the face were flat.
-Chart::Place Chart::place_in(std::size_t face, Uv uv) const {
+Chart::FacePoint Chart::place_in(std::size_t face, Uv uv) const {
   const std::array<Uv, 4>& c = corners_[face];
   const bool is_upper = unit_.shape == Domain::Shape::Rectangle &&
                         doubled_area(c[1], c[3], uv) < 0;  // the triangle at corner 2

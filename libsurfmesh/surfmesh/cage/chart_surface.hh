@@ -4,9 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "surfmesh/cage/cage_surface.hh"
 #include "surfmesh/geometry/surface.hh"
 
 namespace surfmesh {
@@ -55,8 +57,11 @@ class Chart {
   /// Throws   Geometry if the point is not finite, or the surface has no tangent plane there
   Jet evaluate(Uv uv, Order order) const;
 
-  /// True if a face is above a point of the plane.
-  bool covers(Uv uv) const;
+  /// The point above one of the plane, if a face is there.
+  std::optional<Vec3> point_on_faces(Uv uv) const;
+
+  /// The place on the cage of a point of the plane; beyond all faces the nearest one.
+  CagePlace place(Uv uv) const;
 
   /// See Surface::beside_roundings. A rounding is as it is in the parameters of its face.
   Uv beside_roundings(Uv uv) const;
@@ -68,14 +73,14 @@ class Chart {
 
  private:
   /// A point of a face in its own parameters.
-  struct Place {
+  struct FacePoint {
     std::size_t face = 0;
     Uv at;
   };
 
   /// What a search has come to.
   struct Found {
-    Place place;
+    FacePoint place;
     Jet jet;         ///< of the face there, of first order
     Uv miss;         ///< the point asked for, as seen from there
     bool is_inside;  ///< false beyond all faces
@@ -83,9 +88,10 @@ class Chart {
 
   /// A step of a search.
   struct Move {
-    Place to;
+    FacePoint to;
     bool is_turn = false;          ///< into another face at the same corner
     bool is_along_border = false;  ///< kept from leaving the last face
+    bool is_within_face = false;
   };
 
   /// A side of a face beyond which there is none.
@@ -94,13 +100,14 @@ class Chart {
     int side = 0;
   };
 
-  Place start(Uv uv) const;
-  Place nearest_on_border(Uv uv) const;
-  Place place_in(std::size_t face, Uv uv) const;
+  FacePoint start(Uv uv) const;
+  FacePoint nearest_on_border(Uv uv) const;
+  FacePoint place_in(std::size_t face, Uv uv) const;
   bool contains(std::size_t face, Uv uv) const;
   Found find(Uv uv) const;
-  Found search(Uv uv, const Place& from) const;
-  Move go(const Place& place, Uv step) const;
+  Found look(Uv uv, const FacePoint& place) const;
+  Found search(Uv uv, const FacePoint& from) const;
+  Move go(const FacePoint& place, Uv step) const;
   Jet in_plane(const Jet& jet, Order order) const;
   bool has_cell(Uv uv) const;
   std::size_t column(double u) const;
@@ -124,7 +131,7 @@ class Chart {
 ///
 /// So they run smoothly over the faces, whatever the parameters of those do, and elements of any
 /// size may lie on them.
-class ChartSurface : public Surface {
+class ChartSurface : public CageSurface {
  public:
   /// `domain` is a rectangle in the plane.
   ChartSurface(std::shared_ptr<const Chart> chart, const Domain& domain, CellCount cells)
@@ -134,6 +141,9 @@ class ChartSurface : public Surface {
   Domain domain() const override { return domain_; }
   CellCount cells() const override { return cells_; }
   Uv beside_roundings(Uv uv) const override { return chart_->beside_roundings(uv); }
+
+  /// Cost     that of an evaluation of first order
+  CagePlace place(Uv uv) const override { return chart_->place(uv); }
 
  private:
   std::shared_ptr<const Chart> chart_;

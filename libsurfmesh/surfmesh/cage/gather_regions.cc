@@ -445,11 +445,8 @@ class ChartMaker {
       : neighbours_(neighbours), shapes_(shapes), surfaces_(surfaces), marks_(shapes.size(), 0) {}
 
   /// The region of the faces; nothing if their chart would cover itself.
-  std::optional<FaceRegion> make(std::vector<int> faces, const Vec3& axis) {
-    FaceRegion region;
-    region.frame = frame_of(faces, axis);
-    region.faces = std::move(faces);
-    region.is_chart = true;
+  std::optional<FaceRegion> make(const std::vector<int>& faces, const Vec3& axis) {
+    FaceRegion region{faces, true, frame_of(faces, axis)};
     ++mark_;
     for (const int face : region.faces) mark(face) = mark_;
     if (!lies_side_by_side(region.faces, region.frame)) return std::nullopt;
@@ -465,7 +462,6 @@ class ChartMaker {
     return region;
   }
 
- private:
   int& mark(int face) { return marks_[static_cast<std::size_t>(face)]; }
   const FaceShape& shape(int face) const { return shapes_[static_cast<std::size_t>(face)]; }
 
@@ -473,6 +469,37 @@ class ChartMaker {
     Vec3 centre = Vec3::Zero();
     for (const int face : faces) centre += shape(face).centre;
     return ChartFrame::at(centre / static_cast<double>(faces.size()), axis);
+  }
+
+  /// Two connected halves of connected faces: those nearer to one of two ends.
+  std::vector<std::vector<int>> halves(const std::vector<int>& faces) {
+    const int end = last_reached(faces, {faces.front()});
+    const int other_end = last_reached(faces, {end});
+    last_reached(faces, {end, other_end});
+    std::vector<std::vector<int>> result(2);
+    for (const int face : faces) result[mark(face) == mark_ ? 0 : 1].push_back(face);
+    return result;
+  }
+
+ private:
+  /// Mark the faces with the number of the start that they are nearest to, counted down from
+  /// `mark_`.
+  /// Returns  the last face that is reached
+  int last_reached(const std::vector<int>& faces, const std::vector<int>& starts) {
+    const int is_free = ++mark_;
+    for (const int face : faces) mark(face) = is_free;
+    mark_ += static_cast<int>(starts.size());
+    std::vector<int> queue = starts;
+    for (std::size_t i = 0; i < starts.size(); ++i) mark(starts[i]) = mark_ - static_cast<int>(i);
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+      for (int side = 0; side < neighbours_.corner_count(); ++side) {
+        const int next = neighbours_.across({queue[i], side}).face;
+        if (next < 0 || mark(next) != is_free) continue;
+        mark(next) = mark(queue[i]);
+        queue.push_back(next);
+      }
+    }
+    return queue.back();
   }
 
   /// Rings of neighbours around a region that lie over its plane. They are marked.
@@ -551,12 +578,19 @@ std::vector<FaceRegion> gather_regions(
   }
   ChartMaker maker(neighbours, shapes, surfaces);
   for (std::size_t r = 0; r < faces.size(); ++r) {
-    auto region = faces[r].size() > 1 ? maker.make(faces[r], gatherer.axis(static_cast<int>(r)))
-                                      : std::nullopt;
-    if (region) {
-      regions.push_back(std::move(*region));
-    } else {
-      for (const int face : faces[r]) add_single(face);
+    // Faces that cover each other are halved until they do not.
+    std::vector<std::vector<int>> parts = {std::move(faces[r])};
+    while (!parts.empty()) {
+      std::vector<int> part = std::move(parts.back());
+      parts.pop_back();
+      if (part.empty()) continue;
+      if (part.size() == 1) {
+        add_single(part.front());
+      } else if (auto region = maker.make(part, gatherer.axis(static_cast<int>(r)))) {
+        regions.push_back(std::move(*region));
+      } else {
+        for (std::vector<int>& half : maker.halves(part)) parts.push_back(std::move(half));
+      }
     }
   }
   std::sort(regions.begin(), regions.end(), [](const FaceRegion& a, const FaceRegion& b) {

@@ -55,17 +55,19 @@ struct FaceTraits {
   std::vector<SingularPoint> singular_points = {};
   std::vector<RoundedSide> rounded_sides = {};
   bool has_parts = false;  ///< look for its bicubic pieces
+  FaceOfCage face = {};
 };
 
 /// The limit surface over one face, with what makes it a surface for meshing.
-class LimitSurface : public Surface {
+class LimitSurface : public CageSurface {
  public:
   LimitSurface(std::unique_ptr<const FaceEvaluator> evaluator, const FaceTraits& traits)
       : evaluator_(std::move(evaluator)),
         domain_(traits.domain),
         is_sign_in_doubt_(traits.domain.shape == Domain::Shape::Triangle && !traits.is_regular),
         singular_points_(traits.singular_points),
-        rounded_sides_(traits.rounded_sides) {
+        rounded_sides_(traits.rounded_sides),
+        face_(traits.face) {
     if (!traits.has_parts) return;
     parts_.emplace([this](Uv uv, Order order) { return evaluator_->evaluate(uv, order); });
   }
@@ -85,6 +87,8 @@ class LimitSurface : public Surface {
     }
     return jet;
   }
+
+  CagePlace place(Uv uv) const override { return place_on(face_, uv); }
 
   Domain domain() const override { return domain_; }
 
@@ -169,6 +173,7 @@ class LimitSurface : public Surface {
   bool is_sign_in_doubt_;
   std::vector<SingularPoint> singular_points_;
   std::vector<RoundedSide> rounded_sides_;
+  FaceOfCage face_;
   std::optional<detail::BicubicParts> parts_;
 };
 
@@ -253,10 +258,11 @@ class CornerClassifier {
 class SurfaceMaker {
  public:
   SurfaceMaker(const Far::TopologyRefiner& refiner, const std::vector<Vec3>& points,
-               const LimitSurfaceOptions& options)
+               const LimitSurfaceOptions& options, const std::vector<FaceOfCage>& faces)
       : refiner_(refiner),
         points_(points),
         options_(options),
+        faces_(faces),
         level_(refiner.GetLevel(0)),
         scheme_(refiner.GetSchemeType()),
         shared_vertices_(shared_vertices(level_, scheme_)),
@@ -353,10 +359,12 @@ class SurfaceMaker {
     auto evaluator = make_bfr_evaluator(surface, points_);
     if (!surface.IsRegular()) return make_irregular(face, std::move(evaluator));
     if (scheme_ == Sdc::SCHEME_CATMARK && options_.is_regular_by_hand) {
-      return as_bicubic(LimitSurface(std::move(evaluator), {.domain = domain()}));
+      return as_bicubic(LimitSurface(std::move(evaluator), {.domain = domain()}), of_cage(face));
     }
     return std::make_shared<LimitSurface>(
-        std::move(evaluator), FaceTraits{.domain = domain(), .rounded_sides = rounded_sides(face)});
+        std::move(evaluator),
+        FaceTraits{
+            .domain = domain(), .rounded_sides = rounded_sides(face), .face = of_cage(face)});
   }
 
   std::shared_ptr<const Surface> make_irregular(
@@ -367,16 +375,23 @@ class SurfaceMaker {
                                                      .is_regular = false,
                                                      .singular_points = singular_points(face),
                                                      .rounded_sides = rounded_sides(face),
-                                                     .has_parts = has_parts});
+                                                     .has_parts = has_parts,
+                                                     .face = of_cage(face)});
   }
 
-  static std::shared_ptr<const Surface> as_bicubic(const LimitSurface& surface) {
+  FaceOfCage of_cage(int face) const {
+    if (!faces_.empty()) return faces_[static_cast<std::size_t>(face)];
+    return {.face = face, .corners = level_.GetFaceVertices(face).size()};
+  }
+
+  static std::shared_ptr<const Surface> as_bicubic(const LimitSurface& surface,
+                                                   const FaceOfCage& face) {
     std::array<Jet, 4> corners;
     for (int i = 0; i < 4; ++i) {
       corners[static_cast<std::size_t>(i)] =
           surface.evaluate(surface.domain().corner(i), Order::Second);
     }
-    return make_bicubic_patch(corners);
+    return make_bicubic_patch(corners, face);
   }
 
   std::vector<SingularPoint> singular_points(int face) const {
@@ -407,6 +422,7 @@ class SurfaceMaker {
   const Far::TopologyRefiner& refiner_;
   const std::vector<Vec3>& points_;
   LimitSurfaceOptions options_;
+  const std::vector<FaceOfCage>& faces_;  ///< empty if they are those of the level
   Far::TopologyLevel level_;
   Sdc::SchemeType scheme_;
   std::vector<char> shared_vertices_;  ///< by vertex: its faces share a refinement
@@ -417,12 +433,12 @@ class SurfaceMaker {
 
 std::vector<std::shared_ptr<const Surface>> make_limit_surfaces(
     const Far::TopologyRefiner& refiner, const std::vector<Vec3>& points,
-    const LimitSurfaceOptions& options) {
+    const LimitSurfaceOptions& options, const std::vector<FaceOfCage>& faces) {
   if (options.approximation_level < 1 || options.approximation_level > 10) {
     throw Error(ErrorCode::InvalidOption, fmt::format("approximation level {} is not in 1 to 10",
                                                       options.approximation_level));
   }
-  return SurfaceMaker(refiner, points, options).make_all();
+  return SurfaceMaker(refiner, points, options, faces).make_all();
 }
 
 std::vector<std::shared_ptr<const Surface>> make_limit_surfaces(const Cage& cage, Scheme scheme,

@@ -14,7 +14,8 @@ namespace surfmesh {
 ///
 /// All faces must be quads (domain: the unit square) or, for Loop, triangles (domain: the unit
 /// triangle): see refine_once. Corner i of the domain is vertex i of the face. Parameters run
-/// evenly along sides, so two faces give the same point at the same share of their common edge.
+/// evenly along sides, so two faces give the same point at the same share of their common edge. All
+/// are CageSurfaces: they tell their places on the cage.
 ///
 /// singular_points() of a surface are the corners where it is not one polynomial: irregular
 /// valence, ends of sharp creases, semi-sharp tags. Nearer to them than `reach` = 2^-(level-1),

@@ -47,6 +47,10 @@ class Mender {
     tell_flat_faces();
     tell_or_turn_faces();
     result_.parent_faces = selected_faces(result_.stand_ins);
+    for (const int f : result_.parent_faces) {
+      result_.is_turned.push_back(is_turned_.empty() ? char{0}
+                                                     : is_turned_[static_cast<std::size_t>(f)]);
+    }
     if (result_.parent_faces.size() < faces().size()) {
       result_.cage = select_faces(result_.cage, result_.stand_ins);
     }
@@ -247,6 +251,7 @@ class Mender {
       for (std::size_t i = 0; i < is_turned.size(); ++i) {
         if (is_turned[i]) std::reverse(faces()[i].begin() + 1, faces()[i].end());
       }
+      is_turned_ = is_turned;
       tell(NoticeKind::IgnoredInput, at,
            fmt::format("turned {} to agree with {} neighbours, {}", counted(count, "face", "faces"),
                        count == 1 ? "its" : "their", where));
@@ -262,6 +267,7 @@ class Mender {
   const Cage& original_;
   MendOptions options_;
   double diagonal_;
+  std::vector<char> is_turned_;  ///< by face of the original; empty if none was
   MendedCage result_;
 };
 

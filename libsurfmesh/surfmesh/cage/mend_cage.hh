@@ -29,6 +29,7 @@ struct MendedCage {
   /// For each face of the original cage, the one that stands for it: itself, or that of which it is
   /// a copy; -1 if it is left out.
   std::vector<int> stand_ins;
+  std::vector<char> is_turned;  ///< for each of its faces, 1 if it was turned
   Notices notices;
 };
 

@@ -30,6 +30,19 @@ std::vector<Vec3> refine_points(const Far::TopologyRefiner& refiner,
   return result;
 }
 
+/// The vertices of faces of four corners keep their order in quarters: quarter i has its corner i
+/// at that of the face. Quarters of other faces begin there.
+QuarterOfFace quarter_of(const Far::TopologyLevel& coarse, const Far::TopologyLevel& fine,
+                         int face) {
+  const Far::ConstIndexArray corners = coarse.GetFaceVertices(fine.GetFaceParentFace(face));
+  const Far::ConstIndexArray vertices = fine.GetFaceVertices(face);
+  for (int part = 0; part < corners.size(); ++part) {
+    const int rotation = vertices.FindIndex(coarse.GetVertexChildVertex(corners[part]));
+    if (rotation >= 0) return {part, rotation, corners.size()};
+  }
+  return {};
+}
+
 void copy_faces(const Far::TopologyLevel& level, RefinedCage& refined) {
   for (int f = 0; f < level.GetNumFaces(); ++f) {
     const Far::ConstIndexArray vertices = level.GetFaceVertices(f);
@@ -86,6 +99,12 @@ RefinedCage leave_out_faces(const Cage& cage, const std::vector<int>& numbers) {
   return result;
 }
 
+void add_whole_faces(RefinedCage& simple) {
+  for (const std::vector<int>& face : simple.cage.faces) {
+    simple.quarters.push_back({-1, 0, static_cast<int>(face.size())});
+  }
+}
+
 /// Leave out of each face the vertices that are the same as the next one.
 void leave_out_sides(RefinedCage& simple) {
   for (std::size_t f = 0; f < simple.cage.faces.size(); ++f) {
@@ -115,6 +134,9 @@ RefinedCage refine_once(const Cage& cage, Scheme scheme) {
   RefinedCage refined;
   refined.cage.points = refine_points(*topology.refiner, cage.points);
   copy_faces(level, refined);
+  for (int f = 0; f < level.GetNumFaces(); ++f) {
+    refined.quarters.push_back(quarter_of(topology.refiner->GetLevel(0), level, f));
+  }
   copy_sharpness(level, refined.cage);
   copy_groups(cage, refined);
   refined.cage.boundary = cage.boundary;
@@ -143,11 +165,13 @@ RefinedCage make_regular(const Cage& cage, Scheme scheme, const std::vector<int>
   }
   if (scheme != Scheme::Loop && std::all_of(simple.cage.faces.begin(), simple.cage.faces.end(),
                                             [](const auto& face) { return face.size() == 4; })) {
+    add_whole_faces(simple);
     return simple;
   }
   leave_out_sides(simple);
   if (scheme == Scheme::Loop) {
     check_triangles(simple.cage, simple.parent_faces);
+    add_whole_faces(simple);
     return simple;
   }
   RefinedCage refined = refine_once(simple.cage, scheme);

@@ -9,11 +9,19 @@
 
 namespace surfmesh {
 
+/// Which quarter of a polygon a face is.
+struct QuarterOfFace {
+  int part = -1;     ///< the corner of the polygon; -1 for the whole of it
+  int rotation = 0;  ///< the corner of the face that is this corner
+  int corners = 0;   ///< of the polygon, without sides that are points
+};
+
 /// A cage made from another one, and where its faces come from.
 struct RefinedCage {
   Cage cage;
   std::vector<int>
-      parent_faces;         ///< for each new face, the face of the original cage it is part of
+      parent_faces;  ///< for each new face, the face of the original cage it is part of
+  std::vector<QuarterOfFace> quarters;  ///< for each new face
   bool is_refined = false;  ///< false if the faces are those of the original cage, not parts
   Notices notices;          ///< tags that make no sense and were ignored
 };

@@ -25,8 +25,10 @@ using Surfaces = std::vector<std::shared_ptr<const Surface>>;
 /// the charts on both sides is smoothed less, and in the end runs along the edges.
 constexpr std::array kSmoothings = {24, 6, 1};
 
-/// Samples of each part of a contour.
+/// Points of each part of a contour that stand for it in a polygon, and at which it is looked
+/// whether it stays within charts.
 constexpr int kSamples = 3;
+constexpr int kChecks = 8;
 
 /// Distance of charts in space, in faces, from which on they are not one surface at a point.
 constexpr double kApart = 1e-6;
@@ -140,14 +142,12 @@ class CurveMaker {
     const Chart& a = *surfaces_.chart(chain.uses[0].region);
     const Chart& b = *surfaces_.chart(chain.uses[1].region);
     const double most = kApart * a.face_size();
-    const int count = kSamples * chain.edge_count();
+    const int count = kChecks * chain.edge_count();
     for (int i = 1; i < count; ++i) {
       const double t = double(i) / count;
-      const Uv in_a = curves[0]->evaluate(t), in_b = curves[1]->evaluate(t);
-      if (!a.covers(in_a) || !b.covers(in_b)) return false;
-      const Vec3 gap =
-          a.evaluate(in_a, Order::Position).point - b.evaluate(in_b, Order::Position).point;
-      if (!(gap.norm() <= most)) return false;
+      const auto in_a = a.point_on_faces(curves[0]->evaluate(t));
+      const auto in_b = b.point_on_faces(curves[1]->evaluate(t));
+      if (!in_a || !in_b || !((*in_a - *in_b).norm() <= most)) return false;
     }
     return true;
   }

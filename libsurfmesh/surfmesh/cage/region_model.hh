@@ -17,7 +17,7 @@ namespace surfmesh {
 /// A contour between charts that is where it is only because the regions are is a smooth curve near
 /// the edges of the cage; others run along these.
 /// Cost     a few evaluations of a chart for each edge between regions
-/// Error    uses of a contour agree to rounding (test RegionModel.UsesOfAContourAgree)
+/// Error    uses of a contour agree to 1e-8 of the diagonal (test RegionModel.UsesOfAContourAgree)
 Model model_of_regions(const FaceNeighbours& neighbours,
                        const std::vector<std::shared_ptr<const Surface>>& surfaces,
                        const std::vector<FaceRegion>& regions);

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "surfmesh/cage/cage.hh"
+#include "surfmesh/cage/cage_surface.hh"
 #include "surfmesh/core/notice.hh"
-#include "surfmesh/geometry/surface.hh"
 
 namespace surfmesh {
 
@@ -43,9 +43,10 @@ struct LimitSurfaceOptions {
   bool is_regular_by_hand = true;
 };
 
-/// Make the limit surfaces of the faces of a refiner's base level; see make_limit_surfaces.
+/// Make the limit surfaces of the faces of a refiner's base level; see make_limit_surfaces. `faces`
+/// tells for each of them what it is of the cage as given; empty for the same faces.
 std::vector<std::shared_ptr<const Surface>> make_limit_surfaces(
     const OpenSubdiv::Far::TopologyRefiner& refiner, const std::vector<Vec3>& points,
-    const LimitSurfaceOptions& options);
+    const LimitSurfaceOptions& options, const std::vector<FaceOfCage>& faces = {});
 
 }  // namespace surfmesh

@@ -153,6 +153,7 @@ inline constexpr OptionRange kQuadFront = {"quad_front", words::kQuadFront};
 inline constexpr OptionRange kAcross = {"across", words::kSwitch};
 inline constexpr OptionRange kNormals = {"normals", words::kSwitch};
 inline constexpr OptionRange kUv = {"uv", words::kSwitch};
+inline constexpr OptionRange kTexture = {"texture", words::kSwitch};
 inline constexpr OptionRange kMsh = {"msh", words::kMsh};
 inline constexpr OptionRange kThreads = {"threads", words::kAll, 1, kMostThreads, false, true};
 inline constexpr OptionRange kMaxElements = {"max_elements", {}, 1, kMostElements, false, true};

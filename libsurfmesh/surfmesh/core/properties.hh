@@ -60,6 +60,9 @@ inline constexpr PropertyKey<HalfedgeHandle, Metric> corner_metric{"surf:metric"
 /// its tangent planes at the other corners do, and whose metric is the one that sees the sides of
 /// the face as the vertex does; else 0. Only where elements have crossed contours.
 inline constexpr PropertyKey<HalfedgeHandle, int> corner_beyond{"surf:beyond", "across"};
+/// Texture coordinates of a corner of the result, at the tip of the halfedge, as the input has them
+/// there; NaN where it has none. Made on wish.
+inline constexpr PropertyKey<HalfedgeHandle, Uv> corner_texture{"surf:texture", "pipeline"};
 /// Normal of the surface at a corner of the result, at the tip of the halfedge, on the side from
 /// which the face goes around counter-clockwise. Made on wish.
 inline constexpr PropertyKey<HalfedgeHandle, Normal> corner_normal{"surf:normal", "assemble"};

@@ -15,6 +15,8 @@
 
 namespace surfmesh {
 
+struct Cage;
+
 /// A contour as one patch sees it: a curve in that patch's parameters.
 struct ContourUse {
   int patch = -1;
@@ -66,6 +68,8 @@ struct Patch {
   std::vector<PatchLoop> loops;  ///< the outer loop first, then the holes
   /// Faces of the cage that the patch covers, completely or in part; ascending.
   std::vector<int> cage_faces = {};
+  /// The cage as given, whose faces these are; null if there is none.
+  std::shared_ptr<const Cage> cage = {};
   /// Where it is given (a file, or a file and a JSON pointer), for messages; empty if in C++.
   std::string origin = {};
   /// True if the outside of the model is where p_u × p_v does not point. Patches that are joined
