@@ -16,7 +16,7 @@ constexpr OptionRange kLetter = {"letter", kLetters};
 
 TEST(OptionRange, TellsItselfInWords) {
   EXPECT_EQ(to_text(kLetter), "a or b");
-  EXPECT_EQ(to_text(ranges::kPatches), "auto, faces or blocks");
+  EXPECT_EQ(to_text(ranges::kPatches), "auto, faces, blocks or regions");
   EXPECT_EQ(to_text(ranges::kGrade), "off, or a number from 1 to 1000000");
   EXPECT_EQ(to_text(ranges::kPrecision), "a number above 0, up to 1000000");
   EXPECT_EQ(to_text(ranges::kThreads), "all, or a whole number from 1 to 256");

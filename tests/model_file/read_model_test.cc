@@ -458,7 +458,7 @@ TEST(ReadModelFaults, OfCages) {
   EXPECT_EQ(fault(cages(R"("name": "b", "file": "b.obj", "scheme": "cat")")),
             " /cages/0/scheme: must be auto, catmark, loop or bilinear");
   EXPECT_EQ(fault(cages(R"("name": "b", "file": "b.obj", "patches": "all")")),
-            " /cages/0/patches: must be faces, blocks or auto");
+            " /cages/0/patches: must be faces, blocks, regions or auto");
   EXPECT_EQ(fault(cages(R"("name": "b", "fle": "b.obj")")),
             " /cages/0/fle: unknown key, did you mean file?");
 }

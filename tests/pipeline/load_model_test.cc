@@ -168,7 +168,7 @@ TEST(LoadModel, HasNoSchemeForModelFiles) {
 
 TEST(LoadModel, HasNoKindOfPatchesForModelFilesWithoutCages) {
   const std::string error = fault(own_model("wave.json"), {.patches = PatchKind::Faces});
-  EXPECT_NE(error.find("only cages have faces or blocks"), std::string::npos) << error;
+  EXPECT_NE(error.find("only cages have faces, blocks or regions"), std::string::npos) << error;
 }
 
 TEST(LoadModel, HasNoKindOfPatchesInTheOptionsOfFilesWithoutCages) {
@@ -181,7 +181,7 @@ TEST(LoadModel, HasNoKindOfPatchesInTheOptionsOfFilesWithoutCages) {
     return fault(folder / "a.json");
   };
   const std::string error = fault_with("faces");
-  EXPECT_NE(error.find("a.json: /options/patches: only cages have faces or blocks as patches"),
+  EXPECT_NE(error.find("a.json: /options/patches: only cages have faces, blocks or regions as patches"),
             std::string::npos)
       << error;
   EXPECT_EQ(fault_with("auto"), "no error");

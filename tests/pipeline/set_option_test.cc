@@ -141,13 +141,13 @@ TEST(SetOption, SetsWhatIsAPatchOfACage) {
   EXPECT_EQ(to_text(get_option(options, "patches")), "auto");
   for (const auto& [value, kind] :
        {std::pair("faces", PatchKind::Faces), std::pair("blocks", PatchKind::Blocks),
-        std::pair("auto", PatchKind::Auto)}) {
+        std::pair("regions", PatchKind::Regions), std::pair("auto", PatchKind::Auto)}) {
     set_option(options, "patches", value);
     EXPECT_EQ(options.patches, kind);
     EXPECT_EQ(to_text(get_option(options, "patches")), value);
   }
   EXPECT_EQ(fault("patches", "all"),
-            "invalid option: patches = all is outside its range: auto, faces or blocks");
+            "invalid option: patches = all is outside its range: auto, faces, blocks or regions");
 }
 
 TEST(SetOption, SetsHowControlSpacesAreMadeAndAsked) {

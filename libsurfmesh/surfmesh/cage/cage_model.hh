@@ -27,19 +27,24 @@ struct CageOptions {
   std::optional<double> crease_angle = {};
 };
 
-/// Make a model of the limit surface of a cage. Each block of faces becomes a patch, and model
-/// vertices are at their limit positions.
+/// Make a model of the limit surface of a cage. Each block, region or face becomes a patch, and
+/// model vertices are at their limit positions.
 ///
 /// A block is a rectangle of m × n quads, as large as possible, with parameters in [0,m] × [0,n]
 /// that run smoothly across its faces. It ends at creases, sharp or semi-sharp, at boundaries and
 /// at the borders of groups; irregular vertices lie on its border. Only Catmull-Clark cages have
-/// blocks; otherwise, and with PatchKind::Faces, each face is a patch. If a face of a Catmull-Clark
-/// or bilinear cage is not a quad, the cage is refined once first. See make_regular for faces that
-/// cannot be used; faces without a limit surface (see make_limit_surfaces) are left out, too.
+/// blocks. A region is a number of connected faces that lie over a plane (see gather_regions), with
+/// coordinates in it as parameters; bilinear cages have none. PatchKind::Auto takes blocks or, if
+/// there are none, single faces; but regions where these are half as many, and the others 200.
 ///
-/// A contour runs along edges of the cage from one model vertex to the next. Model vertices are the
-/// corners of blocks, all vertices where the number of borders is not two, the ends of creases, and
-/// the corners of true boundaries beside holes.
+/// If a face of a Catmull-Clark or bilinear cage is not a quad, the cage is refined once first. See
+/// make_regular for faces that cannot be used; faces without a limit surface (see
+/// make_limit_surfaces) are left out, too.
+///
+/// A contour runs along edges of the cage from one model vertex to the next; between regions that
+/// join smoothly, beside them (see model_of_regions). Model vertices are the corners of blocks, all
+/// vertices where the number of borders is not two, the ends of creases, and the corners of true
+/// boundaries beside holes.
 /// The side of a block is a chain of contours. A contour of three or more patches has as many uses;
 /// a ring of faces uses one twice. The side of a face that has the same vertex twice in a row is a
 /// degenerate contour.
@@ -54,7 +59,7 @@ struct CageOptions {
 /// mend_cage); those of the cage itself are not repeated.
 ///
 /// Cost     a few milliseconds for 1,000 faces, in addition to the limit surfaces
-/// Error    see make_limit_surfaces; uses of a contour agree to 1e-9 of the cage's diagonal (test
+/// Error    see make_limit_surfaces and model_of_regions; uses of a contour agree to 1e-9 of the cage's diagonal (test
 ///          CageModel.UsesOfAContourAgree), except for Chaikin creases of changing sharpness, where
 ///          they may differ by 1e-3, with a warning
 /// Throws   InvalidInput for a cage that cannot be subdivided or has no face with a limit surface;

@@ -38,7 +38,8 @@ PatchKind read_patch_kind(const JsonNode& node) {
   if (text == "auto") return PatchKind::Auto;
   if (text == "faces") return PatchKind::Faces;
   if (text == "blocks") return PatchKind::Blocks;
-  node.fail("must be faces, blocks or auto");
+  if (text == "regions") return PatchKind::Regions;
+  node.fail("must be faces, blocks, regions or auto");
 }
 
 /// A length, true or "on" for the usual one; 0, false or "off" for none.

@@ -200,7 +200,7 @@ void check_without_cages(const ModelFile& file, const std::string& name, const C
     throw Error(ErrorCode::InvalidInput, fmt::format("{}: only cages have {}", location, what));
   };
   const std::map<std::string_view, const char*> options = {
-      {ranges::kPatches.name, "faces or blocks as patches"},
+      {ranges::kPatches.name, "faces, blocks or regions as patches"},
       {ranges::kWeld.name, "vertices to weld"},
       {ranges::kOrient.name, "faces to orient"},
       {ranges::kCreaseAngle.name, "creases by angle"}};

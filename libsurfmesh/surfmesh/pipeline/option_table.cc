@@ -198,7 +198,7 @@ constexpr auto kTable = std::to_array<Option>({
      "most passes over bad triangles, after edges far too short or long are collapsed or split",
      number(
          ranges::kRepairs, [](auto& o) -> auto& { return o.improve.repairs; })},
-    {kCages, true, "", "patches of a cage: its faces, or blocks of quads (auto: blocks)",
+    {kCages, true, "", "patches of a cage: its faces, blocks of quads, or regions of faces",
      number(
          ranges::kPatches, [](auto& o) -> auto& { return o.patches; })},
     {kCages, true, kLengthUnit, "distance within which vertices of a cage become one; 0 is off",
