@@ -56,7 +56,7 @@ void ControlCommand::add_to(CLI::App& app) {
   command->footer(kFooter);
   command
       ->add_option("INPUT", input_,
-                   "cage (.obj, .off), CAD file (.step, .igs, .brep), model file (.json)")
+                   "cage (.obj, .off, .ply, .stl, .om), CAD file (.step, .igs, .brep), model file (.json)")
       ->required()
       ->type_name("");
   command->add_option("-o,--output", output_, "file to write: .vtu or .obj")
