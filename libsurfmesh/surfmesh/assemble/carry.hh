@@ -36,6 +36,18 @@ constexpr bool has_mean() {
   }
 }
 
+/// The value where there is none: 0 in all coordinates. OpenMesh's vectors leave them unset.
+template <class Value>
+Value no_value() {
+  if constexpr (requires { Value::Zero(); }) {
+    return Value::Zero();
+  } else if constexpr (requires(Value v) { v.vectorize(v[0]); }) {
+    return Value(decltype(coordinate_of<Value>())());
+  } else {
+    return Value{};
+  }
+}
+
 template <class Value>
 Value scaled(const Value& value, double weight) {
   if constexpr (std::is_floating_point_v<Value>) {
@@ -71,7 +83,7 @@ Value mean_of(const std::vector<double>& weights, const ValueAt& value_at) {
 ///
 /// Real numbers and vectors of them (OpenMesh's or Eigen's) are linear in triangles, bilinear in
 /// quads (see face_weights). Values of any other type, like labels, are those of the nearest
-/// corner. What is not on the cage of the mesh has the value Value{}.
+/// corner. What is not on the cage of the mesh has the value Value{}, or 0 in all coordinates.
 ///
 /// Values at corners may differ at a vertex, as texture coordinates do along seams. A corner of the
 /// result has those of the face of the mesh on which its own face lies there: a seam stays where a
@@ -131,7 +143,7 @@ class PropertyCarrier {
     if (!result_.get_property_handle(to, name)) result_.add_property(to, name);
     std::size_t missing = 0;
     for (const HalfedgeHandle heh : result_.halfedges()) {
-      result_.property(to, heh) = Value{};
+      result_.property(to, heh) = detail::no_value<Value>();
       if (result_.is_boundary(heh)) continue;
       const CageShares shares = places_.of_corner(heh);
       missing += shares.cage != cage_;
@@ -201,7 +213,7 @@ class PropertyCarrier {
 
   template <class Value, class ValueAt>
   Value value_of(const CageShares& shares, const ValueAt& value_at) const {
-    if (shares.cage != cage_) return Value{};
+    if (shares.cage != cage_) return detail::no_value<Value>();
     const std::size_t first = first_[static_cast<std::size_t>(shares.face)];
     return detail::mean_of<Value>(shares.weights,
                                   [&](std::size_t i) -> Value { return value_at(first + i); });

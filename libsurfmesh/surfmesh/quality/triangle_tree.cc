@@ -14,9 +14,20 @@ constexpr std::size_t kLeaf = 4;
 /// Depth of the hierarchy, which is halved at each step: 2^62 triangles are enough.
 constexpr std::size_t kDeepest = 64;
 
+/// Below this square of the sine of its angle a triangle counts as flat: its height is 1e-10 of its
+/// sides, which is what the distance of a point in it is wrong by.
+constexpr double kFlat = 1e-20;
+
+/// The square of the distance from a segment that begins at a, d long.
+double from_segment(const Vec3& from_a, const Vec3& d) {
+  const double whole = d.squaredNorm();
+  const double t = whole > 0 ? std::clamp(d.dot(from_a) / whole, 0.0, 1.0) : 0;
+  return (from_a - t * d).squaredNorm();
+}
+
 /// The square of the distance from a line a + t d, at the t of this share of its length.
 double from_line(const Vec3& from_a, const Vec3& d, double part, double whole) {
-  return (from_a - (whole > 0 ? part / whole : 0) * d).squaredNorm();
+  return (from_a - part / whole * d).squaredNorm();
 }
 
 }  // namespace
@@ -25,16 +36,25 @@ TriangleTree::TriangleTree(const Facets& facets) {
   std::vector<Vec3> middles;
   triangles_.reserve(facets.triangles.size());
   middles.reserve(facets.triangles.size());
-  for (const auto& [a, b, c] : facets.triangles) {
-    const Vec3& corner = facets.points[static_cast<std::size_t>(a)];
-    triangles_.push_back({corner, facets.points[static_cast<std::size_t>(b)] - corner,
-                          facets.points[static_cast<std::size_t>(c)] - corner});
-    middles.push_back(corner + (triangles_.back().ab + triangles_.back().ac) / 3);
+  for (std::size_t t = 0; t < facets.triangles.size(); ++t) {
+    const Triangle& triangle = triangles_.emplace_back(triangle_of(facets, t));
+    middles.push_back(triangle.a + (triangle.ab + triangle.ac) / 3);
   }
   order_.resize(triangles_.size());
   std::iota(order_.begin(), order_.end(), std::size_t{0});
   nodes_.reserve(triangles_.size());
   build(0, order_.size(), middles);
+}
+
+TriangleTree::Triangle TriangleTree::triangle_of(const Facets& facets, std::size_t index) {
+  const auto& [a, b, c] = facets.triangles[index];
+  Triangle triangle;
+  triangle.a = facets.points[static_cast<std::size_t>(a)];
+  triangle.ab = facets.points[static_cast<std::size_t>(b)] - triangle.a;
+  triangle.ac = facets.points[static_cast<std::size_t>(c)] - triangle.a;
+  triangle.is_flat = triangle.ab.cross(triangle.ac).squaredNorm() <=
+                     kFlat * triangle.ab.squaredNorm() * triangle.ac.squaredNorm();
+  return triangle;
 }
 
 std::size_t TriangleTree::build(std::size_t first, std::size_t last,
@@ -102,8 +122,11 @@ TriangleTree::Nearest TriangleTree::nearest(const Vec3& point, std::size_t guess
 
 /// Source   Ericson, Real-time collision detection (2005), section 5.1.5
 double TriangleTree::squared_distance(const Vec3& point, const Triangle& triangle) {
-  const auto& [a, ab, ac] = triangle;
-  const Vec3 from_a = point - a;
+  const Vec3 &ab = triangle.ab, &ac = triangle.ac, from_a = point - triangle.a;
+  if (triangle.is_flat) {
+    return std::min(
+        {from_segment(from_a, ab), from_segment(from_a, ac), from_segment(from_a - ab, ac - ab)});
+  }
   const double d1 = ab.dot(from_a), d2 = ac.dot(from_a);
   if (d1 <= 0 && d2 <= 0) return from_a.squaredNorm();
   const Vec3 from_b = from_a - ab;

@@ -52,10 +52,12 @@ class TriangleTree {
     Vec3 a;
     Vec3 ab;
     Vec3 ac;
+    bool is_flat = false;  ///< without area
   };
 
   std::size_t build(std::size_t first, std::size_t last, const std::vector<Vec3>& middles);
   Box box_of(std::size_t first, std::size_t last) const;
+  static Triangle triangle_of(const Facets& facets, std::size_t index);
   static double squared_distance(const Vec3& point, const Triangle& triangle);
 
   std::vector<Triangle> triangles_;  ///< in the order of the facets
