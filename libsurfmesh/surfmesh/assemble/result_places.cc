@@ -9,6 +9,7 @@
 
 #include "surfmesh/cage/face_weights.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/model/surface_walk.hh"
 #include "surfmesh/quality/corners_beyond.hh"
 #include "surfmesh/quality/face_corners.hh"
 #include "surfmesh/quality/surface_search.hh"
@@ -111,12 +112,12 @@ void ResultPlaces::find_vertices_on_no_patch() {
       }
     }
     if (!is_found) place = finder->search(vertex);
-    found_.emplace(vertex.idx(), place);
+    found_.emplace(vertex.idx(), PatchPoint{place.patch, place.uv});
   }
 }
 
 CageShares ResultPlaces::of_vertex(VertexHandle vertex) const {
-  const std::vector<SurfacePlace> places = places_of(vertex);
+  const std::vector<PatchPoint> places = places_of(vertex);
   if (places.empty()) return {};
   return shares_at(places[0].patch, place_at(places[0].patch, places[0].uv));
 }
@@ -162,15 +163,15 @@ bool ResultPlaces::is_on_patch(VertexHandle vertex) const {
 }
 
 /// The places of a vertex on the patches of its faces that it lies on.
-std::vector<SurfacePlace> ResultPlaces::places_of(VertexHandle vertex) const {
-  std::vector<SurfacePlace> places;
+std::vector<ResultPlaces::PatchPoint> ResultPlaces::places_of(VertexHandle vertex) const {
+  std::vector<PatchPoint> places;
   if (const auto found = found_.find(vertex.idx()); found != found_.end()) {
     places.push_back(found->second);
     return places;
   }
   for (const HalfedgeHandle corner : mesh_.vih_range(vertex)) {
     if (mesh_.is_boundary(corner) || is_beyond(corner)) continue;
-    const SurfacePlace place{patch_of(corner), mesh_.property(uv_of_, corner)};
+    const PatchPoint place{patch_of(corner), mesh_.property(uv_of_, corner)};
     if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
   }
   return places;
@@ -186,8 +187,8 @@ ResultPlaces::Start ResultPlaces::start_at(HalfedgeHandle corner) const {
     if (stays_inside(own)) return own;
   }
   const Vec3 middle = detail::middle_of(mesh_, detail::corners_of(mesh_, face));
-  const std::vector<SurfacePlace> places = places_of(mesh_.to_vertex_handle(corner));
-  for (const SurfacePlace& place : places) {
+  const std::vector<PatchPoint> places = places_of(mesh_.to_vertex_handle(corner));
+  for (const PatchPoint& place : places) {
     const Start start{place, step_to(place, middle)};
     if (stays_inside(start)) return start;
   }
@@ -195,7 +196,7 @@ ResultPlaces::Start ResultPlaces::start_at(HalfedgeHandle corner) const {
 }
 
 /// The step in the tangent plane that leads nearest to a point; none where there is no such plane.
-Uv ResultPlaces::step_to(const SurfacePlace& from, const Vec3& point) const {
+Uv ResultPlaces::step_to(const PatchPoint& from, const Vec3& point) const {
   const Jet jet = model_.surface(from.patch).evaluate(from.uv, Order::First);
   const Vec3 way = point - jet.point;
   const double a = jet.du.squaredNorm(), b = jet.du.dot(jet.dv), c = jet.dv.squaredNorm();

@@ -9,7 +9,6 @@
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/model/model.hh"
-#include "surfmesh/model/surface_walk.hh"
 
 namespace surfmesh {
 
@@ -48,9 +47,16 @@ class ResultPlaces {
   CageShares of_corner(HalfedgeHandle corner) const;
 
  private:
+  struct PatchPoint {
+    int patch = -1;
+    Uv uv;
+
+    friend bool operator==(const PatchPoint&, const PatchPoint&) = default;
+  };
+
   /// A point of a patch, and the step in its parameters to the middle of a face.
   struct Start {
-    SurfacePlace place;
+    PatchPoint place;
     Uv inward{0, 0};
   };
 
@@ -59,9 +65,9 @@ class ResultPlaces {
   bool is_beyond(HalfedgeHandle corner) const;
   bool is_on_patch(VertexHandle vertex) const;
   void find_vertices_on_no_patch();
-  std::vector<SurfacePlace> places_of(VertexHandle vertex) const;
+  std::vector<PatchPoint> places_of(VertexHandle vertex) const;
   Start start_at(HalfedgeHandle corner) const;
-  Uv step_to(const SurfacePlace& from, const Vec3& point) const;
+  Uv step_to(const PatchPoint& from, const Vec3& point) const;
   bool stays_inside(const Start& start) const;
   CagePlace place_at(int patch, Uv uv) const;
   CageShares shares_at(int patch, const CagePlace& place) const;
@@ -71,7 +77,7 @@ class ResultPlaces {
   decltype(keys::face_patch)::Handle patch_of_;
   decltype(keys::corner_uv)::Handle uv_of_;
   decltype(keys::corner_beyond)::Handle beyond_;
-  std::unordered_map<int, SurfacePlace> found_;  ///< of vertices on no patch of their faces
+  std::unordered_map<int, PatchPoint> found_;  ///< of vertices on no patch of their faces
 };
 
 }  // namespace surfmesh

@@ -16,7 +16,6 @@ namespace {
 
 /// Weights of corners, middles of sides and the centre of a triangle, by which polynomials of
 /// degree 3 are integrated exactly.
-/// Source   Strang and Fix, An analysis of the finite element method (1973), table 4.1
 constexpr double kCorner = 1.0 / 20, kMiddle = 2.0 / 15, kCentre = 9.0 / 20;
 
 /// Adds polygons to facets.
