@@ -56,6 +56,8 @@ void ConvertCommand::add_to(CLI::App& app) {
                     fmt::format("write the normals of the corners, which an .om file may have ({})",
                                 corner_value_endings()));
   command->add_flag("--uv", options_.uv, "write the parameters (u,v) of the corners, likewise");
+  command->add_flag("--texture", options_.texture,
+                    "write the texture coordinates of the corners, likewise");
   std::vector<std::string> versions;
   for (const OptionWord& word : ranges::kMsh.words) versions.emplace_back(word.word);
   command

@@ -184,8 +184,9 @@ void MeshCommand::add_to(CLI::App& app) {
 
 void MeshCommand::add_files(CLI::App& command) {
   command
-      .add_option("INPUT", input_,
-                  "cage (.obj, .off), CAD file (.step, .igs, .brep), model file (.json)")
+      .add_option(
+          "INPUT", input_,
+          "cage (.obj, .off, .ply, .stl, .om), CAD file (.step, .igs, .brep), model file (.json)")
       ->required()
       ->type_name("");
   command

@@ -32,9 +32,8 @@ namespace surfmesh {
 namespace {
 
 constexpr const char* kFooter =
-    "A mesh is shown as it is, a CAD or model file is meshed first. An .obj or .off file counts "
-    "as\n"
-    "a mesh, but as a cage with --mesh or any option of meshing.\n"
+    "A mesh is shown as it is, a CAD or model file is meshed first. A mesh is meshed as a cage\n"
+    "with --mesh or any option of meshing.\n"
     "All options of \"surfmesh mesh\" are there for models. The page needs no network. Its script "
     "is\n"
     "made once, by tools/setup.sh --viewer.\n"
@@ -105,7 +104,8 @@ void ViewCommand::add_files(CLI::App& command) {
   command.add_option("-o,--output", output_, "page to write: .html")->required()->type_name("FILE");
   command.add_option("--model", model_, "what INPUT is a mesh of: cage, CAD or model file")
       ->type_name("FILE");
-  command.add_flag("--mesh", is_meshed_, "mesh an .obj or .off file, which is a cage then");
+  command.add_flag("--mesh", is_meshed_,
+                   fmt::format("mesh a file of {}, which is a cage then", cage_endings()));
   command.add_flag("--quiet", is_quiet_, "print warnings and errors only");
   add_verbose(command, is_verbose_, "print every warning");
   command.parse_complete_callback([this] { check_usage(); });
@@ -145,9 +145,14 @@ void ViewCommand::check_usage() const {
   }
 }
 
-/// An .obj or .off file may be a mesh or a cage: say what it was taken for.
+/// An .obj or .off file may be a mesh or a cage: say what it was taken for. Files of the other
+/// formats mostly are what they are taken for.
 void ViewCommand::tell_choice() const {
-  if (is_quiet_ || !has_cage_ending(input_) || !model_.empty()) return;
+  const std::string ending = lower_case_ending(input_);
+  const bool is_in_doubt = ending == ".obj" || ending == ".off";
+  if (is_quiet_ || !(is_in_doubt || is_model()) || !has_cage_ending(input_) || !model_.empty()) {
+    return;
+  }
   tell(is_model()
            ? fmt::format("surfmesh: {} is meshed as a cage; to see the file itself, leave "
                          "out the options of meshing\n",

@@ -39,7 +39,7 @@ class ViewCommand {
   Settings named_;     ///< by flags of their own
   Settings set_;       ///< by --set, which beats them
   Scheme scheme_ = Scheme::Auto;
-  bool is_meshed_ = false;  ///< an .obj or .off file is a cage
+  bool is_meshed_ = false;  ///< the mesh is a cage
   bool is_quiet_ = false;
   bool is_verbose_ = false;
 };

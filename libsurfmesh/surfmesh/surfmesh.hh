@@ -6,6 +6,7 @@
 /// What an application includes: read or build a model, mesh it, walk, copy and write the result.
 ///
 /// Other public headers are for parts of this, or for stages by themselves.
+#include "surfmesh/assemble/carry.hh"
 #include "surfmesh/assemble/copy_result.hh"
 #include "surfmesh/cage/cage_from_mesh.hh"
 #include "surfmesh/cage/cage_model.hh"

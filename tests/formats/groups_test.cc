@@ -109,7 +109,7 @@ MeshArrays read_obj(const std::string& faces) {
 TEST(GroupsInObj, TakeObjectsAndMaterials) {
   const MeshArrays mesh = read_obj("o my body\ng a\nusemtl steel\nf 1 2 3\ng b\nf 1 3 4\n");
   EXPECT_EQ(mesh.names.patches, (std::vector<std::string>{"a", "b"}));
-  const std::vector<Group> groups = {{"my body", {0, 1}}, {"steel", {0, 1}}};
+  const std::vector<Group> groups = {{"my body", {0, 1}}, {"steel", {0, 1}, true}};
   EXPECT_EQ(mesh.names.groups, groups);
 }
 
@@ -123,7 +123,7 @@ TEST(GroupsInObj, ArePatchesWhereOnlyObjectsAreNamed) {
 TEST(GroupsInObj, SplitAPatchOfTwoMaterials) {
   const MeshArrays mesh = read_obj("g a\nusemtl m\nf 1 2 3\nusemtl n\nf 1 3 4\n");
   EXPECT_EQ(mesh.names.patches, (std::vector<std::string>{"a", "a_2"}));
-  const std::vector<Group> groups = {{"m", {0}}, {"a", {0, 1}}, {"n", {1}}};
+  const std::vector<Group> groups = {{"m", {0}, true}, {"a", {0, 1}}, {"n", {1}, true}};
   EXPECT_EQ(mesh.names.groups, groups);
   EXPECT_EQ(mesh.patches, (std::vector<int>{0, 1}));
 }

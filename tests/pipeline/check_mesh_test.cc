@@ -226,10 +226,44 @@ TEST(MeasureFit, ProjectsAMeshWithoutParameters) {
     EXPECT_TRUE(fit.is_projected);
     EXPECT_NEAR(fit.sizes.edges.mean, kMean, 1e-9);
     EXPECT_NEAR(fit.distance.max, 0, 1e-9);
+    ASSERT_TRUE(fit.from_surface);
+    EXPECT_NEAR(fit.from_surface->max, 0, 1e-9);
     const auto patch_of = require(mesh->mesh, keys::face_patch);
     EXPECT_EQ(mesh->mesh.property(patch_of, FaceHandle(0)), 0);
     EXPECT_EQ(mesh->mesh.property(patch_of, FaceHandle(3)), 1);
   }
+}
+
+/// Two rectangles as a cage of quads, of which the mesh has one only.
+TEST(MeasureFit, TellsWhatAProjectedMeshLacksAndHowFarItIsFromTheFacets) {
+  Cage cage;
+  cage.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}};
+  cage.faces = {{0, 1, 4, 3}, {1, 2, 5, 4}};
+  ModelInput input;
+  input.model = model_from_cage(cage, {.scheme = Scheme::Bilinear});
+  MeshFile mesh;
+  std::vector<VertexHandle> v;
+  for (const int i : {0, 1, 4, 3}) {
+    v.push_back(mesh.mesh.add_vertex(to_openmesh(cage.points[static_cast<std::size_t>(i)])));
+  }
+  mesh.mesh.add_face(v[0], v[1], v[2]);
+  mesh.mesh.add_face(v[0], v[2], v[3]);
+  MeshCheck check = check_mesh({mesh_arrays(mesh.mesh), {}, {}});
+  add_fit(check, measure_fit(mesh, input));
+  const ModelFit& fit = *check.fit;
+  ASSERT_TRUE(fit.from_surface && fit.facets);
+  EXPECT_GT(fit.from_surface->max, 0.9);
+  EXPECT_EQ(fit.distance.max, fit.from_surface->max);
+  EXPECT_NEAR(fit.facets->to_facets.max, 0, 1e-15);
+  EXPECT_DOUBLE_EQ(fit.facets->from_facets.max, 1);
+  EXPECT_NEAR(fit.facets->from_facets.mean, 0.25, 1e-12);
+  const Json json = Json::parse(to_json(check))["fit"];
+  EXPECT_EQ(json["from_surface"]["max"], fit.from_surface->max);
+  EXPECT_EQ(json["facets"]["from_facets"]["max_at"][0], 2);
+  EXPECT_EQ(json["facets"]["to_facets"]["mean"], fit.facets->to_facets.mean);
+  const std::string text = to_text(check);
+  EXPECT_NE(text.find("of the surface from the mesh: greatest"), std::string::npos) << text;
+  EXPECT_NE(text.find("from the faces of the input: greatest"), std::string::npos) << text;
 }
 
 TEST(MeasureFit, FindsVerticesOffTheSurface) {

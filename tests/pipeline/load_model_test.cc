@@ -293,7 +293,7 @@ TEST(LoadModel, NamesThePlaceOfABadCage) {
   EXPECT_EQ(fault(folder / "a.json"), "io: " + place + "0/file: cannot read " +
                                           (folder / "no.obj").string() + ": it does not exist");
   write_text(folder / "a.json", R"({"cages": [{"name": "a", "file": "a.json"}]})");
-  EXPECT_NE(fault(folder / "a.json").find("the ending of a cage is .obj or .off"),
+  EXPECT_NE(fault(folder / "a.json").find("the ending of a cage is .obj, .off, .ply, .stl or .om"),
             std::string::npos);
 }
 
@@ -506,9 +506,9 @@ TEST(LoadModel, NamesTheFileOfACageThatCannotBeSubdivided) {
 }
 
 TEST(LoadModel, RefusesUnknownEndings) {
-  EXPECT_EQ(fault("a.stl"),
-            "invalid input: a.stl: this is a mesh, no model; the ending of a cage is .obj or .off, "
-            "that of a CAD file .step, "
+  EXPECT_EQ(fault("a.vtu"),
+            "invalid input: a.vtu: this is a mesh, no model; the ending of a cage is .obj, .off, "
+            ".ply, .stl or .om, that of a CAD file .step, "
             ".stp, .iges, .igs or .brep, that of a model file .json");
 }
 

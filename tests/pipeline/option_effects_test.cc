@@ -73,6 +73,7 @@ const std::map<std::string_view, Case> kCases = {
     {"crease_angle", {"30", "cube.obj"}},
     {"normals", {"on"}},
     {"uv", {"on"}},
+    {"texture", {"on", "../tests/pipeline/textured.obj"}},
     {"msh", {"2.2", "torus.json", {}, ".msh"}},
     {"quads", {"on"}},
     {"quad_method", {"frontal", "torus.json", {{"quads", "on"}}}},

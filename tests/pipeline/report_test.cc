@@ -71,6 +71,7 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
                                  "quality",
                                  "quads",
                                  "sag",
+                                 "facets",
                                  "refine",
                                  "control",
                                  "seconds",

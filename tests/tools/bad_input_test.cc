@@ -88,9 +88,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"RubbishObj", "a.obj", kRubbish, "a.obj:1: a NUL byte, this is not a text file"},
         BadInput{"RubbishOff", "a.off", kRubbish, "a.off:1: a NUL byte, this is not a text file"},
         BadInput{"Empty", "a.off", "", "a.off: the file is empty"},
-        BadInput{"UnknownEnding", "a.stl", kPoints,
-                 "a.stl: this is a mesh, no model; the ending of a cage is .obj or .off, that of a "
-                 "CAD file .step, .stp, "
+        BadInput{"UnknownEnding", "a.vtu", kPoints,
+                 "a.vtu: this is a mesh, no model; the ending of a cage is .obj, .off, .ply, .stl "
+                 "or .om, that of a CAD file .step, .stp, "
                  ".iges, .igs or .brep, that of a model file .json"},
         BadInput{"PointsOnALine", "a.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nf 1 2 3 4\n",
                  "a.obj: the points of the cage lie on a line: its surface has no area"},

@@ -101,7 +101,7 @@ TEST_F(BashCompletion, SetsOptionsByName) {
 
 TEST_F(BashCompletion, OffersFilesWhoseEndingsFit) {
   EXPECT_EQ(complete({"surfmesh", "mesh", ""}),
-            (Words{"a.obj", "c.json", "d.step", "h.igs", "parts"}));
+            (Words{"a.obj", "b.OM", "c.json", "d.step", "f g.ply", "h.igs", "parts"}));
   const Words meshes = {"a.obj", "b.OM", "f g.ply", "parts"};
   EXPECT_EQ(complete({"surfmesh", "check", ""}), meshes);
   EXPECT_EQ(complete({"surfmesh", "mesh", "a.obj", "-o", ""}), meshes);

@@ -156,9 +156,9 @@ TEST_F(ViewProgram, RefusesAModelOfAnotherMesh) {
 }
 
 TEST_F(ViewProgram, TellsWrongUsage) {
-  write_text(folder_ / "m.ply", "");
+  write_text(folder_ / "m.vtu", "");
   for (const char* arguments :
-       {"", "m.ply", "m.ply -o p.html --hmax 5%", "m.ply -o p.html --mesh",
+       {"", "m.vtu", "m.vtu -o p.html --hmax 5%", "m.vtu -o p.html --mesh",
         "m.json -o p.html --model m.json", "m.obj --mesh --model m.json -o p.html",
         "m.obj -o p.html --hmax nothing", "m.obj -o p.html --no-such"}) {
     EXPECT_EQ(view(arguments), 2) << arguments;

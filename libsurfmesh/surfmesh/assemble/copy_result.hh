@@ -89,13 +89,16 @@ void copy_property(const PolyMesh& result, Mesh& target, const PropertyKey<Eleme
   target.property(to).data_vector() = result.property(from).data_vector();
 }
 
+/// Those of the cage, if they were asked for, else the parameters; 0 where a corner has none.
 template <class Mesh>
 void copy_texture_coordinates(const PolyMesh& result, Mesh& target) {
   using TexCoord = typename Mesh::TexCoord2D;
   using Scalar = typename OpenMesh::vector_traits<TexCoord>::value_type;
-  const auto uv_of = require(result, keys::corner_uv);
+  const auto texture_of = find(result, keys::corner_texture);
+  const auto uv_of = texture_of.is_valid() ? texture_of : require(result, keys::corner_uv);
   for (const HalfedgeHandle heh : result.all_halfedges()) {
-    const Uv uv = result.is_boundary(heh) ? Uv{0, 0} : result.property(uv_of, heh);
+    Uv uv = result.is_boundary(heh) ? Uv{0, 0} : result.property(uv_of, heh);
+    if (texture_of.is_valid() && std::isnan(uv.u)) uv = {0, 0};
     TexCoord coordinates;
     coordinates[0] = static_cast<Scalar>(uv.u);
     coordinates[1] = static_cast<Scalar>(uv.v);
@@ -137,11 +140,12 @@ void update_normals(Mesh& target) {
 /// target's elements are replaced. Its own properties stay, but their values are those of new
 /// elements.
 ///
-/// Reads    surf:patch (face), surf:contour (edge), surf:uv and surf:metric (halfedge); surf:normal
-///          and surf:beyond (halfedge) if they are there
+/// Reads    surf:patch (face), surf:contour (edge), surf:uv and surf:metric (halfedge);
+/// surf:normal,
+///          surf:beyond and surf:texture (halfedge) if they are there
 /// Writes   the same, and what the target has requested: texture coordinates of halfedges, from
-///          surf:uv, 0 on the boundary's; normals of halfedges, from surf:normal if it is there;
-///          other normals, of the triangles
+///          surf:texture if it is there, else from surf:uv, 0 on the boundary's; normals of
+///          halfedges, from surf:normal if it is there; other normals, of the triangles
 /// Error    none if the target has double points; else positions are rounded to its type
 /// Cost     O(elements)
 /// Throws   MissingProperty; InvalidInput, naming the element, for a face with more than three
@@ -169,6 +173,10 @@ void copy_result(const PolyMesh& result, Mesh& target) {
   }
   if (find(result, keys::corner_normal).is_valid()) {
     detail::copy_property(result, target, keys::corner_normal);
+  }
+  detach(target, keys::corner_texture);
+  if (find(result, keys::corner_texture).is_valid()) {
+    detail::copy_property(result, target, keys::corner_texture);
   }
   if (target.has_halfedge_texcoords2D()) detail::copy_texture_coordinates(result, target);
   detail::update_normals(target);

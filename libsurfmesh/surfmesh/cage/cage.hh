@@ -33,6 +33,7 @@ struct Cage {
   struct FaceGroup {
     std::string name;
     std::vector<int> faces;
+    bool is_material = false;  ///< OBJ's `usemtl`
   };
   /// Texture coordinates, by corners of faces: along seams a vertex has several.
   struct Texture {

@@ -261,7 +261,7 @@ void add_groups(const Cage& cage, const std::vector<int>& stand_ins, Model& mode
     }
   }
   for (const Cage::FaceGroup& group : cage.groups) {
-    Group set{group.name, {}};
+    Group set{group.name, {}, group.is_material};
     std::vector<char> is_in(model.patches.size(), 0);
     for (int face : group.faces) {
       if (face < 0 || static_cast<std::size_t>(face) >= patches_of.size()) {

@@ -69,7 +69,7 @@ void copy_groups(const Cage& coarse, RefinedCage& refined) {
     children[static_cast<std::size_t>(refined.parent_faces[f])].push_back(static_cast<int>(f));
   }
   for (const Cage::FaceGroup& group : coarse.groups) {
-    Cage::FaceGroup fine{group.name, {}};
+    Cage::FaceGroup fine{group.name, {}, group.is_material};
     for (int face : group.faces) {
       if (face < 0 || static_cast<std::size_t>(face) >= children.size()) continue;
       const std::vector<int>& parts = children[static_cast<std::size_t>(face)];

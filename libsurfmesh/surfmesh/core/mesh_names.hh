@@ -12,6 +12,7 @@ namespace surfmesh {
 struct Group {
   std::string name;
   std::vector<int> patches;  ///< ascending in MeshNames
+  bool is_material = false;  ///< OBJ's `usemtl`, and written as such
 
   friend bool operator==(const Group&, const Group&) = default;
 };

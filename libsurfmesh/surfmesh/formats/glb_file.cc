@@ -48,9 +48,9 @@ struct Primitive {
 /// patch by patch.
 class GlbMesh {
  public:
-  GlbMesh(const PolyMesh& mesh, bool has_uv) : mesh_(mesh) {
-    const auto uv_of = find(mesh, keys::corner_uv);
-    has_uv_ = has_uv && uv_of.is_valid();
+  GlbMesh(const PolyMesh& mesh, const OutputOptions& options) : mesh_(mesh) {
+    is_texture_ = options.texture && find(mesh, keys::corner_texture).is_valid();
+    has_uv_ = is_texture_ || (options.uv && find(mesh, keys::corner_uv).is_valid());
     number_corners();
     collect_triangles();
   }
@@ -64,7 +64,7 @@ class GlbMesh {
  private:
   void number_corners() {
     const auto normal_of = find(mesh_, keys::corner_normal);
-    const auto uv_of = find(mesh_, keys::corner_uv);
+    const auto uv_of = find(mesh_, is_texture_ ? keys::corner_texture : keys::corner_uv);
     const std::vector<Vec3> estimates =
         normal_of.is_valid() ? std::vector<Vec3>() : smooth_normals(mesh_);
     number_of_.resize(mesh_.n_halfedges());
@@ -79,7 +79,9 @@ class GlbMesh {
                                                   : to_normal(estimates[index(heh)]);
         attributes.normal = {single(given.x), single(given.y), single(given.z)};
         if (has_uv_) {
-          const Uv uv = mesh_.property(uv_of, heh);
+          Uv uv = mesh_.property(uv_of, heh);
+          // The format has values at all vertices or at none.
+          if (is_texture_ && std::isnan(uv.u)) uv = {0, 0};
           attributes.uv = {single(uv.u), single(uv.v)};
         }
         check(heh, attributes);
@@ -156,6 +158,7 @@ class GlbMesh {
   }
 
   const PolyMesh& mesh_;
+  bool is_texture_ = false;  ///< the (u,v) are texture coordinates
   bool has_uv_ = false;
   std::vector<Float3> positions_;
   std::vector<Attributes> attributes_;
@@ -321,7 +324,7 @@ void write_numbers(const GlbMesh& mesh, FileWriter& writer) {
 void write_glb(const PolyMesh& mesh, const MeshNames& names, const OutputOptions& options,
                OutputFile& file) {
   check_single_precision(mesh, ".glb");
-  const GlbMesh glb(mesh, options.uv);
+  const GlbMesh glb(mesh, options);
   const Description description(glb, names, file.path().stem().string());
   const std::string json = description.text();
   const std::size_t json_size = json.size() + padding(json.size());
@@ -349,7 +352,10 @@ std::vector<std::string> lost_in_glb(const PolyMesh& mesh, const MeshNames&,
   std::vector<std::string> lost;
   add_lost_digits(mesh, lost);
   add_split_faces(mesh, 3, lost);
-  for (std::string& entry : lost_properties(mesh, {.normals = true, .uv = options.uv})) {
+  const bool has_texture = options.texture && find(mesh, keys::corner_texture).is_valid();
+  const KeptProperties kept{
+      .normals = true, .uv = options.uv && !has_texture, .texture = has_texture};
+  for (std::string& entry : lost_properties(mesh, kept)) {
     lost.push_back(std::move(entry));
   }
   return lost;

@@ -137,6 +137,9 @@ std::vector<std::string> lost_properties(const PolyMesh& mesh, const KeptPropert
   if (!kept.uv && has(mesh, keys::corner_uv)) {
     lost.push_back("the parameters (u,v) of the corners");
   }
+  if (!kept.texture && has(mesh, keys::corner_texture)) {
+    lost.push_back("the texture coordinates of the corners");
+  }
   if (!kept.metric && has(mesh, keys::corner_metric)) lost.push_back("the metric of the corners");
   if (!kept.contours && has_contours(mesh)) lost.push_back("the contours of the edges");
   if (!kept.sag && has(mesh, keys::face_sag)) lost.push_back("the sag of the faces");

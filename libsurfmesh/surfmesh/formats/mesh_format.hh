@@ -84,6 +84,7 @@ struct KeptProperties {
   bool metric = false;
   bool contours = false;
   bool sag = false;
+  bool texture = false;
 };
 
 /// What of this mesh only .om files hold, but for what is kept.

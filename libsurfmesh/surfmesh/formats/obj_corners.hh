@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -18,35 +19,43 @@ namespace surfmesh {
 inline Vec3 numbers_of(const Normal& normal) { return {normal.x, normal.y, normal.z}; }
 inline Eigen::Vector2d numbers_of(Uv uv) { return {uv.u, uv.v}; }
 
+/// What it means that a corner has no value.
+enum class Unset { IsFault, HasNoNumber };
+
+inline bool is_unset(Uv uv) { return std::isnan(uv.u) || std::isnan(uv.v); }
+inline bool is_unset(const Normal& normal) { return std::isnan(normal.x); }
+
 /// Writes the values of a property of the corners, one a line, and their numbers at the corners.
 /// Equal values at a vertex are one.
 template <class Value>
 class CornerWriter {
  public:
   CornerWriter(const PolyMesh& mesh, const PropertyKey<HalfedgeHandle, Value>& key,
-               bool is_asked_for)
-      : mesh_(mesh), key_(key), values_(find(mesh, key)) {
+               bool is_asked_for, Unset unset = Unset::IsFault)
+      : mesh_(mesh), key_(key), unset_(unset), values_(find(mesh, key)) {
     if (is_asked_for && values_.is_valid()) numbers_.resize(mesh.n_halfedges(), 0);
   }
 
   bool has_values() const { return !numbers_.empty(); }
 
-  /// Throws   Geometry for a value that is not finite
+  /// Throws   Geometry for a value that is not finite, unless it may be unset
   void write_values(std::string_view keyword, FileWriter& writer) {
     if (!has_values()) return;
     for (const VertexHandle vh : mesh_.vertices()) {
       const int before = count_;
       for (const HalfedgeHandle heh : mesh_.vih_range(vh)) {
         if (mesh_.is_boundary(heh)) continue;
-        const int number = number_among(before, mesh_.property(values_, heh));
+        const Value& value = mesh_.property(values_, heh);
+        if (unset_ == Unset::HasNoNumber && is_unset(value)) continue;
+        const int number = number_among(before, value);
         numbers_[index(heh)] = number > 0 ? number : write_value(heh, keyword, writer);
       }
       of_vertex_.clear();
     }
   }
 
-  /// The number at a corner, from 1.
-  int number(HalfedgeHandle heh) const { return numbers_[index(heh)]; }
+  /// The number at a corner, from 1; 0 if there is none.
+  int number(HalfedgeHandle heh) const { return has_values() ? numbers_[index(heh)] : 0; }
 
  private:
   /// The number of a value among those of this vertex, which come after `before`; 0 if it is new.
@@ -73,6 +82,7 @@ class CornerWriter {
 
   const PolyMesh& mesh_;
   const PropertyKey<HalfedgeHandle, Value>& key_;
+  Unset unset_;
   typename PropertyKey<HalfedgeHandle, Value>::Handle values_;
   std::vector<int> numbers_;      ///< by halfedge; empty if none are written
   std::vector<Value> of_vertex_;  ///< those of the vertex that is being written

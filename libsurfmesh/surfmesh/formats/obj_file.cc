@@ -15,6 +15,7 @@
 #include "surfmesh/formats/obj_corners.hh"
 #include "surfmesh/formats/obj_labels.hh"
 #include "surfmesh/formats/obj_tags.hh"
+#include "surfmesh/formats/obj_texture.hh"
 #include "surfmesh/formats/read_cage.hh"
 #include "surfmesh/io/file_writer.hh"
 
@@ -22,14 +23,16 @@ namespace surfmesh {
 namespace {
 
 /// Keywords without meaning for a cage.
-constexpr std::array<std::string_view, 16> kIgnoredKeywords = {
-    "vt", "vn",  "vp",    "s",      "l",        "p",        "mtllib",     "maplib",
-    "mg", "lod", "bevel", "usemap", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
+constexpr std::array<std::string_view, 15> kIgnoredKeywords = {
+    "vn",  "vp",    "s",      "l",        "p",        "mtllib",     "maplib",   "mg",
+    "lod", "bevel", "usemap", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
 
 class ObjReader {
  public:
   ObjReader(std::string_view text, const std::string& name, ReadFor purpose)
-      : text_(text, name, TextScanner::Joining::Backslash, purpose), scanner_(text_.scanner) {}
+      : purpose_(purpose),
+        text_(text, name, TextScanner::Joining::Backslash, purpose),
+        scanner_(text_.scanner) {}
 
   /// The cage without its groups, which the labels are.
   Cage read();
@@ -45,14 +48,17 @@ class ObjReader {
   void read_vertex();
   void read_face();
   int read_corner(std::string_view word);
-  void check_ignored_indices(std::string_view indices) const;
+  void check_more_indices(std::string_view indices) const;
   void read_group_names();
   std::string read_name();
   void check_references() const;
+  bool takes_texture() const { return purpose_ == ReadFor::Cage; }
 
+  ReadFor purpose_;
   CageText text_;
   TextScanner& scanner_;
   ObjLabels labels_;
+  ObjTexture texture_{text_};
   std::vector<int> corners_;  ///< of the face that is being read
   std::vector<LaterReference> later_vertices_;
   ObjTags tags_{text_, later_vertices_};
@@ -69,6 +75,7 @@ Cage ObjReader::read() {
   check_references();
   tags_.number_holes();
   tags_.drop_creases_without_edge();
+  if (takes_texture()) texture_.finish();
   return text_.finish();
 }
 
@@ -87,7 +94,11 @@ void ObjReader::read_statement(std::string_view keyword) {
   if (keyword == "usemtl") return labels_.set_material(read_name());
   if (keyword == "t") return tags_.read();
   has_normals_ |= keyword == "vn";
-  has_texture_ |= keyword == "vt";
+  if (keyword == "vt") {
+    has_texture_ = true;
+    if (takes_texture()) texture_.read_point();
+    return;
+  }
   if (std::find(kIgnoredKeywords.begin(), kIgnoredKeywords.end(), keyword) !=
       kIgnoredKeywords.end()) {
     return;
@@ -115,16 +126,20 @@ void ObjReader::read_vertex() {
 
 void ObjReader::read_face() {
   corners_.clear();
+  texture_.begin_face();
   for (auto word = scanner_.next_word(); !word.empty(); word = scanner_.next_word()) {
     corners_.push_back(read_corner(word));
   }
-  if (text_.add_face(corners_)) labels_.add_face();
+  if (!text_.add_face(corners_)) return;
+  labels_.add_face();
+  if (takes_texture()) texture_.end_face();
 }
 
 int ObjReader::read_corner(std::string_view word) {
   const std::size_t slash = word.find('/');
   const int index = scanner_.to_integer(word.substr(0, slash), "a vertex index");
-  if (slash != std::string_view::npos) check_ignored_indices(word.substr(slash));
+  if (slash != std::string_view::npos) check_more_indices(word.substr(slash));
+  if (takes_texture()) texture_.add_corner(word.substr(std::min(slash, word.size())));
   const int count = static_cast<int>(text_.cage.points.size());
   if (index == 0) scanner_.fail("vertex index 0, they count from 1");
   if (index < 0) {
@@ -138,7 +153,7 @@ int ObjReader::read_corner(std::string_view word) {
   return index - 1;
 }
 
-void ObjReader::check_ignored_indices(std::string_view indices) const {
+void ObjReader::check_more_indices(std::string_view indices) const {
   if (indices.find_first_not_of("/-+0123456789") != std::string_view::npos ||
       std::count(indices.begin(), indices.end(), '/') > 2) {
     scanner_.fail(
@@ -255,13 +270,26 @@ class GroupWriter {
   }
 
  private:
-  /// The groups of each patch, then the patch itself.
+  /// The material of each patch, if all have one, its groups, then the patch itself.
   void make_lines(const MeshNames& names, std::size_t count) {
     const ObjWords words(names, count);
     const auto groups = groups_by_patch(names, count);
+    const auto is_material = [&](int group) {
+      return names.groups[static_cast<std::size_t>(group)].is_material;
+    };
+    const bool has_materials =
+        std::all_of(groups.begin(), groups.end(), [&](const std::vector<int>& of_patch) {
+          return std::count_if(of_patch.begin(), of_patch.end(), is_material) == 1;
+        });
     for (std::size_t p = 0; p < count; ++p) {
-      std::string& line = lines_.emplace_back("\ng ");
+      std::string& line = lines_.emplace_back();
+      if (has_materials) {
+        const int group = *std::find_if(groups[p].begin(), groups[p].end(), is_material);
+        line.append("\nusemtl ").append(words.groups[static_cast<std::size_t>(group)]);
+      }
+      line += "\ng ";
       for (const int group : groups[p]) {
+        if (has_materials && is_material(group)) continue;
         line.append(words.groups[static_cast<std::size_t>(group)]).append(" ");
       }
       line += words.patches[p];
@@ -282,7 +310,9 @@ void write_obj(const PolyMesh& mesh, const MeshNames& names, const OutputOptions
   writer.text("# surfmesh");
   const SharedVertices vertices(mesh);
   write_points(mesh, "v", writer);
-  CornerWriter uvs(mesh, keys::corner_uv, options.uv);
+  const bool has_texture = options.texture && find(mesh, keys::corner_texture).is_valid();
+  CornerWriter uvs(mesh, has_texture ? keys::corner_texture : keys::corner_uv,
+                   has_texture || options.uv, has_texture ? Unset::HasNoNumber : Unset::IsFault);
   CornerWriter normals(mesh, keys::corner_normal, options.normals);
   uvs.write_values("\nvt", writer);
   normals.write_values("\nvn", writer);
@@ -292,9 +322,10 @@ void write_obj(const PolyMesh& mesh, const MeshNames& names, const OutputOptions
     writer.text("\nf");
     for_each_corner(mesh, fh, [&](HalfedgeHandle heh) {
       writer.number(' ', vertices.number(mesh.to_vertex_handle(heh).idx()) + 1);
-      if (uvs.has_values()) writer.number('/', uvs.number(heh));
+      const int uv = uvs.number(heh);
+      if (uv > 0) writer.number('/', uv);
       if (!normals.has_values()) return;
-      if (!uvs.has_values()) writer.text("/");
+      if (uv == 0) writer.text("/");
       writer.number('/', normals.number(heh));
     });
   }
@@ -321,8 +352,9 @@ std::vector<ChangedName> changed_in_obj(const PolyMesh& mesh, const MeshNames& n
 
 std::vector<std::string> lost_in_obj(const PolyMesh& mesh, const MeshNames& names,
                                      const OutputOptions& options) {
-  std::vector<std::string> lost =
-      lost_properties(mesh, {.normals = options.normals, .uv = options.uv});
+  const bool has_texture = options.texture && find(mesh, keys::corner_texture).is_valid();
+  std::vector<std::string> lost = lost_properties(
+      mesh, {.normals = options.normals, .uv = options.uv && !has_texture, .texture = has_texture});
   const std::size_t count = changed_in_obj(mesh, names).size();
   if (count > 0) {
     lost.insert(lost.begin(), fmt::format("{} names of patches and groups, which are changed to be "

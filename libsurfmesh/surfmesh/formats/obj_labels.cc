@@ -48,10 +48,11 @@ LabelRoles roles_of(const ObjLabel& label) {
 /// Collects groups by their names.
 class GroupCollector {
  public:
-  void add(const std::string& name, int patch) {
+  void add(const std::string& name, int patch, bool is_material = false) {
     const auto [entry, is_new] = number_of_.try_emplace(name, groups_.size());
     if (is_new) groups_.push_back({name, {}});
     groups_[entry->second].patches.push_back(patch);
+    groups_[entry->second].is_material |= is_material;
   }
 
   std::vector<Group> finish() {
@@ -103,9 +104,10 @@ std::vector<Cage::FaceGroup> ObjLabels::cage_groups() const {
   for (std::size_t f = 0; f < label_of_face_.size(); ++f) {
     const auto label = static_cast<std::size_t>(label_of_face_[f]);
     if (!std::exchange(is_known[label], char{1})) {
-      for (std::string& name : names_of(labels_[label])) {
+      for (const std::string& name : names_of(labels_[label])) {
         const auto [entry, is_new] = number_of_name.try_emplace(name, groups.size());
-        if (is_new) groups.push_back({std::move(name), {}});
+        if (is_new) groups.push_back({name, {}});
+        groups[entry->second].is_material |= name == labels_[label].material;
         groups_of[label].push_back(entry->second);
       }
     }
@@ -141,7 +143,9 @@ std::vector<int> ObjLabels::patches(MeshNames& names) const {
     patch_of[l] = static_cast<int>(names.patches.size());
     names.patches.push_back(different.add(name));
     patches_of_name[name].push_back(patch_of[l]);
-    for (const std::string& group : roles[l].groups) groups.add(group, patch_of[l]);
+    for (const std::string& group : roles[l].groups) {
+      groups.add(group, patch_of[l], group == labels_[l].material);
+    }
   }
   for (const auto& [name, patches] : patches_of_name) {
     if (patches.size() < 2) continue;

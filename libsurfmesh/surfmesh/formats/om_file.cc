@@ -20,6 +20,7 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/formats/cage_of_arrays.hh"
 #include "surfmesh/io/byte_scanner.hh"
 #include "surfmesh/io/file_writer.hh"
 
@@ -428,6 +429,10 @@ MeshArraysFile parse_om_faces(std::string bytes, const std::string& name) {
   return {mesh_arrays(file.mesh, file.names, ArrayParts::Faces), file.notices, {}};
 }
 
+Cage parse_om_cage(std::string_view bytes, const std::string& name) {
+  return cage_of(parse_om_faces(std::string(bytes), name));
+}
+
 std::vector<std::string> lost_in_om(const PolyMesh&, const MeshNames&, const OutputOptions&) {
   return {};
 }
@@ -453,6 +458,7 @@ MeshFormat om_format() {
   return {.ending = ".om",
           .parse = parse_om_faces,
           .parse_mesh = parse_om,
+          .parse_cage = parse_om_cage,
           .write = write_om,
           .has_corner_values = true,
           .what_is_lost = lost_in_om};

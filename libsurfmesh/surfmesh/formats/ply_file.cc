@@ -13,6 +13,7 @@
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/shared_vertices.hh"
+#include "surfmesh/formats/cage_of_arrays.hh"
 #include "surfmesh/formats/cage_text.hh"
 #include "surfmesh/formats/ply_header.hh"
 #include "surfmesh/io/byte_scanner.hh"
@@ -439,6 +440,10 @@ MeshArraysFile parse_ply_bytes(std::string bytes, const std::string& name) {
   return parse_ply(bytes, name);
 }
 
+Cage parse_ply_cage(std::string_view bytes, const std::string& name) {
+  return cage_of(parse_ply(bytes, name));
+}
+
 }  // namespace
 
 MeshArraysFile parse_ply(std::string_view bytes, const std::string& name) {
@@ -451,8 +456,11 @@ MeshArraysFile parse_ply(std::string_view bytes, const std::string& name) {
 }
 
 MeshFormat ply_format() {
-  return {
-      .ending = ".ply", .parse = parse_ply_bytes, .write = write_ply, .what_is_lost = lost_in_ply};
+  return {.ending = ".ply",
+          .parse = parse_ply_bytes,
+          .parse_cage = parse_ply_cage,
+          .write = write_ply,
+          .what_is_lost = lost_in_ply};
 }
 
 }  // namespace surfmesh

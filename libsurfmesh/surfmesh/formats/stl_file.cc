@@ -12,6 +12,7 @@
 
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/formats/cage_of_arrays.hh"
 #include "surfmesh/formats/split_face.hh"
 #include "surfmesh/formats/write_mesh.hh"
 #include "surfmesh/io/byte_scanner.hh"
@@ -278,6 +279,10 @@ MeshArraysFile parse_stl_bytes(std::string bytes, const std::string& name) {
   return parse_stl(bytes, name);
 }
 
+Cage parse_stl_cage(std::string_view bytes, const std::string& name) {
+  return cage_of(parse_stl(bytes, name));
+}
+
 }  // namespace
 
 MeshArraysFile parse_stl(std::string_view bytes, const std::string& name) {
@@ -288,6 +293,7 @@ MeshArraysFile parse_stl(std::string_view bytes, const std::string& name) {
 MeshFormat stl_format() {
   return {.ending = ".stl",
           .parse = parse_stl_bytes,
+          .parse_cage = parse_stl_cage,
           .write = write_stl,
           .is_single_precision = true,
           .what_is_lost = lost_in_stl};

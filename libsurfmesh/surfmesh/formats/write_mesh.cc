@@ -45,6 +45,18 @@ Notices unused_options(const PolyMesh& mesh, const std::filesystem::path& path,
   if (options.uv && !(has_place && find(mesh, keys::corner_uv).is_valid())) {
     notices.push_back(unused(ranges::kUv.name, "parameters (u,v) of the corners", path, has_place));
   }
+  const bool has_texture = find(mesh, keys::corner_texture).is_valid();
+  if (options.texture && !(has_place && has_texture)) {
+    notices.push_back(
+        unused(ranges::kTexture.name, "texture coordinates of the corners", path, has_place));
+  }
+  if (options.uv && options.texture && has_texture && has_place &&
+      format_of(path).ending != ".om") {
+    notices.push_back(warning(NoticeKind::UnusedOption,
+                              fmt::format("{} has no effect on {}: the texture coordinates of the "
+                                          "cage stand in the place of (u,v)",
+                                          ranges::kUv.name, path.string())));
+  }
   if (options.msh != OutputOptions{}.msh && format_of(path).ending != ".msh") {
     notices.push_back(
         warning(NoticeKind::UnusedOption, fmt::format("{} has no effect on {}: it is of .msh files",

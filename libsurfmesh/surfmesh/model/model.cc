@@ -150,6 +150,7 @@ MeshNames mesh_names(const Model& model) {
                                    [&](const Group& other) { return other.name == group.name; });
     Group& whole = same == names.groups.end() ? names.groups.emplace_back() : *same;
     whole.name = group.name;
+    whole.is_material |= group.is_material;
     whole.patches.insert(whole.patches.end(), group.patches.begin(), group.patches.end());
   }
   put_in_order(names.groups);

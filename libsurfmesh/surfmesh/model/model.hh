@@ -70,6 +70,9 @@ struct Patch {
   std::vector<int> cage_faces = {};
   /// The cage as given, whose faces these are; null if there is none.
   std::shared_ptr<const Cage> cage = {};
+  /// True if the cage is a mesh whose points the surface passes through, so that its faces are
+  /// facets of the surface.
+  bool is_interpolating = false;
   /// Where it is given (a file, or a file and a JSON pointer), for messages; empty if in C++.
   std::string origin = {};
   /// True if the outside of the model is where p_u × p_v does not point. Patches that are joined

@@ -91,6 +91,16 @@ SurfaceDistance distance_of(const PolyMesh& mesh, const Model& model, const Surf
   return distance;
 }
 
+/// Take the greatest distance of the surface from a projected mesh, which may lack a part of it.
+void add_surface(const std::optional<OneWayDistance>& from_surface, ModelFit& fit) {
+  fit.from_surface = from_surface;
+  if (!from_surface || from_surface->max <= fit.distance.max) return;
+  fit.distance.max = from_surface->max;
+  fit.distance.max_at = from_surface->max_at;
+  fit.distance.max_face = static_cast<std::size_t>(from_surface->max_face);
+  fit.distance.max_contour = -1;
+}
+
 std::vector<std::unique_ptr<SizeField>> size_fields(const ModelInput& input) {
   std::vector<std::unique_ptr<SizeField>> fields;
   const ResolvedSizing sizing = resolve(input.options.sizing, input.model);
@@ -271,7 +281,9 @@ Json fit_json(const ModelFit& fit) {
             {"max_face", distance.max_face},
             {"max_contour", fit.max_contour.empty() ? Json(nullptr) : Json(fit.max_contour)},
             {"max_at", {distance.max_at.x(), distance.max_at.y(), distance.max_at.z()}},
-            {"max_corner", distance.max_corner}}}};
+            {"max_corner", distance.max_corner}}},
+          {"from_surface", fit.from_surface ? detail::distance_json(*fit.from_surface) : Json()},
+          {"facets", fit.facets ? detail::facets_json(*fit.facets) : Json()}};
 }
 
 }  // namespace
@@ -307,6 +319,10 @@ ModelFit measure_fit(MeshFile& mesh, const ModelInput& input, JudgedBy judged_by
   if (fit.is_projected) project_mesh(mesh.mesh, mesh.names.patches, input.model, search, context);
   fit.corners_beyond = count_corners_beyond(mesh.mesh);
   fit.distance = distance_of(mesh.mesh, input.model, search, fit.is_projected, context);
+  if (fit.is_projected) {
+    add_surface(measure_surface_to_mesh(search, mesh.mesh, context), fit);
+  }
+  fit.facets = measure_facet_distance(mesh.mesh, input.model, FacetsOf::AllCages, context);
   if (fit.distance.max_contour >= 0) {
     fit.max_contour = input.model.contour(fit.distance.max_contour).name;
   }

@@ -11,6 +11,7 @@
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/text_style.hh"
 #include "surfmesh/quality/face_set_check.hh"
+#include "surfmesh/quality/facet_distance.hh"
 #include "surfmesh/quality/mesh_extent.hh"
 #include "surfmesh/quality/quad_statistics.hh"
 #include "surfmesh/quality/statistics.hh"
@@ -44,8 +45,12 @@ struct ModelFit {
   std::optional<double> sag;  ///< asked for, model units
   MetricFit sizes;
   /// Its greatest distance is that of measure_sag, as in the report of a run. If the mesh is
-  /// projected, faces are compared one way only; contours always are.
+  /// projected, it is that of samples of the mesh, of contours and of samples of the surface.
   SurfaceDistance distance;
+  /// How far the surface is from a mesh that is projected: what that lacks.
+  std::optional<OneWayDistance> from_surface = {};
+  /// From the faces of the cages of the model, and back; none if it has no cages.
+  std::optional<FacetDistance> facets = {};
   std::string max_contour = {};  ///< the name of the contour of the greatest distance, if any
   /// Where the mesh differs from what the model promises, see compare_with_promise.
   std::vector<MeshFault> differences;
@@ -108,7 +113,8 @@ void add_fit(MeshCheck& check, ModelFit fit);
 /// none: edges (count, mean, stddev, min, max, unit_fraction, histogram), quality (as shape); with
 /// a model fit, else null: projected, stored_metric (true if that judges it), exact_sizes
 /// (likewise), other_sizes, edges and quality likewise, sag (asked for, or null), distance (max,
-/// mean, max_face, max_at, max_corner).
+/// mean, max_face, max_at, max_corner), from_surface (max, mean, max_at, max_face; null unless
+/// projected), facets (to_facets and from_facets, likewise; null without cages).
 std::string to_json(const MeshCheck& check);
 
 /// The check for a terminal, with histograms as in the report of a run, in the metric if there is

@@ -10,6 +10,7 @@
 
 #include "surfmesh/core/counted.hh"
 #include "surfmesh/pipeline/check_mesh.hh"
+#include "surfmesh/pipeline/facet_text.hh"
 #include "surfmesh/pipeline/notice_text.hh"
 #include "surfmesh/pipeline/text_table.hh"
 
@@ -156,10 +157,8 @@ void add_histograms(const MeshCheck& check, TextTable& table) {
 }
 
 void add_fit(const ModelFit& fit, TextTable& table) {
-  table.add("model",
-            fit.is_projected
-                ? "the mesh has no (u,v), nearest points were taken: what it lacks is not measured"
-                : "by the (u,v) of the mesh");
+  table.add("model", fit.is_projected ? "the mesh has no (u,v), nearest points were taken"
+                                      : "by the (u,v) of the mesh");
   if (fit.is_projected) {
     table.add("", fmt::format("corners are up to {:.3g} from the surface, which without (u,v) is "
                               "no fault",
@@ -178,6 +177,11 @@ void add_fit(const ModelFit& fit, TextTable& table) {
                                     fit.distance.max, fit.distance.max_face,
                                     fit.max_contour.empty() ? "" : " on contour " + fit.max_contour,
                                     point_text(fit.distance.max_at), fit.distance.mean));
+  if (fit.from_surface) {
+    table.add("", fmt::format("of the surface from the mesh: {}",
+                              detail::distance_text(*fit.from_surface)));
+  }
+  if (fit.facets) detail::add_facets(*fit.facets, table);
   if (fit.sag) {
     table.add("sag", fmt::format("{:.4g} asked for, {}", *fit.sag,
                                  fit.distance.max > *fit.sag ? "NOT REACHED" : "kept"));

@@ -15,6 +15,7 @@
 
 #include "surfmesh/across/across.hh"
 #include "surfmesh/assemble/assemble.hh"
+#include "surfmesh/assemble/carry_texture.hh"
 #include "surfmesh/assemble/corner_normals.hh"
 #include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/assemble/vertex_copies.hh"
@@ -475,6 +476,13 @@ void add_normals(const Model& model, const PipelineOptions& options, const RunCo
   attach_corner_normals(result.mesh, model, context);
 }
 
+/// The texture coordinates of the input, if they are wanted in the file.
+void add_texture(const Model& model, const PipelineOptions& options, MeshResult& result) {
+  if (!options.output.texture) return;
+  const StageClock clock(result.report.seconds[Stage::Assemble]);
+  carry_texture(model, result.mesh);
+}
+
 /// Of a cancelled run no other error counts, for which patch was at work then is a matter of
 /// chance.
 template <class Work>
@@ -542,6 +550,9 @@ MeshResult mesh_model(const Model& model, const Sources& sources, const Pipeline
     do_or_cancel(context, [&] {
       mesh_as_asked(model, sources, options, context, result);
       add_normals(model, options, context, result);
+      add_texture(model, options, result);
+      result.report.facets =
+          measure_facet_distance(result.mesh, model, FacetsOf::InterpolatedCages, context);
     });
   });
   result.names = mesh_names(model);

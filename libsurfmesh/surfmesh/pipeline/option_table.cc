@@ -228,6 +228,10 @@ constexpr auto kTable = std::to_array<Option>({
     {kMeshing, false, "", "parameters (u,v) of the corners in .obj and .glb files",
      number(
          ranges::kUv, [](auto& o) -> auto& { return o.output.uv; })},
+    {kMeshing, false, "",
+     "texture coordinates of the cage in .obj, .glb and .om files, in place of (u,v)",
+     number(
+         ranges::kTexture, [](auto& o) -> auto& { return o.output.texture; })},
     {kMeshing, false, "", "version of .msh files, binary or text",
      number(
          ranges::kMsh, [](auto& o) -> auto& { return o.output.msh; })},

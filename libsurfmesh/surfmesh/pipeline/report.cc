@@ -270,6 +270,7 @@ std::string to_json(const Report& report) {
        {{"asked", or_null(report.sag.asked)},
         {"reached", or_null(report.sag.reached)},
         {"evaluations", or_null(report.sag.evaluations)}}},
+      {"facets", report.facets ? detail::facets_json(*report.facets) : Json(nullptr)},
       {"refine",
        {{"inserted", report.refine.inserted},
         {"left_too_large", report.refine.refused},

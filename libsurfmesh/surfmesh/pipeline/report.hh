@@ -12,6 +12,7 @@
 #include "surfmesh/pipeline/given_options.hh"
 #include "surfmesh/pipeline/options.hh"
 #include "surfmesh/pipeline/text_style.hh"
+#include "surfmesh/quality/facet_distance.hh"
 #include "surfmesh/quality/patch_measures.hh"
 #include "surfmesh/quality/quad_statistics.hh"
 #include "surfmesh/quality/statistics.hh"
@@ -86,6 +87,8 @@ struct Report {
   std::optional<WorstFace> worst_quad;
   std::optional<WorstFace> worst_quad_in_space;
   Sag sag;
+  /// From the faces of the meshes that the surface interpolates, and back; none if it does not.
+  std::optional<FacetDistance> facets;
   RefineCounts refine;  ///< of triangles in all patches; zeros where quads are made without them
   Control control;
   PerStage<double> seconds;  ///< processor time of all threads

@@ -8,6 +8,7 @@
 
 #include "surfmesh/core/counted.hh"
 #include "surfmesh/core/option_range.hh"
+#include "surfmesh/pipeline/facet_text.hh"
 #include "surfmesh/pipeline/notice_text.hh"
 #include "surfmesh/pipeline/report.hh"
 #include "surfmesh/pipeline/text_table.hh"
@@ -220,6 +221,7 @@ std::string to_text(const Report& report, const TextStyle& style) {
   add_places(report, table);
   add_lengths(report, table);
   add_sag(report.sag, table);
+  if (report.facets) detail::add_facets(*report.facets, table);
   if (!style.is_long) add_control(report.control, table);
   add_time(report, table);
   add_speed(report, table);

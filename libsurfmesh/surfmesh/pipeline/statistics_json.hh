@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "surfmesh/quality/facet_distance.hh"
 #include "surfmesh/quality/statistics.hh"
 
 namespace surfmesh::detail {
@@ -24,6 +25,18 @@ inline nlohmann::ordered_json edges_json(const EdgeStatistics& edges) {
           {"max", edges.max},
           {"unit_fraction", edges.unit_fraction},
           {"histogram", histogram_json(edges.histogram)}};
+}
+
+inline nlohmann::ordered_json distance_json(const OneWayDistance& distance) {
+  return {{"max", distance.max},
+          {"mean", distance.mean},
+          {"max_at", {distance.max_at.x(), distance.max_at.y(), distance.max_at.z()}},
+          {"max_face", distance.max_face}};
+}
+
+inline nlohmann::ordered_json facets_json(const FacetDistance& facets) {
+  return {{"to_facets", distance_json(facets.to_facets)},
+          {"from_facets", distance_json(facets.from_facets)}};
 }
 
 }  // namespace surfmesh::detail

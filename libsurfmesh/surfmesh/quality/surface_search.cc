@@ -334,6 +334,13 @@ NearPoint SurfaceSearch::nearest_around(const Vec3& point, std::span<const int> 
   return best;
 }
 
+std::vector<Vec3> SurfaceSearch::sample_points() const {
+  std::vector<Vec3> points;
+  points.reserve(samples_.size());
+  for (const Sample& sample : samples_) points.push_back(sample.point);
+  return points;
+}
+
 std::vector<NearPoint> SurfaceSearch::feet(const Vec3& point) const {
   const std::vector<int> all;
   Candidates candidates{point, all, {}};

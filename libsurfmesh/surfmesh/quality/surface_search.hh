@@ -62,6 +62,10 @@ class SurfaceSearch {
   /// Error    as for nearest(); at most 8 samples are tried
   std::vector<NearPoint> feet(const Vec3& point) const;
 
+  /// The samples of all patches, none of them where a patch is cut off; those of neighbours in
+  /// space mostly follow each other.
+  std::vector<Vec3> sample_points() const;
+
  private:
   struct Sample {
     Vec3 point;
