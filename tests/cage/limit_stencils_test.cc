@@ -28,15 +28,7 @@ Stencils stencils_of(const Cage& cage) {
 }
 
 std::vector<Vec3> limit_points(const Cage& cage) {
-  const Stencils stencils = stencils_of(cage);
-  std::vector<Vec3> result(cage.points.size(), Vec3::Zero());
-  for (int v = 0; v < stencils.rows(); ++v) {
-    for (Stencils::InnerIterator entry(stencils, v); entry; ++entry) {
-      result[static_cast<std::size_t>(v)] +=
-          entry.value() * cage.points[static_cast<std::size_t>(entry.col())];
-    }
-  }
-  return result;
+  return limit_points(cage, resolve_scheme(cage, Scheme::Auto));
 }
 
 /// The stencils of a cage beside the corners of the surfaces of the cage that has the faces they

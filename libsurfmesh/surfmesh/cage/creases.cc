@@ -71,7 +71,8 @@ std::vector<EdgeTurn> edge_turns(const Cage& cage) {
     const Vec3& a = areas[static_cast<std::size_t>(edge[0].face)];
     const Vec3& b = areas[static_cast<std::size_t>(edge[1].face)];
     const double sign = edge[0].is_rising == edge[1].is_rising ? -1 : 1;
-    turns.push_back({{edge[0].low, edge[0].high}, angle_between(a, sign * b)});
+    turns.push_back(
+        {{edge[0].low, edge[0].high}, {edge[0].face, edge[1].face}, angle_between(a, sign * b)});
   });
   return turns;
 }
@@ -81,8 +82,8 @@ void add_creases(double degrees, Cage& cage) { add_creases(edges_above(degrees, 
 std::vector<std::array<int, 2>> edges_above(double degrees, const Cage& cage) {
   const double least = degrees * std::numbers::pi / 180;
   std::vector<std::array<int, 2>> edges;
-  for (const auto& [ends, angle] : edge_turns(cage)) {
-    if (angle > least) edges.push_back(ends);
+  for (const EdgeTurn& edge : edge_turns(cage)) {
+    if (edge.angle > least) edges.push_back(edge.ends);
   }
   return edges;
 }

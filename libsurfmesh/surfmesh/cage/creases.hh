@@ -15,7 +15,8 @@ inline constexpr double kSharp = 10;
 /// An edge of two faces and how much they turn there.
 struct EdgeTurn {
   std::array<int, 2> ends = {-1, -1};  ///< vertices, the lower one first
-  double angle = 0;                    ///< between the normals of the faces, radians
+  std::array<int, 2> faces = {-1, -1};
+  double angle = 0;  ///< between the normals of the faces, radians
 };
 
 /// The edges of two faces, and the angles at which these meet; see add_creases.

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "surfmesh/cage/refined_faces.hh"
+#include "surfmesh/cage/subdivision.hh"
 
 namespace surfmesh {
 namespace {
@@ -224,6 +225,19 @@ Stencils limit_stencils(const Far::TopologyRefiner& refiner) {
     if (is_linear || is_free) rows[static_cast<std::size_t>(v)] = WeightRow(v);
   }
   return matrix_of(rows, level.GetNumVertices());
+}
+
+std::vector<Vec3> limit_points(const Cage& cage, Scheme scheme) {
+  const CageTopology topology = make_topology(cage, scheme);
+  const Stencils stencils = limit_stencils(*topology.refiner);
+  std::vector<Vec3> points(cage.points.size(), Vec3::Zero());
+  for (int v = 0; v < stencils.rows(); ++v) {
+    for (Stencils::InnerIterator entry(stencils, v); entry; ++entry) {
+      points[static_cast<std::size_t>(v)] +=
+          entry.value() * cage.points[static_cast<std::size_t>(entry.col())];
+    }
+  }
+  return points;
 }
 
 }  // namespace surfmesh

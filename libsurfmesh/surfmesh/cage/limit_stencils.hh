@@ -4,6 +4,9 @@
 #include <opensubdiv/far/topologyRefiner.h>
 
 #include <Eigen/SparseCore>
+#include <vector>
+
+#include "surfmesh/cage/cage.hh"
 
 namespace surfmesh {
 
@@ -23,5 +26,11 @@ using Stencils = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// Cost     O(face corners), 0.2 µs a vertex; faces at those and at semi-sharp tags 0.1 ms, and
 ///          meshes with faces that are not the scheme's four times as much
 Stencils limit_stencils(const OpenSubdiv::Far::TopologyRefiner& refiner);
+
+/// The points of a cage's limit surface at its vertices; see limit_stencils.
+///
+/// Pre      scheme is not Auto
+/// Throws   InvalidInput for a cage that cannot be subdivided
+std::vector<Vec3> limit_points(const Cage& cage, Scheme scheme);
 
 }  // namespace surfmesh

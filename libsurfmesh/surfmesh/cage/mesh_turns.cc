@@ -34,6 +34,20 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
+double mean_length(const Cage& cage) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const std::vector<int>& face : cage.faces) {
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const auto from = static_cast<std::size_t>(face[k]);
+      const auto to = static_cast<std::size_t>(face[(k + 1) % face.size()]);
+      sum += (cage.points[to] - cage.points[from]).norm();
+      ++count;
+    }
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
 /// Measures how far vertices stand out of a mesh.
 class VertexHeights {
  public:
@@ -140,6 +154,7 @@ MeshTurns measure_turns(const Cage& cage) {
     if (edge.angle * kDegrees < kFeatureAngle) angles.push_back(edge.angle * kDegrees);
   }
   turns.median = median_of(std::move(angles));
+  turns.length = mean_length(cage);
   const std::vector<double> differences = VertexHeights(cage).differences();
   if (differences.empty()) return turns;
   const double least = std::tan(kNoisyAngle / kDegrees) / 2;

@@ -15,6 +15,7 @@ struct MeshTurns {
   /// Median of the distances of these vertices from where the mesh around would have them, shares
   /// of the lengths of their edges.
   double roughness = 0;
+  double length = 0;  ///< mean of those of the edges, model units
 };
 
 /// Measure how the faces of a mesh turn.

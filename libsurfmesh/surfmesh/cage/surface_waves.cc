@@ -18,7 +18,7 @@ namespace {
 namespace Far = OpenSubdiv::Far;
 
 /// A surface that turns by this much more than the faces is not what somebody had in mind, degrees.
-constexpr double kWaveAngle = 10;
+constexpr double kWaveAngle = 15;
 
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));

@@ -97,12 +97,13 @@ struct SurfaceFit {
   std::string part = {};     ///< what the names of its patches begin with; empty for all
   std::size_t vertices = 0;  ///< that it interpolates
   double fit = 0;            ///< how far it was allowed to stay from them, model units
-  double distance = 0;       ///< greatest one of a vertex from its point of the surface, model units
+  double distance = 0;  ///< greatest one of a vertex from its point of the surface, model units
   double mean_distance = 0;  ///< root of the mean square of these distances
   double greatest_move = 0;  ///< of a point of the cage from its vertex, model units
   int moved_vertex = -1;     ///< that of the greatest move
   std::size_t creases = 0;   ///< edges that became creases by their angle
-  double wavy_share = 0;     ///< of the edges without creases: the surface turns more than the faces
+  std::size_t corners = 0;   ///< vertices that became corners by the angle of lines
+  double wavy_share = 0;  ///< of the edges without creases: the surface turns more than the faces
   double greatest_wave = 0;  ///< by which it turns more, degrees
   double noisy_share = 0;    ///< of the edges without creases: the faces turn to and fro
 
