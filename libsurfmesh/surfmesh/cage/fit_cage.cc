@@ -30,7 +30,7 @@ constexpr double kRounding = 1e-9;
 /// Noise of vertices is up to about the roughness, a median; these multiples are tried as fits.
 constexpr std::array kTriedFits = {1.0, 2.0, 4.0};
 /// A fit that leaves less noise than this share of the limit for it is worth being named.
-constexpr double kCalm = 0.25;
+constexpr double kCalm = 0.5;
 
 std::string percent(double share) { return fmt::format("{:.2g}%", 100 * share); }
 
@@ -57,7 +57,11 @@ class CageFitter {
     tell_choice();
     if (found.is_least_squares) tell_distance(found);
     measure_waves(mesh, found.cage);
-    if (turns_.noisy_share > kNoisyShare && fit_.fit == 0) tell_noise(mesh);
+    if (fit_.fit == 0 && turns_.noisy_share > kNoisyShare) {
+      tell_noise(mesh);
+    } else if (fit_.fit == 0 && turns_.spikes > 0) {
+      tell_spikes();
+    }
     cage_.points = found.cage.points;
     return {fit_, std::move(notices_)};
   }
@@ -122,12 +126,23 @@ class CageFitter {
     if (waves.waves == 0) return;
     Notice notice = warning(
         NoticeKind::WavySurface,
-        fmt::format(
-            "the surface turns more than the faces of the mesh at {} of {} edges, most, by "
-            "{:.3g}°, at {}; where that is a sharp edge, a smaller {} helps, otherwise a {}",
-            waves.waves, waves.edges, waves.greatest, point_text(waves.point),
-            ranges::kCreaseAngle.name, ranges::kFit.name));
+        fmt::format("the surface turns more than the faces of the mesh at {} of {} edges, most, by "
+                    "{:.3g}°, at {}; beside sharp edges a {} helps, elsewhere a {}",
+                    waves.waves, waves.edges, waves.greatest, point_text(waves.point),
+                    ranges::kCreaseAngle.name, ranges::kFit.name));
     notice.point = waves.point;
+    notices_.push_back(std::move(notice));
+  }
+
+  void tell_spikes() {
+    const Vec3& point = cage_.points[static_cast<std::size_t>(turns_.spike)];
+    Notice notice = warning(
+        NoticeKind::WavySurface,
+        fmt::format("{} out of the mesh around, and so does the surface; most, by {:.2g} of the "
+                    "length of its edges, vertex {} at {}; a {} flattens such places",
+                    counted(turns_.spikes, "vertex stands", "vertices stand"), turns_.spike_height,
+                    turns_.spike, point_text(point), ranges::kFit.name));
+    notice.point = point;
     notices_.push_back(std::move(notice));
   }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "surfmesh/cage/cage_sides.hh"
@@ -24,6 +25,12 @@ constexpr double kNoisyAngle = 10;
 constexpr double kSurelySharp = 60;
 /// Vertices need so many neighbours that are no features to compare with.
 constexpr int kFewNeighbours = 3;
+
+/// Shares of the lengths of edges from which on a vertex stands out.
+constexpr double kSpikeHeight = 0.17;
+/// Around a spike in a smooth surface heights change by a sixth of its own; around rims and tips
+/// some are nearly as great.
+constexpr double kSpikeFoot = 0.4;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
@@ -51,13 +58,13 @@ double mean_length(const Cage& cage) {
 /// Measures how far vertices stand out of a mesh.
 class VertexHeights {
  public:
-  explicit VertexHeights(const Cage& cage)
+  VertexHeights(const Cage& cage, double sharp_angle)
       : cage_(cage),
         is_feature_(cage.points.size(), 0),
         sides_(sorted_sides(cage.faces)),
         normals_(cage.points.size(), Vec3::Zero()),
         sums_(cage.points.size()) {
-    mark_features();
+    mark_features(sharp_angle);
     add_normals();
     for_each_edge(sides_, [this](std::span<const CageSide> edge) {
       add(edge[0].low, edge[0].high);
@@ -66,25 +73,33 @@ class VertexHeights {
     for (std::size_t v = 0; v < sums_.size(); ++v) heights_.push_back(height(v));
   }
 
-  /// How far inner vertices are from the height of those around, shares of their edges' lengths.
-  std::vector<double> differences() const {
-    std::vector<Sum> around(heights_.size());
+  /// The height of a vertex and the mean height of its neighbours, shares of its edges' length.
+  struct Pair {
+    int vertex = -1;
+    double own = 0;
+    double around = 0;
+    double low = 0;  ///< of its neighbours
+    double high = 0;
+    int count = 0;  ///< of its neighbours
+  };
+
+  /// Those of the vertices with enough neighbours to compare with.
+  std::vector<Pair> pairs() const {
+    std::vector<Pair> all(heights_.size());
     for_each_edge(sides_, [&](std::span<const CageSide> edge) {
-      const auto a = static_cast<std::size_t>(edge[0].low);
-      const auto b = static_cast<std::size_t>(edge[0].high);
-      if (!std::isfinite(heights_[a]) || !std::isfinite(heights_[b])) return;
-      around[a].length += heights_[b];
-      around[b].length += heights_[a];
-      ++around[a].count;
-      ++around[b].count;
+      add_height(edge[0].low, edge[0].high, all);
+      add_height(edge[0].high, edge[0].low, all);
     });
-    std::vector<double> result;
-    for (std::size_t v = 0; v < heights_.size(); ++v) {
-      if (around[v].count < kFewNeighbours) continue;
+    std::erase_if(all, [](const Pair& pair) { return pair.count < kFewNeighbours; });
+    for (Pair& pair : all) {
+      const auto v = static_cast<std::size_t>(pair.vertex);
       const double length = sums_[v].length / sums_[v].count;
-      result.push_back(std::abs(heights_[v] - around[v].length / around[v].count) / length);
+      pair.own = heights_[v] / length;
+      pair.around /= pair.count * length;
+      pair.low /= length;
+      pair.high /= length;
     }
-    return result;
+    return all;
   }
 
  private:
@@ -95,15 +110,26 @@ class VertexHeights {
     int count = 0;
   };
 
+  void add_height(int to, int from, std::vector<Pair>& pairs) const {
+    const double height = heights_[static_cast<std::size_t>(from)];
+    if (!std::isfinite(height) || !std::isfinite(heights_[static_cast<std::size_t>(to)])) return;
+    Pair& pair = pairs[static_cast<std::size_t>(to)];
+    pair.vertex = to;
+    pair.around += height;
+    pair.low = pair.count == 0 ? height : std::min(pair.low, height);
+    pair.high = pair.count == 0 ? height : std::max(pair.high, height);
+    ++pair.count;
+  }
+
   void mark(int vertex) { is_feature_[static_cast<std::size_t>(vertex)] = 1; }
 
-  void mark_features() {
+  void mark_features(double sharp_angle) {
     for_each_edge(sides_, [this](std::span<const CageSide> edge) {
       if (edge.size() == 2) return;
       mark(edge[0].low);
       mark(edge[0].high);
     });
-    for (const auto& [low, high] : edges_above(kSurelySharp, cage_)) {
+    for (const auto& [low, high] : edges_above(sharp_angle, cage_)) {
       mark(low);
       mark(high);
     }
@@ -145,23 +171,52 @@ class VertexHeights {
   std::vector<double> heights_;
 };
 
-}  // namespace
-
-MeshTurns measure_turns(const Cage& cage) {
-  MeshTurns turns;
-  std::vector<double> angles;
+/// The median angle of the edges that are no features; of all if most would be.
+double median_turn(const Cage& cage) {
+  std::vector<double> all, smooth;
   for (const EdgeTurn& edge : edge_turns(cage)) {
-    if (edge.angle * kDegrees < kFeatureAngle) angles.push_back(edge.angle * kDegrees);
+    all.push_back(edge.angle * kDegrees);
+    if (all.back() < kFeatureAngle) smooth.push_back(all.back());
   }
-  turns.median = median_of(std::move(angles));
-  turns.length = mean_length(cage);
-  const std::vector<double> differences = VertexHeights(cage).differences();
-  if (differences.empty()) return turns;
+  return median_of(2 * smooth.size() < all.size() ? std::move(all) : std::move(smooth));
+}
+
+void measure_noise(const Cage& cage, MeshTurns& turns) {
+  std::vector<double> differences;
+  for (const auto& pair : VertexHeights(cage, kSurelySharp).pairs()) {
+    differences.push_back(std::abs(pair.own - pair.around));
+  }
+  if (differences.empty()) return;
   const double least = std::tan(kNoisyAngle / kDegrees) / 2;
   const auto noisy =
       std::count_if(differences.begin(), differences.end(), [=](double d) { return d > least; });
   turns.noisy_share = static_cast<double>(noisy) / static_cast<double>(differences.size());
-  turns.roughness = median_of(differences);
+  turns.roughness = median_of(std::move(differences));
+}
+
+/// Spikes: a vertex that is moved by d, in a surface where all heights are h, has the height h - d,
+/// and its n neighbours h + d / n. It may be as sharp as it likes.
+void find_spikes(const Cage& cage, MeshTurns& turns) {
+  for (const auto& pair : VertexHeights(cage, 180).pairs()) {
+    const double move = (pair.around - pair.own) / (1 + 1.0 / pair.count);
+    const double base = pair.own + move;
+    const double foot = std::max(std::abs(pair.low - base), std::abs(pair.high - base));
+    if (std::abs(move) <= kSpikeHeight || foot > kSpikeFoot * std::abs(move)) continue;
+    ++turns.spikes;
+    if (std::abs(move) <= turns.spike_height) continue;
+    turns.spike_height = std::abs(move);
+    turns.spike = pair.vertex;
+  }
+}
+
+}  // namespace
+
+MeshTurns measure_turns(const Cage& cage) {
+  MeshTurns turns;
+  turns.median = median_turn(cage);
+  turns.length = mean_length(cage);
+  measure_noise(cage, turns);
+  find_spikes(cage, turns);
   return turns;
 }
 

@@ -25,6 +25,9 @@ constexpr double radians(double degrees) { return degrees * std::numbers::pi / 1
 /// angle is twice that of the others.
 constexpr double kFeatureRatio = 1.5;
 
+/// Edges of more than this are features whatever is around: those of a cube, not of an octahedron.
+constexpr double kSurelySharp = 75;
+
 /// The edges along which a surface is sharp: borders, cuts, and creases with a tag.
 std::vector<Edge> sharp_edges(const Cage& cage) {
   std::vector<Edge> edges;
@@ -111,7 +114,8 @@ std::vector<Edge> features_of(const Cage& cage) {
     const Sum& b = of_face[static_cast<std::size_t>(turn.faces[1])];
     const int others = a.count + b.count - 2;
     const double angles = a.angle + b.angle - 2 * turn.angle;
-    if (turn.angle * others > kFeatureRatio * angles) edges.push_back(turn.ends);
+    const bool stands_out = turn.angle * others >= kFeatureRatio * angles;
+    if (stands_out || turn.angle > radians(kSurelySharp)) edges.push_back(turn.ends);
   }
   return edges;
 }

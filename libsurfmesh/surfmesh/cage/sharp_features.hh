@@ -26,10 +26,10 @@ struct SharpFeatures {
 /// Tag the features of a mesh that a surface is to pass through, which otherwise get round.
 ///
 /// Where no angle is given, edges become creases if faces meet there at more than kFeatureAngle and
-/// at 1.5 times the mean angle of the other edges of these faces, and if other creases or borders
-/// go on at one of their ends. With an angle, in degrees, all edges of more become creases, with 0
-/// none. Vertices become corners where a line of creases, or the border, turns by more than
-/// kCornerAngle; where three lines meet there is a corner anyway.
+/// at 1.5 times the mean angle of the other edges of these faces, or at more than 75 degrees, and
+/// if other creases or borders go on at one of their ends. With an angle, in degrees, all edges of
+/// more become creases, with 0 none. Vertices become corners where a line of creases, or the
+/// border, turns by more than kCornerAngle; where three lines meet there is a corner anyway.
 ///
 /// Cost     O(n log n) for n face corners, 1 µs a face
 SharpFeatures tag_features(const std::optional<double>& crease_angle, Cage& cage);

@@ -17,8 +17,12 @@ namespace {
 
 namespace Far = OpenSubdiv::Far;
 
-/// A surface that turns by this much more than the faces is not what somebody had in mind, degrees.
-constexpr double kWaveAngle = 15;
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+/// What the surface turns more than the faces is a wave from here on, degrees. On meshes of 2,000
+/// to 30,000 triangles of smooth surfaces no edge has more, beside edges that should be creases 1
+/// to 10 % of all have.
+constexpr double kWaveAngle = 6;
 
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -77,7 +81,6 @@ class WaveMeter {
     for (int e = 0; e < level_.GetNumEdges(); ++e) {
       if (is_smooth(e)) add_edge(e, waves);
     }
-    waves.greatest *= 180 / std::numbers::pi;
     return waves;
   }
 
@@ -101,36 +104,18 @@ class WaveMeter {
     return sum;
   }
 
-  /// The normal of the surface about the middle of a face: that through the middles of its edges.
-  Vec3 middle_normal(int f) const {
-    const Far::ConstIndexArray edges = level_.GetFaceEdges(f);
-    const auto point = [&](int k) -> const Vec3& {
-      return limit_.position(level_.GetEdgeChildVertex(edges[k]));
-    };
-    Vec3 sum = Vec3::Zero();
-    for (int k = 2; k < edges.size(); ++k) {
-      sum += (point(k - 1) - point(0)).cross(point(k) - point(0));
-    }
-    return sum;
-  }
-
-  double excess(const Vec3& normal, int face, double allowed) const {
-    return angle_between(normal, area(face)) - allowed;
-  }
-
   void add_edge(int e, SurfaceWaves& waves) const {
     const Far::ConstIndexArray faces = level_.GetEdgeFaces(e);
+    const Vec3 &a = area(faces[0]), &b = area(faces[1]);
     const int vertex = level_.GetEdgeChildVertex(e);
-    const double allowed = std::max(turn(faces[0]), turn(faces[1]));
-    double greatest = 0;
-    for (const int face : faces) {
-      greatest = std::max({greatest, excess(limit_.normal(vertex), face, allowed),
-                           excess(middle_normal(face), face, turn(face))});
-    }
+    const Vec3 middle = a.normalized() + b.normalized();
+    const double excess = angle_between(limit_.normal(vertex), middle) - angle_between(a, b) / 2;
     ++waves.edges;
-    if (greatest > kWaveAngle * std::numbers::pi / 180) ++waves.waves;
-    if (greatest <= waves.greatest) return;
-    waves.greatest = greatest;
+    if (excess <= kWaveAngle / kDegrees) return;
+    if (excess <= std::max(turn(faces[0]), turn(faces[1]))) return;
+    ++waves.waves;
+    if (excess * kDegrees <= waves.greatest) return;
+    waves.greatest = excess * kDegrees;
     waves.point = limit_.position(vertex);
   }
 
