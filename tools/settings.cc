@@ -248,7 +248,9 @@ LoadOptions load_options(Scheme scheme, const Settings& settings) {
                     .patches = options.patches,
                     .weld = options.weld,
                     .orient = options.orient,
-                    .crease_angle = options.crease_angle},
+                    .crease_angle = options.crease_angle,
+                    .surface = options.surface,
+                    .fit = options.fit},
           .joining = options.joining,
           .cad = {.sew = options.sew},
           .read_cad = cad_reader()};

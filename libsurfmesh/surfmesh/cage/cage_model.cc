@@ -13,11 +13,12 @@
 #include <utility>
 
 #include "surfmesh/cage/block_surface.hh"
-#include "surfmesh/cage/creases.hh"
 #include "surfmesh/cage/face_neighbours.hh"
 #include "surfmesh/cage/faces_of_cage.hh"
+#include "surfmesh/cage/fit_cage.hh"
 #include "surfmesh/cage/gather_blocks.hh"
 #include "surfmesh/cage/gather_regions.hh"
+#include "surfmesh/cage/interpolating_cage.hh"
 #include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/cage/refine_cage.hh"
 #include "surfmesh/cage/region_model.hh"
@@ -464,6 +465,10 @@ std::vector<MadeWith> made_with(const CageOptions& options) {
   if (options.crease_angle.value_or(0) > 0) {
     add(ranges::kCreaseAngle.name, to_text(ranges::kCreaseAngle, *options.crease_angle));
   }
+  if (options.surface != SurfaceKind::Auto) {
+    add(ranges::kSurface.name, to_text(ranges::kSurface, static_cast<double>(options.surface)));
+  }
+  if (options.fit && options.fit->value != 0) add(ranges::kFit.name, to_text(options.fit));
   return made;
 }
 
@@ -471,13 +476,14 @@ std::vector<MadeWith> made_with(const CageOptions& options) {
 
 Model model_from_cage(const Cage& cage, const CageOptions& options) {
   MendedCage mended = mend_cage(cage, mend_options(cage, options));
-  check_option(ranges::kCreaseAngle, options.crease_angle.value_or(0));
-  if (options.crease_angle.value_or(0) > 0) add_creases(*options.crease_angle, mended.cage);
   const Scheme scheme = resolve_scheme(mended.cage, options.scheme);
+  const detail::CageFit fitted = detail::fit_cage(options, scheme, mended.cage);
   const RefinedCage regular = make_regular(mended.cage, scheme, mended.parent_faces);
   Model model = model_of_regular(regular, faces_of_cage(cage, mended, regular), scheme, options);
   const auto given = std::make_shared<const Cage>(cage);
   for (Patch& patch : model.patches) patch.cage = given;
+  if (fitted.fit) model.fits.push_back(*fitted.fit);
+  model.notices.insert(model.notices.begin(), fitted.notices.begin(), fitted.notices.end());
   model.notices.insert(model.notices.begin(), std::make_move_iterator(mended.notices.begin()),
                        std::make_move_iterator(mended.notices.end()));
   if (model.patches.empty()) {

@@ -13,6 +13,11 @@ namespace surfmesh {
 /// a plane. Auto: blocks.
 enum class PatchKind { Auto, Faces, Blocks, Regions };
 
+/// Which surface a cage stands for: its limit surface, or that of the same connectivity which
+/// passes through its points. Auto: the second for what is a fine mesh of a surface, see
+/// mesh_or_cage.
+enum class SurfaceKind { Auto, Limit, Interpolate };
+
 /// How a cage becomes a model.
 struct CageOptions {
   Scheme scheme = Scheme::Auto;  ///< subdivision scheme
@@ -23,8 +28,14 @@ struct CageOptions {
   std::optional<Length> weld = {};
   std::optional<bool> orient = {};  ///< turn faces to agree with their neighbours; unset is off
   /// Edges where two faces meet at more than this angle become creases, degrees up to 180; 0 is
-  /// off, and so is unset. See add_creases.
+  /// off. See add_creases. Unset is off for limit surfaces and kFeatureAngle for interpolating
+  /// ones.
   std::optional<double> crease_angle = {};
+  SurfaceKind surface = SurfaceKind::Auto;
+  /// How far an interpolating surface may stay from the points, which damps noise and waves; 0, and
+  /// unset, is through all of them. See interpolating_cage. Shares are those of the cage's
+  /// diagonal.
+  std::optional<Length> fit = {};
 };
 
 /// Make a model of the limit surface of a cage. Each block, region or face becomes a patch, and

@@ -60,20 +60,37 @@ double angle_between(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-void add_creases(double degrees, Cage& cage) {
-  const double least = degrees * std::numbers::pi / 180;
+std::vector<EdgeTurn> edge_turns(const Cage& cage) {
   std::vector<Vec3> areas;
   areas.reserve(cage.faces.size());
   for (const std::vector<int>& face : cage.faces) areas.push_back(area_of(cage, face));
   const std::vector<CageSide> sides = sorted_sides(cage.faces);
-  CreaseList creases(cage);
+  std::vector<EdgeTurn> turns;
   for_each_edge(sides, [&](std::span<const CageSide> edge) {
     if (edge.size() != 2) return;
     const Vec3& a = areas[static_cast<std::size_t>(edge[0].face)];
     const Vec3& b = areas[static_cast<std::size_t>(edge[1].face)];
     const double sign = edge[0].is_rising == edge[1].is_rising ? -1 : 1;
-    if (angle_between(a, sign * b) > least) creases.add(edge[0].low, edge[0].high, kSharp);
+    turns.push_back(
+        {{edge[0].low, edge[0].high}, {edge[0].face, edge[1].face}, angle_between(a, sign * b)});
   });
+  return turns;
+}
+
+void add_creases(double degrees, Cage& cage) { add_creases(edges_above(degrees, cage), cage); }
+
+std::vector<std::array<int, 2>> edges_above(double degrees, const Cage& cage) {
+  const double least = degrees * std::numbers::pi / 180;
+  std::vector<std::array<int, 2>> edges;
+  for (const EdgeTurn& edge : edge_turns(cage)) {
+    if (edge.angle > least) edges.push_back(edge.ends);
+  }
+  return edges;
+}
+
+void add_creases(const std::vector<std::array<int, 2>>& edges, Cage& cage) {
+  CreaseList creases(cage);
+  for (const auto& [low, high] : edges) creases.add(low, high, kSharp);
 }
 
 void add_crease(const std::vector<int>& vertices, double sharpness, Cage& cage) {

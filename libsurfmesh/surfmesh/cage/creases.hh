@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,18 @@ namespace surfmesh {
 /// Sharpness from which on OpenSubdiv takes a crease for a sharp edge.
 inline constexpr double kSharp = 10;
 
+/// An edge of two faces and how much they turn there.
+struct EdgeTurn {
+  std::array<int, 2> ends = {-1, -1};  ///< vertices, the lower one first
+  std::array<int, 2> faces = {-1, -1};
+  double angle = 0;  ///< between the normals of the faces, radians
+};
+
+/// The edges of two faces, and the angles at which these meet; see add_creases.
+///
+/// Cost     O(n log n) for n face corners
+std::vector<EdgeTurn> edge_turns(const Cage& cage);
+
 /// Make a sharp crease of each edge of two faces that meet at more than an angle: that between
 /// their normals, degrees, 0 where they lie in a plane.
 ///
@@ -20,6 +33,13 @@ inline constexpr double kSharp = 10;
 /// Pre      the vertices of faces exist
 /// Cost     O(n log n) for n face corners
 void add_creases(double degrees, Cage& cage);
+
+/// The edges of which add_creases makes creases, by their vertices, the lower one first.
+std::vector<std::array<int, 2>> edges_above(double degrees, const Cage& cage);
+
+/// Make sharp creases of edges.
+/// Pre      they are edges of the cage
+void add_creases(const std::vector<std::array<int, 2>>& edges, Cage& cage);
 
 /// Make a crease along a chain of vertices. A crease that is there becomes sharper, never less.
 ///

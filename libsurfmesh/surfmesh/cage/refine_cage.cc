@@ -118,6 +118,11 @@ void leave_out_sides(RefinedCage& simple) {
   }
 }
 
+bool is_all_quads(const Cage& cage) {
+  return std::all_of(cage.faces.begin(), cage.faces.end(),
+                     [](const auto& face) { return face.size() == 4; });
+}
+
 }  // namespace
 
 RefinedCage refine_once(const Cage& cage, Scheme scheme) {
@@ -154,23 +159,24 @@ RefinedCage make_regular(const Cage& cage, Scheme scheme) {
   return make_regular(cage, scheme, numbers);
 }
 
-RefinedCage make_regular(const Cage& cage, Scheme scheme, const std::vector<int>& numbers) {
+RefinedCage make_simple(const Cage& cage, Scheme scheme, const std::vector<int>& numbers) {
   check_ranges(cage);
-  scheme = resolve_scheme(cage, scheme);
   RefinedCage simple = leave_out_faces(cage, numbers);
   if (simple.cage.faces.empty()) {
     throw Error(ErrorCode::InvalidInput,
                 "each face of the cage comes back to a vertex, or has fewer than three different "
                 "ones");
   }
-  if (scheme != Scheme::Loop && std::all_of(simple.cage.faces.begin(), simple.cage.faces.end(),
-                                            [](const auto& face) { return face.size() == 4; })) {
-    add_whole_faces(simple);
-    return simple;
-  }
+  if (scheme != Scheme::Loop && is_all_quads(simple.cage)) return simple;
   leave_out_sides(simple);
-  if (scheme == Scheme::Loop) {
-    check_triangles(simple.cage, simple.parent_faces);
+  if (scheme == Scheme::Loop) check_triangles(simple.cage, simple.parent_faces);
+  return simple;
+}
+
+RefinedCage make_regular(const Cage& cage, Scheme scheme, const std::vector<int>& numbers) {
+  scheme = resolve_scheme(cage, scheme);
+  RefinedCage simple = make_simple(cage, scheme, numbers);
+  if (scheme == Scheme::Loop || is_all_quads(simple.cage)) {
     add_whole_faces(simple);
     return simple;
   }

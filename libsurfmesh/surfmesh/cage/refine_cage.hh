@@ -50,4 +50,10 @@ RefinedCage make_regular(const Cage& cage, Scheme scheme);
 /// it has in messages and in `parent_faces`: that of the original cage.
 RefinedCage make_regular(const Cage& cage, Scheme scheme, const std::vector<int>& numbers);
 
+/// The cage that make_regular subdivides, or keeps, without the faces and sides that it leaves out.
+///
+/// Pre      scheme is not Auto
+/// Throws   InvalidInput if no face is left, or one is no triangle under Loop
+RefinedCage make_simple(const Cage& cage, Scheme scheme, const std::vector<int>& numbers);
+
 }  // namespace surfmesh

@@ -14,8 +14,20 @@ namespace {
 /// Of each kind so many stand in a terminal: enough to see what they have in common.
 constexpr std::size_t kMostLines = 3;
 
+std::string_view front_of(Severity severity) {
+  switch (severity) {
+    case Severity::Warning:
+      return "warning";
+    case Severity::Shortfall:
+      return "not reached";
+    case Severity::Information:
+      return "note";
+  }
+  return "unknown";
+}
+
 std::string line_of(const Notice& notice) {
-  const char* front = notice.severity == Severity::Warning ? "warning" : "not reached";
+  const std::string_view front = front_of(notice.severity);
   const std::string more =
       notice.count > 1 ? fmt::format(" (and {} more)", notice.count - 1) : std::string();
   return fmt::format("{}: {}{}", front, notice.text, more);
@@ -117,12 +129,28 @@ std::string_view name(NoticeKind kind) {
       return "loose_fit";
     case NoticeKind::MergedContours:
       return "merged_contours";
+    case NoticeKind::ChosenSurface:
+      return "chosen_surface";
+    case NoticeKind::MissedPoints:
+      return "missed_points";
+    case NoticeKind::WavySurface:
+      return "wavy_surface";
+    case NoticeKind::NoisyInput:
+      return "noisy_input";
   }
   return "unknown";
 }
 
 std::string_view name(Severity severity) {
-  return severity == Severity::Warning ? "warning" : "shortfall";
+  switch (severity) {
+    case Severity::Warning:
+      return "warning";
+    case Severity::Shortfall:
+      return "shortfall";
+    case Severity::Information:
+      return "information";
+  }
+  return "unknown";
 }
 
 void locate(std::string_view location, Notice& notice) {

@@ -49,9 +49,13 @@ enum class NoticeKind {
   HealedShape,       ///< a shape of a CAD file was mended
   LooseFit,          ///< surfaces of a CAD file are farther apart than the usual tolerance
   MergedContours,    ///< contours, or patches, below the tolerance are points, or lines
+  ChosenSurface,     ///< which surface a mesh or cage got, and why
+  MissedPoints,      ///< a surface does not pass through the points it was to interpolate
+  WavySurface,       ///< an interpolating surface turns more than the faces do
+  NoisyInput,        ///< faces of a mesh turn to and fro, as those of a scan with noise do
 };
 
-inline constexpr std::size_t kNoticeKinds = 35;
+inline constexpr std::size_t kNoticeKinds = 39;
 
 /// The name of a kind in reports: "ignored_input", "turned_triangles", ...
 std::string_view name(NoticeKind kind);
@@ -59,9 +63,10 @@ std::string_view name(NoticeKind kind);
 enum class Severity {
   Warning,    ///< done as asked, but the user may not have meant it
   Shortfall,  ///< something asked for was not reached; a tool ends with status 3
+  Information,  ///< what was decided for the user, and how to decide otherwise
 };
 
-/// The name of a severity in reports: "warning", "shortfall".
+/// The name of a severity in reports: "warning", "shortfall", "information".
 std::string_view name(Severity severity);
 
 /// Something to tell the user, as text and as data.
@@ -85,6 +90,9 @@ using Notices = std::vector<Notice>;
 inline Notice warning(NoticeKind kind, std::string text) {
   return {.kind = kind, .severity = Severity::Warning, .text = std::move(text)};
 }
+inline Notice information(NoticeKind kind, std::string text) {
+  return {.kind = kind, .severity = Severity::Information, .text = std::move(text)};
+}
 inline Notice shortfall(NoticeKind kind, std::string text) {
   return {.kind = kind, .severity = Severity::Shortfall, .text = std::move(text)};
 }
@@ -104,7 +112,7 @@ void append(Notices more, Notices& notices);
 /// True if something asked for was not reached.
 bool has_shortfall(const Notices& notices);
 
-/// Lines for a terminal, "warning: text" or "not reached: text": the first few of each kind, and
+/// Lines for a terminal, "warning: text", "not reached: text" or "note: text": the first few of each kind, and
 /// how many more there are. What differs only in its location is told once.
 std::vector<std::string> lines_of(const Notices& notices);
 

@@ -100,6 +100,8 @@ inline constexpr std::array kMsh = {OptionWord{"4.1", 0}, OptionWord{"4.1-text",
                                     OptionWord{"2.2", 2}, OptionWord{"2.2-text", 3}};
 inline constexpr std::array kPatches = {OptionWord{"auto", 0}, OptionWord{"faces", 1},
                                         OptionWord{"blocks", 2}, OptionWord{"regions", 3}};
+inline constexpr std::array kSurface = {OptionWord{"auto", 0}, OptionWord{"limit", 1},
+                                        OptionWord{"interpolate", 2}};
 
 }  // namespace words
 
@@ -145,6 +147,7 @@ inline constexpr OptionRange kSmoothing = {"smoothing", words::kSmoothing, 1, kM
 inline constexpr OptionRange kSweeps = {"sweeps", {}, 1, kMostPasses, false, true};
 inline constexpr OptionRange kRepairs = {"repairs", words::kOff, 1, kMostPasses, false, true};
 inline constexpr OptionRange kPatches = {"patches", words::kPatches};
+inline constexpr OptionRange kSurface = {"surface", words::kSurface};
 inline constexpr OptionRange kOrient = {"orient", words::kSwitch};
 inline constexpr OptionRange kCreaseAngle = {"crease_angle", words::kOff, 0, 180, true};
 inline constexpr OptionRange kQuads = {"quads", words::kSwitch};

@@ -49,6 +49,7 @@ void shift(Model& added, const Model& model, const std::string& prefix) {
     for (int& patch : group.patches) patch += patches;
   }
   for (MadeWith& option : added.made_with) option.part.insert(0, prefix);
+  for (SurfaceFit& fit : added.fits) fit.part.insert(0, prefix);
   for (Notice& notice : added.notices) {
     if (!prefix.empty()) locate(prefix.substr(0, prefix.rfind(':')), notice);
     if (notice.patch >= 0) notice.patch += patches;
@@ -74,6 +75,7 @@ void append(Model& model, Model added, const std::string& prefix) {
   move_to_end(added.notices, model.notices);
   move_to_end(notices, model.notices);
   move_to_end(added.made_with, model.made_with);
+  move_to_end(added.fits, model.fits);
   model.box.extend(added.box);
   model.diagonal = model.box.diagonal().norm();
   model.joining = std::max(model.joining, added.joining);

@@ -99,6 +99,24 @@ struct MadeWith {
   friend bool operator==(const MadeWith&, const MadeWith&) = default;
 };
 
+/// How near the surface of a part keeps to the mesh that it interpolates, and how smooth it is.
+struct SurfaceFit {
+  std::string part = {};     ///< what the names of its patches begin with; empty for all
+  std::size_t vertices = 0;  ///< that it interpolates
+  double fit = 0;            ///< how far it was allowed to stay from them, model units
+  double distance = 0;  ///< greatest one of a vertex from its point of the surface, model units
+  double mean_distance = 0;  ///< root of the mean square of these distances
+  double greatest_move = 0;  ///< of a point of the cage from its vertex, model units
+  int moved_vertex = -1;     ///< that of the greatest move
+  std::size_t creases = 0;   ///< edges that became creases by their angle
+  std::size_t corners = 0;   ///< vertices that became corners by the angle of lines
+  double wavy_share = 0;  ///< of the edges without creases: the surface turns more than the faces
+  double greatest_wave = 0;  ///< by which it turns more, degrees
+  double noisy_share = 0;    ///< of the edges without creases: the faces turn to and fro
+
+  friend bool operator==(const SurfaceFit&, const SurfaceFit&) = default;
+};
+
 /// Patches and the contours and vertices they share.
 ///
 /// The accessors expect indices within the model; check() verifies those of the model itself.
@@ -114,6 +132,7 @@ struct Model {
   /// The options of CageOptions and JoinOptions that it was made with, where they are not the
   /// defaults. Those options do nothing afterwards, so mesh_model warns of others.
   std::vector<MadeWith> made_with = {};
+  std::vector<SurfaceFit> fits = {};  ///< of its parts that interpolate a mesh
 
   const Contour& contour(int index) const { return contours[static_cast<std::size_t>(index)]; }
   const Contour& contour(const LoopEntry& entry) const { return contour(entry.contour); }

@@ -36,6 +36,8 @@ struct CageInput {
   std::optional<Length> weld = {};  ///< 0 is off
   std::optional<bool> orient = {};
   std::optional<double> crease_angle = {};  ///< degrees, 0 is off
+  SurfaceKind surface = SurfaceKind::Auto;
+  std::optional<Length> fit = {};  ///< 0 is off
   std::vector<CreaseInput> creases = {};
   std::string origin;  ///< JSON pointer
 };

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "surfmesh/cage/interpolating_cage.hh"
 #include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/formula/formula_curve.hh"
@@ -40,6 +41,14 @@ PatchKind read_patch_kind(const JsonNode& node) {
   if (text == "blocks") return PatchKind::Blocks;
   if (text == "regions") return PatchKind::Regions;
   node.fail("must be faces, blocks, regions or auto");
+}
+
+SurfaceKind read_surface_kind(const JsonNode& node) {
+  const std::string text = node.text();
+  if (text == "auto") return SurfaceKind::Auto;
+  if (text == "limit") return SurfaceKind::Limit;
+  if (text == "interpolate") return SurfaceKind::Interpolate;
+  node.fail("must be limit, interpolate or auto");
 }
 
 /// A length, true or "on" for the usual one; 0, false or "off" for none.
@@ -86,8 +95,8 @@ CreaseInput read_crease(const JsonNode& node) {
 }
 
 CageInput read_cage_input(const JsonNode& node, const std::filesystem::path& folder) {
-  node.expect_keys(
-      {"name", "file", "scheme", "patches", "weld", "orient", "crease_angle", "creases"});
+  node.expect_keys({"name", "file", "scheme", "patches", "weld", "orient", "crease_angle",
+                    "creases", "surface", "fit"});
   CageInput cage;
   cage.name = read_name(node.at("name"));
   const std::string file = node.at("file").text();
@@ -98,6 +107,8 @@ CageInput read_cage_input(const JsonNode& node, const std::filesystem::path& fol
   if (const auto weld = node.find("weld")) cage.weld = read_on_or_length(*weld, ranges::kWeld);
   if (const auto orient = node.find("orient")) cage.orient = orient->boolean();
   if (const auto angle = node.find("crease_angle")) cage.crease_angle = read_angle(*angle);
+  if (const auto surface = node.find("surface")) cage.surface = read_surface_kind(*surface);
+  if (const auto fit = node.find("fit")) cage.fit = read_on_or_length(*fit, ranges::kFit);
   if (const auto creases = node.find("creases")) {
     for (const JsonNode& crease : creases->elements()) cage.creases.push_back(read_crease(crease));
   }

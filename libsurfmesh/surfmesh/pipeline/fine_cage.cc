@@ -7,7 +7,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 
+#include "surfmesh/core/option_range.hh"
 #include "surfmesh/metric/tensor.hh"
 
 namespace surfmesh::detail {
@@ -52,6 +54,13 @@ std::vector<double> inner_lengths(const Model& model,
   return lengths;
 }
 
+/// What helps where the cage is a mesh.
+std::string advice(const Model& model) {
+  if (!model.fits.empty()) return "a mesh of fewer faces, or smaller sizes, do not have that";
+  return fmt::format("if it is a mesh of a surface, {} = interpolate keeps that surface",
+                     ranges::kSurface.name);
+}
+
 }  // namespace
 
 std::optional<Notice> notice_of_fine_cage(const Model& model,
@@ -66,8 +75,8 @@ std::optional<Notice> notice_of_fine_cage(const Model& model,
       NoticeKind::FineCage,
       fmt::format("the cage is as fine as its sizes: half of the {} edges between its {} patches "
                   "are shorter than {:.2g} elements, and each patch keeps one element at least; "
-                  "surfmesh takes a mesh for a control cage and does not remesh it",
-                  lengths.size(), model.patches.size(), *middle));
+                  "{}",
+                  lengths.size(), model.patches.size(), *middle, advice(model)));
 }
 
 }  // namespace surfmesh::detail

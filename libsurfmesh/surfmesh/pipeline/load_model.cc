@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "surfmesh/cage/creases.hh"
+#include "surfmesh/cage/interpolating_cage.hh"
 #include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/cage/weld_cage.hh"
 #include "surfmesh/core/at_location.hh"
@@ -69,6 +70,8 @@ void set_given(const LoadOptions& given, PipelineOptions& options) {
   if (cages.weld) options.weld = cages.weld;
   if (cages.orient) options.orient = cages.orient;
   if (cages.crease_angle) options.crease_angle = cages.crease_angle;
+  if (cages.surface != SurfaceKind::Auto) options.surface = cages.surface;
+  if (cages.fit) options.fit = cages.fit;
   if (given.joining) options.joining = given.joining;
   if (given.cad.sew) options.sew = given.cad.sew;
 }
@@ -184,6 +187,10 @@ CageOptions options_of(const CageInput& input, const CageOptions& given,
   if (!options.orient) options.orient = of_file.orient;
   if (!options.crease_angle) options.crease_angle = input.crease_angle;
   if (!options.crease_angle) options.crease_angle = of_file.crease_angle;
+  if (options.surface == SurfaceKind::Auto) options.surface = input.surface;
+  if (options.surface == SurfaceKind::Auto) options.surface = of_file.surface;
+  if (!options.fit) options.fit = input.fit;
+  if (!options.fit) options.fit = of_file.fit;
   return options;
 }
 
@@ -203,12 +210,16 @@ void check_without_cages(const ModelFile& file, const std::string& name, const C
       {ranges::kPatches.name, "faces, blocks or regions as patches"},
       {ranges::kWeld.name, "vertices to weld"},
       {ranges::kOrient.name, "faces to orient"},
-      {ranges::kCreaseAngle.name, "creases by angle"}};
+      {ranges::kCreaseAngle.name, "creases by angle"},
+      {ranges::kSurface.name, "a surface to choose"},
+      {ranges::kFit.name, "points to fit a surface to"}};
   if (given.scheme != Scheme::Auto) fail(name, "a subdivision scheme");
   if (given.patches != PatchKind::Auto) fail(name, options.at(ranges::kPatches.name));
   if (given.weld && given.weld->value != 0) fail(name, options.at(ranges::kWeld.name));
   if (given.orient.value_or(false)) fail(name, options.at(ranges::kOrient.name));
   if (given.crease_angle.value_or(0) > 0) fail(name, options.at(ranges::kCreaseAngle.name));
+  if (given.surface != SurfaceKind::Auto) fail(name, options.at(ranges::kSurface.name));
+  if (given.fit && given.fit->value != 0) fail(name, options.at(ranges::kFit.name));
   for (const FileOption& entry : file.options) {
     const auto option = options.find(entry.name);
     if (option == options.end() || is_default(entry)) continue;

@@ -56,6 +56,7 @@ class Run {
       : model_(model), options_(options), context_(context), sizing_(sizing) {
     if (sizing.sag > 0) demands_.sag = sizing.sag;
     report_.options = detail::options_in_effect(model, options);
+    report_.surfaces = model.fits;
     if (options.quads.is_on) demands_.parity = SegmentParity::EvenPatches;
     append(model.notices, report_.notices);
     append(detail::options_too_late(model, options), report_.notices);

@@ -8,6 +8,7 @@
 #include <array>
 #include <type_traits>
 
+#include "surfmesh/cage/interpolating_cage.hh"
 #include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/io/nearest_word.hh"
@@ -89,6 +90,16 @@ constexpr NumberAccess kOrient = {
 constexpr NumberAccess kCreaseAngle = {
     &ranges::kCreaseAngle, [](const Options& options) { return options.crease_angle.value_or(0); },
     [](Options& options, double value) { options.crease_angle = value; }};
+
+/// As kWeld.
+constexpr LengthAccess kFit = {&ranges::kFit,
+                               [](const Options& options) -> std::optional<Length> {
+                                 return options.fit && options.fit->value != 0 ? options.fit
+                                                                               : std::nullopt;
+                               },
+                               [](Options& options, const std::optional<Length>& value) {
+                                 options.fit = value.value_or(Length());
+                               }};
 
 constexpr std::string_view kLengthUnit = "model units or % of the diagonal";
 constexpr OptionGroup kSizes = OptionGroup::Sizes;
@@ -210,6 +221,13 @@ constexpr auto kTable = std::to_array<Option>({
     {kCages, false, "", "faces of a cage turned to agree with their neighbours", kOrient},
     {kCages, true, "degrees", "creases of a cage where its faces meet at more than this angle",
      kCreaseAngle},
+    {kCages, true, "",
+     "surface of a cage: its limit surface, or one through its points (auto: the second for "
+     "meshes)",
+     number(
+         ranges::kSurface, [](auto& o) -> auto& { return o.surface; })},
+    {kCages, false, kLengthUnit,
+     "how far a surface through points may stay from them, to lose noise; 0 is off", kFit},
     {kMeshing, true, "", "quads in place of triangles, square in the metric",
      number(
          ranges::kQuads, [](auto& o) -> auto& { return o.quads.is_on; })},
@@ -291,6 +309,9 @@ static_assert(stands_for(words::kPatches, "auto", PatchKind::Auto));
 static_assert(stands_for(words::kPatches, "faces", PatchKind::Faces));
 static_assert(stands_for(words::kPatches, "blocks", PatchKind::Blocks));
 static_assert(stands_for(words::kPatches, "regions", PatchKind::Regions));
+static_assert(stands_for(words::kSurface, "auto", SurfaceKind::Auto));
+static_assert(stands_for(words::kSurface, "limit", SurfaceKind::Limit));
+static_assert(stands_for(words::kSurface, "interpolate", SurfaceKind::Interpolate));
 
 }  // namespace
 

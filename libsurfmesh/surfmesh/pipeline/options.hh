@@ -24,12 +24,14 @@ struct PipelineOptions {
   QuadOptions quads = {};
   AcrossOptions across = {};
   OutputOptions output = {};
-  /// Of cages; see CageOptions. This and the next five act where a model is made; mesh_model warns
+  /// Of cages; see CageOptions. This and the next seven act where a model is made; mesh_model warns
   /// of those that its model was not made with.
   PatchKind patches = PatchKind::Auto;
   std::optional<Length> weld = {};          ///< likewise
   std::optional<bool> orient = {};          ///< likewise
   std::optional<double> crease_angle = {};  ///< likewise, degrees
+  SurfaceKind surface = SurfaceKind::Auto;  ///< likewise
+  std::optional<Length> fit = {};           ///< likewise; of interpolating surfaces
   std::optional<Length> joining = {};       ///< of formula patches; see JoinOptions
   std::optional<Length> sew = {};           ///< of CAD files; see CadOptions
   int threads = 0;  ///< from 1 to 256; 0 is one per core. The mesh is always the same

@@ -60,6 +60,8 @@ PipelineOptions options_in_effect(const Model& model, PipelineOptions options) {
   options.weld = defaults.weld;
   options.orient = defaults.orient;
   options.crease_angle = defaults.crease_angle;
+  options.surface = defaults.surface;
+  options.fit = defaults.fit;
   options.joining = defaults.joining;
   options.sew = defaults.sew;
   for (const MadeWith& made : model.made_with) {

@@ -135,6 +135,26 @@ Json patches_json(const std::vector<PatchMeasure>& patches) {
   return json;
 }
 
+/// The cages whose surfaces pass through their points.
+Json surfaces_json(const std::vector<SurfaceFit>& surfaces) {
+  Json json = Json::array();
+  for (const SurfaceFit& fit : surfaces) {
+    json.push_back({{"part", fit.part},
+                    {"vertices", fit.vertices},
+                    {"fit", fit.fit},
+                    {"greatest_distance", fit.distance},
+                    {"mean_distance", fit.mean_distance},
+                    {"greatest_move", fit.greatest_move},
+                    {"moved_vertex", fit.moved_vertex},
+                    {"creases", fit.creases},
+                    {"corners", fit.corners},
+                    {"wavy_share", fit.wavy_share},
+                    {"greatest_wave", fit.greatest_wave},
+                    {"noisy_share", fit.noisy_share}});
+  }
+  return json;
+}
+
 /// Null without triangles, as quads_json is without quads.
 Json quality_json(const Report& report) {
   if (report.quality.count == 0) return nullptr;
@@ -259,6 +279,7 @@ std::string to_json(const Report& report) {
       {"mesh", mesh_json(report.mesh)},
       {"patches", patches_json(report.patches)},
       {"groups", groups_json(report.patches)},
+      {"surfaces", surfaces_json(report.surfaces)},
       {"diagonal", report.diagonal},
       {"tolerance", report.tolerance},
       {"edge_lengths",

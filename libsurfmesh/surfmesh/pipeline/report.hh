@@ -9,6 +9,7 @@
 #include "surfmesh/core/notice.hh"
 #include "surfmesh/core/stage.hh"
 #include "surfmesh/metric/metric_field.hh"
+#include "surfmesh/model/model.hh"
 #include "surfmesh/pipeline/given_options.hh"
 #include "surfmesh/pipeline/options.hh"
 #include "surfmesh/pipeline/text_style.hh"
@@ -81,6 +82,7 @@ struct Report {
   QualityStatistics quality;  ///< likewise
   double diagonal = 0;        ///< of the model's box, model units
   double tolerance = 0;       ///< greatest one of the model's contours and vertices, model units
+  std::vector<SurfaceFit> surfaces;  ///< of cages whose surface passes through their points
   Lengths lengths;
   std::optional<WorstFace> worst;
   QuadStatistics quads;

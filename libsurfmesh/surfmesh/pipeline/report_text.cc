@@ -82,6 +82,18 @@ void add_lengths(const Report& report, TextTable& table) {
                                  lengths.min, lengths.max, lengths.mean, report.diagonal));
 }
 
+/// A line for each cage whose surface passes through its points.
+void add_surfaces(const std::vector<SurfaceFit>& surfaces, TextTable& table) {
+  const char* label = "surface";
+  for (const SurfaceFit& fit : surfaces) {
+    const std::string part = fit.part.empty() ? "" : fit.part + " ";
+    table.add(label, fmt::format("{}through {}, within {:.2g}; its cage moved by up to {:.3g}",
+                                 part, counted(fit.vertices, "point", "points"), fit.distance,
+                                 fit.greatest_move));
+    label = "";
+  }
+}
+
 void add_sag(const Report::Sag& sag, TextTable& table) {
   if (!sag.asked || !sag.reached) return;
   table.add("sag",
@@ -220,6 +232,7 @@ std::string to_text(const Report& report, const TextStyle& style) {
   add_histograms(report, table);
   add_places(report, table);
   add_lengths(report, table);
+  add_surfaces(report.surfaces, table);
   add_sag(report.sag, table);
   if (report.facets) detail::add_facets(*report.facets, table);
   if (!style.is_long) add_control(report.control, table);

@@ -107,7 +107,9 @@ LoadOptions load_options(const Settings& settings, const std::string& scheme) {
                     .patches = options.patches,
                     .weld = options.weld,
                     .orient = options.orient,
-                    .crease_angle = options.crease_angle},
+                    .crease_angle = options.crease_angle,
+                    .surface = options.surface,
+                    .fit = options.fit},
           .joining = options.joining,
           .cad = {.sew = options.sew}};
 }

@@ -55,6 +55,8 @@ class Options(TypedDict, total=False):
     sew: Union[float, str]
     orient: Union[bool, str]
     crease_angle: Union[float, str]
+    surface: str
+    fit: Union[float, str]
     quads: Union[bool, str]
     quad_method: str
     quad_front: str

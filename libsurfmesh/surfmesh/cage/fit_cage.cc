@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/cage/fit_cage.hh"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "surfmesh/cage/creases.hh"
+#include "surfmesh/cage/interpolating_cage.hh"
+#include "surfmesh/cage/limit_stencils.hh"
+#include "surfmesh/cage/mesh_or_cage.hh"
+#include "surfmesh/cage/mesh_turns.hh"
+#include "surfmesh/cage/refine_cage.hh"
+#include "surfmesh/cage/sharp_features.hh"
+#include "surfmesh/cage/surface_waves.hh"
+#include "surfmesh/core/counted.hh"
+#include "surfmesh/core/error.hh"
+#include "surfmesh/core/option_range.hh"
+
+namespace surfmesh::detail {
+namespace {
+
+/// Distances of less than this share of the diagonal are rounding.
+constexpr double kRounding = 1e-9;
+/// Noise of vertices is up to about the roughness, a median; these multiples are tried as fits.
+constexpr std::array kTriedFits = {1.0, 2.0, 4.0};
+/// A fit that leaves less noise than this share of the limit for it is worth being named.
+constexpr double kCalm = 0.5;
+
+std::string percent(double share) { return fmt::format("{:.2g}%", 100 * share); }
+
+/// The faces that will have surfaces, as interpolation needs them.
+Cage usable(const Cage& cage, Scheme scheme) {
+  std::vector<int> numbers(cage.faces.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return make_simple(cage, scheme, numbers).cage;
+}
+
+/// Makes a cage the one whose surface passes through its points.
+class CageFitter {
+ public:
+  CageFitter(const CageOptions& options, Scheme scheme, Cage& cage)
+      : options_(options), scheme_(scheme), cage_(cage), turns_(measure_turns(cage)) {}
+
+  CageFit run() {
+    fit_.noisy_share = turns_.noisy_share;
+    tag();
+    const Cage mesh = usable(cage_, scheme_);
+    const InterpolationOptions options{scheme_, options_.fit.value_or(Length())};
+    const InterpolatingCage found = interpolating_cage(mesh, options);
+    take(found);
+    tell_choice();
+    if (found.is_least_squares) tell_distance(found);
+    measure_waves(mesh, found.cage);
+    if (fit_.fit == 0 && turns_.noisy_share > kNoisyShare) {
+      tell_noise(mesh);
+    } else if (fit_.fit == 0 && turns_.spikes > 0) {
+      tell_spikes();
+    }
+    cage_.points = found.cage.points;
+    return {fit_, std::move(notices_)};
+  }
+
+ private:
+  void tag() {
+    const SharpFeatures features = tag_features(options_.crease_angle, cage_);
+    fit_.creases = features.creases;
+    fit_.corners = features.corners;
+  }
+
+  void take(const InterpolatingCage& found) {
+    fit_.vertices = found.vertices;
+    fit_.fit = options_.fit.value_or(Length()).in_units(diagonal(cage_));
+    fit_.distance = found.distance;
+    fit_.mean_distance = found.mean_distance;
+    fit_.greatest_move = found.greatest_move;
+    fit_.moved_vertex = found.moved_vertex;
+  }
+
+  void tell_choice() {
+    const bool is_chosen = options_.surface == SurfaceKind::Auto;
+    const bool has_default_creases = !options_.crease_angle && fit_.creases + fit_.corners > 0;
+    if (!is_chosen && !has_default_creases) return;
+    std::string text = is_chosen ? reason() : "the surface passes through the vertices of the mesh";
+    if (has_default_creases) text += creases_text();
+    notices_.push_back(information(NoticeKind::ChosenSurface, std::move(text)));
+  }
+
+  std::string reason() const {
+    if (fit_.fit > 0) return "taken for a mesh of a surface, as a fit is asked for";
+    return fmt::format(
+        "taken for a mesh of a surface, not for a control cage: {} faces without tags of "
+        "subdivision, which turn by less than {:.2g}° at half of their edges; the surface passes "
+        "through its vertices, with {} = limit it would be the limit surface",
+        cage_.faces.size(), turns_.median, ranges::kSurface.name);
+  }
+
+  std::string creases_text() const {
+    return fmt::format(
+        "; {} of more than {}° became sharp creases and {} corners ({} changes this)",
+        counted(fit_.creases, "edge", "edges"), kFeatureAngle,
+        counted(fit_.corners, "vertex", "vertices"), ranges::kCreaseAngle.name);
+  }
+
+  void tell_distance(const InterpolatingCage& found) {
+    if (fit_.distance <= std::max(fit_.fit, kRounding * diagonal(cage_))) return;
+    Notice notice = warning(
+        NoticeKind::MissedPoints,
+        fmt::format("no surface of these faces passes through all vertices: the nearest one is up "
+                    "to {:.3g} away, {:.3g} on average; triangles in place of quads help",
+                    found.distance, found.mean_distance));
+    notices_.push_back(std::move(notice));
+  }
+
+  void measure_waves(const Cage& mesh, const Cage& found) {
+    const SurfaceWaves waves = surfmesh::measure_waves(mesh, found, scheme_);
+    if (waves.edges > 0) {
+      fit_.wavy_share = static_cast<double>(waves.waves) / static_cast<double>(waves.edges);
+    }
+    fit_.greatest_wave = waves.greatest;
+    if (waves.waves == 0) return;
+    Notice notice = warning(
+        NoticeKind::WavySurface,
+        fmt::format("the surface turns more than the faces of the mesh at {} of {} edges, most, by "
+                    "{:.3g}°, at {}; beside sharp edges a {} helps, elsewhere a {}",
+                    waves.waves, waves.edges, waves.greatest, point_text(waves.point),
+                    ranges::kCreaseAngle.name, ranges::kFit.name));
+    notice.point = waves.point;
+    notices_.push_back(std::move(notice));
+  }
+
+  void tell_spikes() {
+    const Vec3& point = cage_.points[static_cast<std::size_t>(turns_.spike)];
+    Notice notice = warning(
+        NoticeKind::WavySurface,
+        fmt::format("{} out of the mesh around, and so does the surface; most, by {:.2g} of the "
+                    "length of its edges, vertex {} at {}; a {} flattens such places",
+                    counted(turns_.spikes, "vertex stands", "vertices stand"), turns_.spike_height,
+                    turns_.spike, point_text(point), ranges::kFit.name));
+    notice.point = point;
+    notices_.push_back(std::move(notice));
+  }
+
+  /// The noise that is left in the surface with a fit.
+  double noise_with(const Cage& mesh, double fit) const {
+    Cage smooth = mesh;
+    const Cage found = interpolating_cage(mesh, {scheme_, Length::units(fit)}).cage;
+    smooth.points = limit_points(found, scheme_);
+    return measure_turns(smooth).noisy_share;
+  }
+
+  /// The least of some fits that leaves hardly any noise, in words; empty if there is none.
+  std::string advice(const Cage& mesh) const {
+    const double noise = turns_.roughness * turns_.length;
+    for (const double factor : kTriedFits) {
+      const double fit = factor * noise;
+      const double left = noise_with(mesh, fit);
+      if (left > kCalm * kNoisyShare) continue;
+      return fmt::format(": {} = {:.2g} leaves {}", ranges::kFit.name, fit, percent(left));
+    }
+    return "";
+  }
+
+  void tell_noise(const Cage& mesh) {
+    notices_.push_back(warning(
+        NoticeKind::NoisyInput,
+        fmt::format("the mesh is noisy: it turns to and fro at {} of its inner vertices, and so "
+                    "does the surface through them; a {} takes noise away{}, and so does smoothing "
+                    "beforehand",
+                    percent(turns_.noisy_share), ranges::kFit.name, advice(mesh))));
+  }
+
+  const CageOptions& options_;
+  Scheme scheme_;
+  Cage& cage_;
+  MeshTurns turns_;
+  SurfaceFit fit_;
+  Notices notices_;
+};
+
+bool has_fit(const CageOptions& options) { return options.fit && options.fit->value != 0; }
+
+bool is_interpolating(const CageOptions& options, Scheme scheme, const Cage& cage) {
+  if (options.surface != SurfaceKind::Auto) return options.surface == SurfaceKind::Interpolate;
+  if (has_fit(options)) return true;
+  if (has_tags(cage) || !is_fine(cage, scheme)) return false;
+  return is_mesh_of_surface(cage, scheme, measure_turns(cage));
+}
+
+}  // namespace
+
+CageFit fit_cage(const CageOptions& options, Scheme scheme, Cage& cage) {
+  check_option(ranges::kSurface, options.surface);
+  check_option(ranges::kCreaseAngle, options.crease_angle.value_or(0));
+  if (has_fit(options)) check_option(ranges::kFit, options.fit);
+  if (is_interpolating(options, scheme, cage)) return CageFitter(options, scheme, cage).run();
+  if (options.crease_angle.value_or(0) > 0) add_creases(*options.crease_angle, cage);
+  CageFit result;
+  if (has_fit(options)) {
+    result.notices.push_back(
+        warning(NoticeKind::UnusedOption,
+                fmt::format("{} = {} has no effect on a limit surface; it is for {} = interpolate",
+                            ranges::kFit.name, to_text(options.fit), ranges::kSurface.name)));
+  }
+  return result;
+}
+
+}  // namespace surfmesh::detail

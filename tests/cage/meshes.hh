@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <random>
+
+#include "cage/cages.hh"
+#include "surfmesh/cage/refine_cage.hh"
+
+namespace surfmesh::testing {
+
+/// The unit sphere as a mesh of 20 · 4^levels triangles.
+inline Cage sphere_mesh(int levels) {
+  Cage cage = icosahedron();
+  for (int k = 0; k < levels; ++k) {
+    cage = refine_once(cage, Scheme::Loop).cage;
+    for (Vec3& point : cage.points) point.normalize();
+  }
+  cage.notices.clear();
+  return cage;
+}
+
+/// A cylinder of n faces around, with flat ends, all in triangles.
+inline Cage cylinder_mesh(int n) {
+  Cage cage = tube(n, n / 4, 1);
+  for (Vec3& point : cage.points) point.z() *= 8.0 / n;
+  const int top = n * (n / 4);
+  const int first = static_cast<int>(cage.points.size());
+  cage.points.emplace_back(0, 0, 0);
+  cage.points.emplace_back(0, 0, 2);
+  std::vector<std::vector<int>> triangles;
+  for (const std::vector<int>& q : cage.faces) {
+    triangles.push_back({q[0], q[1], q[2]});
+    triangles.push_back({q[0], q[2], q[3]});
+  }
+  for (int i = 0; i < n; ++i) {
+    triangles.push_back({(i + 1) % n, i, first});
+    triangles.push_back({top + i, top + (i + 1) % n, first + 1});
+  }
+  cage.faces = triangles;
+  return cage;
+}
+
+/// A mesh around the origin with its points moved along their rays by up to so much.
+inline Cage with_noise(Cage cage, double amplitude) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-amplitude, amplitude);
+  for (Vec3& point : cage.points) point += uniform(random) * point.normalized();
+  return cage;
+}
+
+}  // namespace surfmesh::testing
