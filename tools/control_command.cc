@@ -55,9 +55,8 @@ void ControlCommand::add_to(CLI::App& app) {
       app.add_subcommand("control", "Write the control meshes of a model, to look at its sizes.");
   command->footer(kFooter);
   command
-      ->add_option(
-          "INPUT", input_,
-          "cage (.obj, .off, .ply, .stl, .om), CAD file (.step, .igs, .brep), model file (.json)")
+      ->add_option("INPUT", input_,
+                   "cage: .obj .off .ply .stl .om; CAD: .step .igs .brep; model: .json")
       ->required()
       ->type_name("");
   command->add_option("-o,--output", output_, "file to write: .vtu or .obj")

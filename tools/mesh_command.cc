@@ -184,9 +184,8 @@ void MeshCommand::add_to(CLI::App& app) {
 
 void MeshCommand::add_files(CLI::App& command) {
   command
-      .add_option(
-          "INPUT", input_,
-          "cage (.obj, .off, .ply, .stl, .om), CAD file (.step, .igs, .brep), model file (.json)")
+      .add_option("INPUT", input_,
+                  "cage: .obj .off .ply .stl .om; CAD: .step .igs .brep; model: .json")
       ->required()
       ->type_name("");
   command

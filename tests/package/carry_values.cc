@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mesh the limit surface of an OpenMesh mesh, and give the result what the mesh had: temperatures
-// at its vertices, and coordinates of a texture with seams at its corners.
+// at its vertices, and a coordinate of a texture with seams at its corners.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Utils/PropertyManager.hh>
 #include <cstdio>
@@ -18,9 +18,9 @@ int main() try {
     source.add_face(v(f[0]), v(f[1]), v(f[2]));
   }
   OpenMesh::VProp<double> temperature(source, "temperature");
-  OpenMesh::HProp<OpenMesh::Vec2f> texture(source, "texture");  // at the tips of halfedges
+  OpenMesh::HProp<float> texture(source, "texture");  // at the tips of halfedges
   for (const auto vertex : source.vertices()) temperature[vertex] = 20 + 10 * vertex.idx();
-  for (const auto corner : source.halfedges()) texture[corner] = {source.point(corner.to())[0], 0};
+  for (const auto corner : source.halfedges()) texture[corner] = source.point(corner.to())[0];
 
   const auto model = surfmesh::model_from_cage(surfmesh::cage_from_mesh(source));
   surfmesh::PipelineOptions options;
@@ -28,7 +28,7 @@ int main() try {
   auto result = surfmesh::mesh_model(model, {}, options);
   surfmesh::PropertyCarrier carrier(source, model, result.mesh);
   carrier.vertices<double>("temperature");
-  carrier.corners<OpenMesh::Vec2f>("texture");
+  carrier.corners<float>("texture");
 
   OpenMesh::VProp<double> carried(result.mesh, "temperature");
   double greatest = 0;

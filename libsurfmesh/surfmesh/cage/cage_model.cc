@@ -481,7 +481,10 @@ Model model_from_cage(const Cage& cage, const CageOptions& options) {
   const RefinedCage regular = make_regular(mended.cage, scheme, mended.parent_faces);
   Model model = model_of_regular(regular, faces_of_cage(cage, mended, regular), scheme, options);
   const auto given = std::make_shared<const Cage>(cage);
-  for (Patch& patch : model.patches) patch.cage = given;
+  for (Patch& patch : model.patches) {
+    patch.cage = given;
+    patch.is_interpolating = fitted.fit.has_value();
+  }
   if (fitted.fit) model.fits.push_back(*fitted.fit);
   model.notices.insert(model.notices.begin(), fitted.notices.begin(), fitted.notices.end());
   model.notices.insert(model.notices.begin(), std::make_move_iterator(mended.notices.begin()),

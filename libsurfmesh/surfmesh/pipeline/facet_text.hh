@@ -16,8 +16,14 @@ inline std::string distance_text(const OneWayDistance& distance) {
                      point_text(distance.max_at), distance.mean);
 }
 
-/// How far a mesh and the faces of its cages are from each other.
+/// How far a mesh and the faces of its cages are from each other; in the long style with places.
 inline void add_facets(const FacetDistance& facets, TextTable& table) {
+  if (!table.style().is_long) {
+    return table.add("facets", fmt::format("from the faces of the input {:.3g} (mean {:.2g}), back "
+                                           "{:.3g} ({:.2g})",
+                                           facets.to_facets.max, facets.to_facets.mean,
+                                           facets.from_facets.max, facets.from_facets.mean));
+  }
   table.add("facets", "from the faces of the input: " + distance_text(facets.to_facets));
   table.add("", "of these from the mesh: " + distance_text(facets.from_facets));
 }

@@ -21,7 +21,7 @@ _ALL = ("sizes", "control space", "meshing", "model")
 @documented(*_ALL)
 def read(path: Path, *, scheme: str = "auto", progress: Optional[Progress] = None,
          **keywords: Any) -> Model:
-    """Read a control cage (.obj, .off), a model file (.json) or a CAD file (.step, .igs, .brep).
+    """Read a control cage (.obj, .off, .ply, .stl, .om), a model file (.json) or a CAD file (.step, .igs, .brep).
 
     `scheme` is the subdivision of cages: "auto", "catmark", "loop" or "bilinear". Options of the
     model act here; others become those of its meshes. CAD files need surfmesh built with
