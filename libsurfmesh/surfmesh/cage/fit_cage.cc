@@ -101,10 +101,17 @@ class CageFitter {
   }
 
   std::string creases_text() const {
-    return fmt::format(
-        "; {} of more than {}° became sharp creases and {} corners ({} changes this)",
-        counted(fit_.creases, "edge", "edges"), kFeatureAngle,
-        counted(fit_.corners, "vertex", "vertices"), ranges::kCreaseAngle.name);
+    std::string text = "; ";
+    if (fit_.creases > 0) {
+      text += fmt::format("{} of more than {}° became sharp creases",
+                          counted(fit_.creases, "edge", "edges"), kFeatureAngle);
+    }
+    if (fit_.creases > 0 && fit_.corners > 0) text += ", and ";
+    if (fit_.corners > 0) {
+      text += fmt::format("{} where creases or borders turn became sharp corners",
+                          counted(fit_.corners, "vertex", "vertices"));
+    }
+    return text + fmt::format(" ({} decides on creases)", ranges::kCreaseAngle.name);
   }
 
   void tell_distance(const InterpolatingCage& found) {
