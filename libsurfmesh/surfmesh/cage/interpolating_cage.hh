@@ -11,8 +11,7 @@ namespace surfmesh {
 
 namespace ranges {
 
-/// Alone it is a share of the diagonal that takes the noise off many scans.
-inline constexpr LengthRange kFit = {"fit", true, 1e-3};
+inline constexpr LengthRange kFit = {"fit", true};
 
 }  // namespace ranges
 
