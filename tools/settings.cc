@@ -178,6 +178,8 @@ void add_help_all(CLI::App& command, const std::shared_ptr<HelpFormatter>& forma
 
 const Option* table_option(const CLI::Option& flag) {
   for (const Option& option : option_table()) {
+    // Another command may have a flag of that name for something else.
+    if (flag.get_group() != heading(option.group)) continue;
     const std::string name = flag_of(option).substr(2);
     const auto& names = flag.get_lnames();
     if (std::find(names.begin(), names.end(), name) != names.end()) return &option;

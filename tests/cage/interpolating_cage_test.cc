@@ -159,6 +159,9 @@ TEST(InterpolatingCage, LeavesPointsWithoutFacesAlone) {
   const InterpolatingCage result = interpolating_cage(mesh);
   EXPECT_EQ(result.cage.points.back(), Vec3(9, 9, 9));
   EXPECT_EQ(result.vertices + 1, mesh.points.size());
+  const InterpolatingCage fitted = interpolating_cage(mesh, {.fit = Length::units(0.01)});
+  EXPECT_LT((fitted.cage.points.back() - Vec3(9, 9, 9)).norm(), 1e-9);
+  EXPECT_GT(fitted.distance, 0.005);
 }
 
 TEST(InterpolatingCage, StaysWithinTheFit) {

@@ -45,10 +45,17 @@ TEST(Notices, HaveAShortfallIfOneIs) {
 
 TEST(NoticeLines, TellTheSeverityAndHowOften) {
   Notices notices = {warning(NoticeKind::IgnoredInput, "odd"),
-                     shortfall(NoticeKind::GivenUp, "given up")};
+                     shortfall(NoticeKind::GivenUp, "given up"),
+                     information(NoticeKind::ChosenSurface, "a mesh")};
   notices[0].count = 4;
-  EXPECT_EQ(lines_of(notices),
-            (std::vector<std::string>{"warning: odd (and 3 more)", "not reached: given up"}));
+  EXPECT_EQ(lines_of(notices), (std::vector<std::string>{"warning: odd (and 3 more)",
+                                                         "not reached: given up", "note: a mesh"}));
+}
+
+TEST(Severity, HasANameOfItsOwn) {
+  EXPECT_EQ(name(Severity::Warning), "warning");
+  EXPECT_EQ(name(Severity::Shortfall), "shortfall");
+  EXPECT_EQ(name(Severity::Information), "information");
 }
 
 TEST(NoticeLines, ListAFewOfAKind) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/cancelling.hh"
 #include "support/errors.hh"
 #include "support/folders.hh"
@@ -346,6 +348,36 @@ TEST(LoadModel, MakesCreasesAroundGroupsWhereVerticesAreWelded) {
     EXPECT_FALSE(contour.is_smooth) << contour.name;
   }
   EXPECT_EQ(shared, 1u);
+}
+
+TEST(LoadModel, TakesTheSurfaceOfEachCageFromTheFile) {
+  const TestFolder folder;
+  write_text(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.3\nf 1 2 3 4\n");
+  write_text(folder / "a.json",
+             R"({"cages": [{"name": "a", "file": "a.obj", "surface": "interpolate"},
+                           {"name": "b", "file": "a.obj", "surface": "limit"},
+                           {"name": "c", "file": "a.obj", "fit": "1%"}],
+                 "options": {"surface": "limit"}})");
+  const Model model = load_model(folder / "a.json").model;
+  ASSERT_EQ(model.fits.size(), 1U);
+  EXPECT_EQ(model.fits[0].part, "a:");
+  EXPECT_EQ(model.fits[0].vertices, 4U);
+  const Model all =
+      load_model(folder / "a.json", {.cages = {.surface = SurfaceKind::Interpolate}}).model;
+  ASSERT_EQ(all.fits.size(), 3U);
+  EXPECT_EQ(all.fits[0].fit, 0);
+  EXPECT_NEAR(all.fits[2].fit, 0.01 * std::sqrt(2.09), 1e-12);
+}
+
+TEST(LoadModel, RefusesSurfacesWithoutCages) {
+  const TestFolder folder;
+  write_text(folder / "a.json", model(R"("options": {"fit": "1%"})"));
+  EXPECT_NE(error_of([&] { load_model(folder / "a.json"); }).find("only cages have points to fit"),
+            std::string::npos);
+  EXPECT_NE(error_of([&] {
+              load_model(own_model("wave.json"), {.cages = {.surface = SurfaceKind::Limit}});
+            }).find("only cages have a surface to choose"),
+            std::string::npos);
 }
 
 TEST(LoadModel, TellsThatAWholeCageHasNoBorderForACrease) {

@@ -71,6 +71,8 @@ const std::map<std::string_view, Case> kCases = {
     {"joining", {"1e-5", "../tests/pipeline/near_sides.json"}},
     {"orient", {"on", "../tests/pipeline/turned_face.obj"}},
     {"crease_angle", {"30", "cube.obj"}},
+    {"surface", {"interpolate", "torus.obj"}},
+    {"fit", {"2%", "torus.obj"}},
     {"normals", {"on"}},
     {"uv", {"on"}},
     {"texture", {"on", "../tests/pipeline/textured.obj"}},
@@ -93,7 +95,9 @@ std::string outcome(const Case& example, const Settings& settings) {
     ModelInput input = load_model(model, {.cages = {.patches = asked.patches,
                                                     .weld = asked.weld,
                                                     .orient = asked.orient,
-                                                    .crease_angle = asked.crease_angle},
+                                                    .crease_angle = asked.crease_angle,
+                                                    .surface = asked.surface,
+                                                    .fit = asked.fit},
                                           .joining = asked.joining,
                                           .cad = {.sew = asked.sew}});
     for (const auto& [name, value] : settings) set_option(input.options, name, value);

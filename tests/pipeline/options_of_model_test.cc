@@ -39,6 +39,8 @@ TEST(OptionsOfModels, AreToldWhereTheyComeTooLate) {
         std::tuple("weld", "0.1%", "CageOptions of model_from_cage"),
         std::tuple("orient", "on", "CageOptions of model_from_cage"),
         std::tuple("crease_angle", "30", "CageOptions of model_from_cage"),
+        std::tuple("surface", "interpolate", "CageOptions of model_from_cage"),
+        std::tuple("fit", "0.1%", "CageOptions of model_from_cage"),
         std::tuple("patches", "faces", "CageOptions of model_from_cage")}) {
     PipelineOptions options;
     set_option(options, name, value);
@@ -53,14 +55,20 @@ TEST(OptionsOfModels, AreToldWhereTheyComeTooLate) {
 }
 
 TEST(OptionsOfModels, AreNotToldWhereTheModelWasMadeWithThem) {
-  const CageOptions made = {
-      .patches = PatchKind::Faces, .weld = Length::share(1e-6), .orient = true, .crease_angle = 30};
+  const CageOptions made = {.patches = PatchKind::Faces,
+                            .weld = Length::share(1e-6),
+                            .orient = true,
+                            .crease_angle = 30,
+                            .surface = SurfaceKind::Interpolate,
+                            .fit = Length::share(1e-4)};
   const Model model = model_from_cage(testing::cube(), made);
   PipelineOptions options;
   options.patches = made.patches;
   options.weld = made.weld;
   options.orient = made.orient;
   options.crease_angle = made.crease_angle;
+  options.surface = made.surface;
+  options.fit = made.fit;
   EXPECT_TRUE(unused(mesh_model(model, {}, options).report.notices).empty());
   options.crease_angle = 31;
   EXPECT_EQ(unused(mesh_model(model, {}, options).report.notices).size(), 1u);

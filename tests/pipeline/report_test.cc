@@ -38,6 +38,7 @@ Report example() {
   report.control.classes = {3, 10, 7};
   report.control.queries[Stage::Boundary].triangle = 4;
   report.control.queries[Stage::Refine] = {1, 2, 3, 4, 5, 6, 7, 8, 20};
+  report.surfaces = {{.part = "fish:", .vertices = 7, .fit = 0, .distance = 0.25}};
   report.wall_seconds = 1.5;
   report.seconds[Stage::Refine] = 0.001;
   return report;
@@ -64,6 +65,7 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
                                  "mesh",
                                  "patches",
                                  "groups",
+                                 "surfaces",
                                  "diagonal",
                                  "tolerance",
                                  "edge_lengths",
@@ -77,6 +79,10 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
                                  "seconds",
                                  "triangles_per_second",
                                  "triangles_per_second_in_all"}));
+  EXPECT_EQ(
+      keys_of(json["surfaces"][0]),
+      (Keys{"part", "vertices", "fit", "greatest_distance", "mean_distance", "greatest_move",
+            "moved_vertex", "creases", "corners", "wavy_share", "greatest_wave", "noisy_share"}));
   EXPECT_EQ(keys_of(json["mesh"]),
             (Keys{"vertices", "triangles", "quads", "patches", "closed", "euler"}));
   EXPECT_EQ(keys_of(json["edges"]),

@@ -44,8 +44,8 @@ Cage usable(const Cage& cage, Scheme scheme) {
 /// Makes a cage the one whose surface passes through its points.
 class CageFitter {
  public:
-  CageFitter(const CageOptions& options, Scheme scheme, Cage& cage)
-      : options_(options), scheme_(scheme), cage_(cage), turns_(measure_turns(cage)) {}
+  CageFitter(const CageOptions& options, Scheme scheme, const MeshTurns& turns, Cage& cage)
+      : options_(options), scheme_(scheme), cage_(cage), turns_(turns) {}
 
   CageFit run() {
     fit_.noisy_share = turns_.noisy_share;
@@ -101,10 +101,17 @@ class CageFitter {
   }
 
   std::string creases_text() const {
-    return fmt::format(
-        "; {} of more than {}° became sharp creases and {} corners ({} changes this)",
-        counted(fit_.creases, "edge", "edges"), kFeatureAngle,
-        counted(fit_.corners, "vertex", "vertices"), ranges::kCreaseAngle.name);
+    std::string text = "; ";
+    if (fit_.creases > 0) {
+      text += fmt::format("{} of more than {}° became sharp creases",
+                          counted(fit_.creases, "edge", "edges"), kFeatureAngle);
+    }
+    if (fit_.creases > 0 && fit_.corners > 0) text += ", and ";
+    if (fit_.corners > 0) {
+      text += fmt::format("{} where creases or borders turn became sharp corners",
+                          counted(fit_.corners, "vertex", "vertices"));
+    }
+    return text + fmt::format(" ({} decides on creases)", ranges::kCreaseAngle.name);
   }
 
   void tell_distance(const InterpolatingCage& found) {
@@ -185,11 +192,14 @@ class CageFitter {
 
 bool has_fit(const CageOptions& options) { return options.fit && options.fit->value != 0; }
 
-bool is_interpolating(const CageOptions& options, Scheme scheme, const Cage& cage) {
-  if (options.surface != SurfaceKind::Auto) return options.surface == SurfaceKind::Interpolate;
-  if (has_fit(options)) return true;
-  if (has_tags(cage) || !is_fine(cage, scheme)) return false;
-  return is_mesh_of_surface(cage, scheme, measure_turns(cage));
+bool is_asked_for(const CageOptions& options) {
+  return options.surface == SurfaceKind::Interpolate ||
+         (options.surface == SurfaceKind::Auto && has_fit(options));
+}
+
+/// True if a cage may be a mesh, which its turns decide.
+bool is_in_doubt(const CageOptions& options, Scheme scheme, const Cage& cage) {
+  return options.surface == SurfaceKind::Auto && !has_tags(cage) && is_fine(cage, scheme);
 }
 
 }  // namespace
@@ -198,7 +208,12 @@ CageFit fit_cage(const CageOptions& options, Scheme scheme, Cage& cage) {
   check_option(ranges::kSurface, options.surface);
   check_option(ranges::kCreaseAngle, options.crease_angle.value_or(0));
   if (has_fit(options)) check_option(ranges::kFit, options.fit);
-  if (is_interpolating(options, scheme, cage)) return CageFitter(options, scheme, cage).run();
+  if (is_asked_for(options) || is_in_doubt(options, scheme, cage)) {
+    const MeshTurns turns = measure_turns(cage);
+    if (is_asked_for(options) || is_mesh_of_surface(cage, scheme, turns)) {
+      return CageFitter(options, scheme, turns, cage).run();
+    }
+  }
   if (options.crease_angle.value_or(0) > 0) add_creases(*options.crease_angle, cage);
   CageFit result;
   if (has_fit(options)) {

@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -12,7 +11,6 @@
 #include "surfmesh/cage/limit_stencils.hh"
 #include "surfmesh/cage/subdivision.hh"
 #include "surfmesh/core/error.hh"
-#include "surfmesh/core/parallel.hh"
 
 namespace surfmesh {
 namespace {
@@ -47,9 +45,6 @@ Points matrix_of(const std::vector<Vec3>& points) {
   return result;
 }
 
-/// The product with a matrix whose rows are independent, on all threads.
-Points product(const Stencils& stencils, const Points& points) { return stencils * points; }
-
 /// A solution of a linear system, column by column.
 struct Solution {
   Points columns;
@@ -59,13 +54,11 @@ struct Solution {
 /// Solve for each column by a solver of Eigen's, from a first guess.
 template <class Solver>
 Solution solve(const Solver& prepared, const Points& right, const Points& guess) {
-  std::array<int, 3> iterations = {};
   Solution solution{guess, 0};
   for (int k = 0; k < 3; ++k) {
     solution.columns.col(k) = prepared.solveWithGuess(right.col(k), guess.col(k));
-    iterations[static_cast<std::size_t>(k)] = static_cast<int>(prepared.iterations());
+    solution.iterations += static_cast<int>(prepared.iterations());
   }
-  for (const int count : iterations) solution.iterations += count;
   return solution;
 }
 
@@ -121,7 +114,10 @@ Points normals_of(const Far::TopologyLevel& level, const Points& points) {
     }
     for (const int v : face) normals.row(v) += area;
   }
-  normals.rowwise().normalize();
+  for (int v = 0; v < normals.rows(); ++v) {
+    const double length = normals.row(v).norm();
+    if (length > 0) normals.row(v) /= length;
+  }
   return normals;
 }
 
@@ -136,7 +132,7 @@ class CageSolver {
 
   /// The points whose limit positions are those given.
   Points interpolate(InterpolatingCage& result) const {
-    const Points right = given_ - product(stencils_, given_);
+    const Points right = given_ - stencils_ * given_;
     const Points nothing = Points::Zero(given_.rows(), 3);
     Eigen::BiCGSTAB<Stencils> solver;
     solver.setTolerance(kSolverPrecision);
@@ -237,7 +233,7 @@ class CageSolver {
   }
 
   Eigen::VectorXd distances(const Points& points) const {
-    return (given_ - product(stencils_, points)).rowwise().norm();
+    return (given_ - stencils_ * points).rowwise().norm();
   }
 
   Far::TopologyLevel level_;

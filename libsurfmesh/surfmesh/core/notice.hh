@@ -61,8 +61,8 @@ inline constexpr std::size_t kNoticeKinds = 39;
 std::string_view name(NoticeKind kind);
 
 enum class Severity {
-  Warning,    ///< done as asked, but the user may not have meant it
-  Shortfall,  ///< something asked for was not reached; a tool ends with status 3
+  Warning,      ///< done as asked, but the user may not have meant it
+  Shortfall,    ///< something asked for was not reached; a tool ends with status 3
   Information,  ///< what was decided for the user, and how to decide otherwise
 };
 
@@ -112,8 +112,8 @@ void append(Notices more, Notices& notices);
 /// True if something asked for was not reached.
 bool has_shortfall(const Notices& notices);
 
-/// Lines for a terminal, "warning: text", "not reached: text" or "note: text": the first few of each kind, and
-/// how many more there are. What differs only in its location is told once.
+/// Lines for a terminal, "warning: text", "not reached: text" or "note: text": the first few of
+/// each kind, and how many more there are. What differs only in its location is told once.
 std::vector<std::string> lines_of(const Notices& notices);
 
 }  // namespace surfmesh

@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "surfmesh/cage/interpolating_cage.hh"
 #include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/formula/formula_curve.hh"
@@ -58,6 +57,13 @@ Length read_on_or_length(const JsonNode& node, const LengthRange& range) {
   if (json == "on") return Length::share(range.on);
   if (!json.is_boolean()) return read_length(node);
   return node.boolean() ? Length::share(range.on) : Length();
+}
+
+/// A length; 0, false or "off" for none.
+Length read_off_or_length(const JsonNode& node) {
+  const Json& json = node.json();
+  if (json == 0 || json == "off" || json == false) return Length();
+  return read_length(node);
 }
 
 /// An angle of creases in degrees, 0 or false for none.
@@ -108,7 +114,7 @@ CageInput read_cage_input(const JsonNode& node, const std::filesystem::path& fol
   if (const auto orient = node.find("orient")) cage.orient = orient->boolean();
   if (const auto angle = node.find("crease_angle")) cage.crease_angle = read_angle(*angle);
   if (const auto surface = node.find("surface")) cage.surface = read_surface_kind(*surface);
-  if (const auto fit = node.find("fit")) cage.fit = read_on_or_length(*fit, ranges::kFit);
+  if (const auto fit = node.find("fit")) cage.fit = read_off_or_length(*fit);
   if (const auto creases = node.find("creases")) {
     for (const JsonNode& crease : creases->elements()) cage.creases.push_back(read_crease(crease));
   }

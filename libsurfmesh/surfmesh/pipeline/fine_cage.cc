@@ -56,7 +56,7 @@ std::vector<double> inner_lengths(const Model& model,
 
 /// What helps where the cage is a mesh.
 std::string advice(const Model& model) {
-  if (!model.fits.empty()) return "a mesh of fewer faces, or smaller sizes, do not have that";
+  if (!model.fits.empty()) return "its own edges divide its surface";
   return fmt::format("if it is a mesh of a surface, {} = interpolate keeps that surface",
                      ranges::kSurface.name);
 }

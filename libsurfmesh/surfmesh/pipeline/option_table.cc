@@ -221,7 +221,7 @@ constexpr auto kTable = std::to_array<Option>({
     {kCages, false, "", "faces of a cage turned to agree with their neighbours", kOrient},
     {kCages, true, "degrees", "creases of a cage where its faces meet at more than this angle",
      kCreaseAngle},
-    {kCages, true, "",
+    {kCages, false, "",
      "surface of a cage: its limit surface, or one through its points (auto: the second for "
      "meshes)",
      number(
