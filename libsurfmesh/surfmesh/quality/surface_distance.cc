@@ -175,6 +175,10 @@ class DistanceMeter {
       if ((near.is_on_border || is_beyond) && near.distance > on_surface_) {
         near.distance = std::min(near.distance, search_.nearest(point).distance);
       }
+      // Between projected corners on both sides of a seam the guess is on the other side of a ring.
+      if (is_projected_ && near.distance > result_.max) {
+        near.distance = std::min(near.distance, search_.nearest(point).distance);
+      }
       // What would be the greatest distance is worth a closer look.
       if (is_beyond && near.distance > result_.max) {
         near.distance = std::min(
