@@ -131,7 +131,9 @@ TEST(FitCage, LeavesOutFacesThatCannotBeUsed) {
   Cage mesh = testing::sphere_mesh(2);
   mesh.faces.push_back({0, 0, 1});
   mesh.faces.push_back({2, 3, 2});
-  const Model model = model_from_cage(mesh, kInterpolate);
+  CageOptions options = kInterpolate;
+  options.patches = PatchKind::Faces;
+  const Model model = model_from_cage(mesh, options);
   EXPECT_EQ(model.patches.size(), mesh.faces.size() - 2);
   EXPECT_LT(model.fits[0].distance, 1e-12);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/cage/chart_surface.hh"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -13,7 +15,7 @@ namespace surfmesh {
 namespace {
 
 /// A point is found when it is missed by less than this share of a face: what is left is corrected
-/// to second order.
+/// to first order.
 constexpr double kMiss = 1e-7;
 
 /// Steps of Newton's method and from face to face, of which five are usual.
@@ -140,28 +142,18 @@ Chart::Chart(const ChartFrame& frame, std::vector<ChartFace> faces)
 
 Jet Chart::evaluate(Uv uv, Order order) const {
   const Found found = find(uv);
-  const bool needs_second = order == Order::Second || !found.is_inside;
-  const Jet of_face =
-      needs_second ? faces_[found.place.face].surface->evaluate(found.place.at, Order::Second)
-                   : found.jet;
-  Jet jet = in_plane(of_face, needs_second ? Order::Second : Order::First);
-  const Uv miss = found.miss;
-  if (needs_second) {
-    jet.point += 0.5 * (miss.u * miss.u * jet.duu + 2 * miss.u * miss.v * jet.duv +
-                        miss.v * miss.v * jet.dvv);
-  }
-  jet.point += miss.u * jet.du + miss.v * jet.dv;
+  const Jet of_face = order == Order::Second ? faces_[found.place.face].surface->evaluate(
+                                                   found.place.at, Order::Second)
+                                             : found.jet;
+  Jet jet = in_plane(of_face, order);
+  jet.point += found.miss.u * jet.du + found.miss.v * jet.dv;
   if (!jet.point.allFinite()) {
-    throw Error(ErrorCode::Geometry, "the limit surface has no tangent plane at (" +
-                                         std::to_string(uv.u) + ", " + std::to_string(uv.v) +
-                                         ") of a chart");
+    throw Error(
+        ErrorCode::Geometry,
+        fmt::format("the limit surface has no tangent plane at ({}, {}) of a chart", uv.u, uv.v));
   }
-  if (order == Order::Position) return {jet.point};
-  if (needs_second) {
-    jet.du += miss.u * jet.duu + miss.v * jet.duv;
-    jet.dv += miss.u * jet.duv + miss.v * jet.dvv;
-  }
-  return order == Order::Second ? jet : Jet{jet.point, jet.du, jet.dv};
+  if (order == Order::Position) jet.du = jet.dv = Vec3::Constant(kUnset);
+  return jet;
 }
 
 /// A rounding of a face is as it is in the face's own parameters.

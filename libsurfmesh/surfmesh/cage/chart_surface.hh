@@ -41,7 +41,8 @@ struct ChartFace {
 
 /// A part of a limit surface of many small faces, as the graph of a function over a plane.
 ///
-/// Beyond its faces it goes on with the curvature that it has at their border.
+/// Beyond its faces it goes on in tangent planes; second derivatives there are those at the border,
+/// for sizes that follow curvature.
 class Chart {
  public:
   /// Pre      each face, seen along the normal of the frame, turns counter-clockwise and covers no

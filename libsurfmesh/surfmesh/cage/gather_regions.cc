@@ -51,6 +51,9 @@ constexpr int kMostRounds = 30;
 /// Rings of faces around a region that its chart covers, too.
 constexpr int kMarginRings = 4;
 
+/// Points of a side of a face that stand for it: sides are curves.
+constexpr int kSideSamples = 4;
+
 /// Sine of the angle between derivatives below which they leave no normal.
 constexpr double kLeastSine = 1e-6;
 
@@ -544,8 +547,13 @@ class ChartMaker {
       detail::NodeLoop& nodes = loops.emplace_back();
       for (const FaceNeighbours::Side side : loop) {
         const Surface& surface = *surfaces_[static_cast<std::size_t>(side.face)];
-        const Uv corner = surface.domain().corner(side.side);
-        nodes.push_back(frame.project(surface.evaluate(corner, Order::Position).point));
+        const Domain domain = surface.domain();
+        const Uv from = domain.corner(side.side);
+        const Uv to = domain.corner((side.side + 1) % domain.corner_count());
+        for (int i = 0; i < kSideSamples; ++i) {
+          const Uv at = lerp(from, to, double(i) / kSideSamples);
+          nodes.push_back(frame.project(surface.evaluate(at, Order::Position).point));
+        }
       }
     }
     return detail::crossing_segments(loops).empty();
