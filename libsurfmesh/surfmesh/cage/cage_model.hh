@@ -70,7 +70,8 @@ struct CageOptions {
 /// mend_cage); those of the cage itself are not repeated.
 ///
 /// Cost     a few milliseconds for 1,000 faces, in addition to the limit surfaces
-/// Error    see make_limit_surfaces and model_of_regions; uses of a contour agree to 1e-9 of the cage's diagonal (test
+/// Error    see make_limit_surfaces and model_of_regions; uses of a contour agree to 1e-9 of the
+/// cage's diagonal (test
 ///          CageModel.UsesOfAContourAgree), except for Chaikin creases of changing sharpness, where
 ///          they may differ by 1e-3, with a warning
 /// Throws   InvalidInput for a cage that cannot be subdivided or has no face with a limit surface;

@@ -94,20 +94,26 @@ void add_creases(const std::vector<std::array<int, 2>>& edges, Cage& cage) {
 }
 
 void add_crease(const std::vector<int>& vertices, double sharpness, Cage& cage) {
+  add_creases({vertices}, sharpness, cage);
+}
+
+void add_creases(const std::vector<std::vector<int>>& chains, double sharpness, Cage& cage) {
   const std::vector<CageSide> sides = sorted_sides(cage.faces);
   CreaseList creases(cage);
-  for (std::size_t i = 1; i < vertices.size(); ++i) {
-    const auto [low, high] = std::minmax(vertices[i - 1], vertices[i]);
-    const auto at = std::lower_bound(sides.begin(), sides.end(), std::pair(low, high),
-                                     [](const CageSide& side, const std::pair<int, int>& wanted) {
-                                       return std::pair(side.low, side.high) < wanted;
-                                     });
-    if (at == sides.end() || at->low != low || at->high != high) {
-      throw Error(ErrorCode::InvalidInput,
-                  fmt::format("vertices {} and {} are not the ends of an edge", vertices[i - 1],
-                              vertices[i]));
+  for (const std::vector<int>& vertices : chains) {
+    for (std::size_t i = 1; i < vertices.size(); ++i) {
+      const auto [low, high] = std::minmax(vertices[i - 1], vertices[i]);
+      const auto at = std::lower_bound(sides.begin(), sides.end(), std::pair(low, high),
+                                       [](const CageSide& side, const std::pair<int, int>& wanted) {
+                                         return std::pair(side.low, side.high) < wanted;
+                                       });
+      if (at == sides.end() || at->low != low || at->high != high) {
+        throw Error(ErrorCode::InvalidInput,
+                    fmt::format("vertices {} and {} are not the ends of an edge", vertices[i - 1],
+                                vertices[i]));
+      }
+      creases.add(low, high, sharpness);
     }
-    creases.add(low, high, sharpness);
   }
 }
 

@@ -47,6 +47,9 @@ void add_creases(const std::vector<std::array<int, 2>>& edges, Cage& cage);
 ///          the ends of an edge
 void add_crease(const std::vector<int>& vertices, double sharpness, Cage& cage);
 
+/// The same for several chains.
+void add_creases(const std::vector<std::vector<int>>& chains, double sharpness, Cage& cage);
+
 /// Make a crease of the edges at the border of a group, between a face of it and one that is not.
 ///
 /// Throws   InvalidInput if there is no group of this name, or no such edge

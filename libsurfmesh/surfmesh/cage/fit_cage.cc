@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -32,6 +33,11 @@ constexpr std::array kTriedFits = {1.0, 2.0, 4.0};
 /// A fit that leaves less noise than this share of the limit for it is worth being named.
 constexpr double kCalm = 0.5;
 
+/// Times that vertices are passed by where the surface folds, before faces are kept flat there, and
+/// times in all.
+constexpr int kPassingRounds = 2;
+constexpr int kMostRounds = 6;
+
 std::string percent(double share) { return fmt::format("{:.2g}%", 100 * share); }
 
 /// The faces that will have surfaces, as interpolation needs them.
@@ -50,13 +56,14 @@ class CageFitter {
   CageFit run() {
     fit_.noisy_share = turns_.noisy_share;
     tag();
-    const Cage mesh = usable(cage_, scheme_);
-    const InterpolationOptions options{scheme_, options_.fit.value_or(Length())};
-    const InterpolatingCage found = interpolating_cage(mesh, options);
+    Cage mesh = usable(cage_, scheme_);
+    const InterpolatingCage found = without_folds(mesh);
     take(found);
     tell_choice();
     if (found.is_least_squares) tell_distance(found);
-    measure_waves(mesh, found.cage);
+    if (!passed_by_.empty()) tell_passed_by(found);
+    if (!flat_faces_.empty()) tell_flat();
+    tell_waves();
     if (fit_.fit == 0 && turns_.noisy_share > kNoisyShare) {
       tell_noise(mesh);
     } else if (fit_.fit == 0 && turns_.spikes > 0) {
@@ -67,6 +74,81 @@ class CageFitter {
   }
 
  private:
+  /// The surface through the vertices, but for those beside which it would fold. Where it folds all
+  /// the same, the faces stay as flat as they are.
+  InterpolatingCage without_folds(Cage& mesh) {
+    InterpolationOptions options{scheme_, options_.fit.value_or(Length())};
+    InterpolatingCage found = interpolating_cage(mesh, options);
+    waves_ = measure_waves(mesh, found.cage, scheme_);
+    for (int round = 0; round < kMostRounds && !waves_.folded_faces.empty(); ++round) {
+      if (round < kPassingRounds && options.fit.value == 0) {
+        options.passed_by = passed_by_ = united(passed_by_, vertices_of(mesh, waves_.folded_faces));
+      } else {
+        flatten(waves_.folded_faces, mesh);
+      }
+      found = interpolating_cage(mesh, options);
+      waves_ = measure_waves(mesh, found.cage, scheme_);
+    }
+    return found;
+  }
+
+  static std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b) {
+    std::vector<int> both;
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    return both;
+  }
+
+  static std::vector<int> vertices_of(const Cage& mesh, const std::vector<int>& faces) {
+    std::vector<int> vertices;
+    for (const int f : faces) {
+      const std::vector<int>& face = mesh.faces[static_cast<std::size_t>(f)];
+      vertices.insert(vertices.end(), face.begin(), face.end());
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+  }
+
+  /// Make corners of the vertices of faces, and creases of their sides.
+  void flatten(const std::vector<int>& faces, Cage& mesh) {
+    flat_faces_ = united(flat_faces_, faces);
+    std::vector<std::vector<int>> outlines;
+    for (const int f : faces) {
+      outlines.push_back(mesh.faces[static_cast<std::size_t>(f)]);
+      outlines.back().push_back(outlines.back().front());
+    }
+    for (Cage* cage : {&mesh, &cage_}) {
+      for (const int vertex : vertices_of(mesh, faces)) cage->corners.push_back({vertex, kSharp});
+      add_creases(outlines, kSharp, *cage);
+    }
+    if (outlines.empty()) return;
+    flat_point_ = mesh.points[static_cast<std::size_t>(outlines.front().front())];
+  }
+
+  void tell_flat() {
+    Notice notice = warning(
+        NoticeKind::MissedPoints,
+        fmt::format("the surface over {} would fold and is flat instead, one at {}; smaller faces "
+                    "there help, or a {}",
+                    counted(flat_faces_.size(), "face", "faces"), point_text(flat_point_),
+                    ranges::kCreaseAngle.name));
+    notice.point = flat_point_;
+    notices_.push_back(std::move(notice));
+  }
+
+  void tell_passed_by(const InterpolatingCage& found) {
+    const int first = passed_by_.front();
+    const Vec3& point = cage_.points[static_cast<std::size_t>(first)];
+    Notice notice = warning(
+        NoticeKind::MissedPoints,
+        fmt::format("the surface passes {} by, at up to {:.3g}, beside which it would fold; the "
+                    "first is vertex {} at {}; smaller faces there help, or a {}",
+                    counted(passed_by_.size(), "vertex", "vertices"), found.distance, first,
+                    point_text(point), ranges::kCreaseAngle.name));
+    notice.point = point;
+    notices_.push_back(std::move(notice));
+  }
+
   void tag() {
     const SharpFeatures features = tag_features(options_.crease_angle, cage_);
     fit_.creases = features.creases;
@@ -124,8 +206,8 @@ class CageFitter {
     notices_.push_back(std::move(notice));
   }
 
-  void measure_waves(const Cage& mesh, const Cage& found) {
-    const SurfaceWaves waves = surfmesh::measure_waves(mesh, found, scheme_);
+  void tell_waves() {
+    const SurfaceWaves& waves = waves_;
     if (waves.edges > 0) {
       fit_.wavy_share = static_cast<double>(waves.waves) / static_cast<double>(waves.edges);
     }
@@ -187,6 +269,10 @@ class CageFitter {
   Cage& cage_;
   MeshTurns turns_;
   SurfaceFit fit_;
+  std::vector<int> passed_by_;   ///< vertices, ascending
+  std::vector<int> flat_faces_;  ///< of the usable ones, ascending
+  Vec3 flat_point_ = Vec3::Zero();
+  SurfaceWaves waves_;
   Notices notices_;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/cage/interpolating_cage.hh"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
@@ -121,32 +123,50 @@ Points normals_of(const Far::TopologyLevel& level, const Points& points) {
   return normals;
 }
 
+/// A matrix some of whose rows are those of the identity.
+Stencils with_identity_rows(Stencils matrix, const std::vector<int>& rows) {
+  for (const int row : rows) {
+    if (row < 0 || row >= matrix.rows()) {
+      throw Error(
+          ErrorCode::InvalidInput,
+          fmt::format("vertex {} to pass by does not exist: there are {}", row, matrix.rows()));
+    }
+    for (Stencils::InnerIterator entry(matrix, row); entry; ++entry) {
+      entry.valueRef() = entry.col() == row ? 1 : 0;
+    }
+    matrix.coeffRef(row, row) = 1;
+  }
+  return matrix;
+}
+
 /// Looks for the cage of a mesh.
 class CageSolver {
  public:
-  CageSolver(const Far::TopologyRefiner& refiner, const Cage& cage)
+  CageSolver(const Far::TopologyRefiner& refiner, const Cage& cage,
+             const std::vector<int>& passed_by)
       : level_(refiner.GetLevel(0)),
         given_(matrix_of(cage.points)),
         stencils_(limit_stencils(refiner)),
+        system_(with_identity_rows(stencils_, passed_by)),
         diagonal_(surfmesh::diagonal(cage)) {}
 
   /// The points whose limit positions are those given.
   Points interpolate(InterpolatingCage& result) const {
-    const Points right = given_ - stencils_ * given_;
+    const Points right = given_ - system_ * given_;
     const Points nothing = Points::Zero(given_.rows(), 3);
     Eigen::BiCGSTAB<Stencils> solver;
     solver.setTolerance(kSolverPrecision);
     solver.setMaxIterations(kMostIterations);
-    solver.compute(stencils_);
+    solver.compute(system_);
     Solution solution = solve(solver, right, nothing);
     result.iterations += solution.iterations;
-    result.is_least_squares = !(distances(given_ + solution.columns).maxCoeff() <=
-                                kSolved * diagonal_);  // also where it is not a number
+    const double residual = (right - system_ * solution.columns).rowwise().norm().maxCoeff();
+    result.is_least_squares = !(residual <= kSolved * diagonal_);  // also where it is not a number
     if (!result.is_least_squares) return given_ + solution.columns;
     Eigen::LeastSquaresConjugateGradient<Stencils> nearest;
     nearest.setTolerance(kSolverPrecision);
     nearest.setMaxIterations(kMostLeastSquaresIterations);
-    nearest.compute(stencils_);
+    nearest.compute(system_);
     solution = solve(nearest, right, nothing);
     result.iterations += solution.iterations;
     return given_ + solution.columns;
@@ -239,6 +259,7 @@ class CageSolver {
   Far::TopologyLevel level_;
   Points given_;
   Stencils stencils_;
+  Stencils system_;  ///< the stencils, with the points themselves at vertices that are passed by
   double diagonal_;
 };
 
@@ -247,7 +268,7 @@ class CageSolver {
 InterpolatingCage interpolating_cage(const Cage& cage, const InterpolationOptions& options) {
   if (options.fit.value != 0) check_option(ranges::kFit, options.fit);
   const CageTopology topology = make_topology(cage, resolve_scheme(cage, options.scheme));
-  const CageSolver solver(*topology.refiner, cage);
+  const CageSolver solver(*topology.refiner, cage, options.passed_by);
   InterpolatingCage result;
   const double fit = options.fit.in_units(diagonal(cage));
   const Points points = fit > 0 ? solver.fit(fit, result) : solver.interpolate(result);

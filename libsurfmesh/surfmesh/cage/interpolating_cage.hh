@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "surfmesh/cage/cage.hh"
 #include "surfmesh/cage/cage_from_mesh.hh"
@@ -21,6 +22,9 @@ struct InterpolationOptions {
   /// How far the surface may stay from the points, or a share of the cage's diagonal; 0 is through
   /// all of them.
   Length fit = {};
+  /// Vertices that the surface need not pass through: their points of the cage are those given, so
+  /// that it bulges less there. They have no effect with a fit.
+  std::vector<int> passed_by = {};
 };
 
 /// A cage whose limit surface passes through the points that were given, or near to them.
@@ -28,6 +32,7 @@ struct InterpolatingCage {
   Cage cage;                 ///< with the points of the other cage
   std::size_t vertices = 0;  ///< that have faces
   double distance = 0;       ///< greatest one of a point from that of the surface, model units
+                             ///< (also of those passed by)
   double mean_distance = 0;  ///< root of the mean square of these distances
   double greatest_move = 0;  ///< of a point of the cage, model units
   int moved_vertex = -1;     ///< that of the greatest move; -1 if none has moved
@@ -51,9 +56,8 @@ struct InterpolatingCage {
 /// Units    model units
 /// Error    without fit, distances are 1e-12 of the diagonal where no least squares are needed
 /// Cost     O(face corners): 0.04 s for 100,000 triangles, 1.2 s with a fit
-/// Throws   InvalidInput for a cage that cannot be subdivided; InvalidOption; Geometry if no cage
-/// is
-///          found
+/// Throws   InvalidInput for a cage that cannot be subdivided, or a vertex that it does not have;
+///          InvalidOption; Geometry if no cage is found
 /// Source   Halstead, Efficient, fair interpolation using Catmull-Clark surfaces (1993)
 InterpolatingCage interpolating_cage(const Cage& cage, const InterpolationOptions& options = {});
 

@@ -24,6 +24,12 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 /// to 10 % of all have.
 constexpr double kWaveAngle = 6;
 
+/// From here on the surface is not one that anybody meant, degrees.
+constexpr double kFoldAngle = 45;
+
+/// Nor is it where a part of it turns so far away from the face that it is over, degrees.
+constexpr double kMostPartTurn = 60;
+
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
@@ -62,7 +68,7 @@ class LimitNormals {
 class WaveMeter {
  public:
   WaveMeter(const Cage& mesh, const Far::TopologyRefiner& refiner, const LimitNormals& limit)
-      : mesh_(mesh), level_(refiner.GetLevel(0)), limit_(limit) {
+      : mesh_(mesh), level_(refiner.GetLevel(0)), parts_(refiner.GetLevel(1)), limit_(limit) {
     for (int f = 0; f < level_.GetNumFaces(); ++f) areas_.push_back(area_of(f));
     turns_.resize(areas_.size(), 0);
     for (int e = 0; e < level_.GetNumEdges(); ++e) {
@@ -81,6 +87,12 @@ class WaveMeter {
     for (int e = 0; e < level_.GetNumEdges(); ++e) {
       if (is_smooth(e)) add_edge(e, waves);
     }
+    for (int f = 0; f < level_.GetNumFaces(); ++f) {
+      if (is_folded(f)) waves.folded_faces.push_back(f);
+    }
+    std::vector<int>& folded = waves.folded_faces;
+    std::sort(folded.begin(), folded.end());
+    folded.erase(std::unique(folded.begin(), folded.end()), folded.end());
     return waves;
   }
 
@@ -93,15 +105,30 @@ class WaveMeter {
   }
 
   Vec3 area_of(int f) const {
-    const Far::ConstIndexArray face = level_.GetFaceVertices(f);
-    const auto point = [&](int k) -> const Vec3& {
-      return mesh_.points[static_cast<std::size_t>(face[k])];
-    };
+    return area_of(level_.GetFaceVertices(f), [this](int v) -> const Vec3& {
+      return mesh_.points[static_cast<std::size_t>(v)];
+    });
+  }
+
+  template <class PointOf>
+  static Vec3 area_of(const Far::ConstIndexArray& face, PointOf point) {
     Vec3 sum = Vec3::Zero();
     for (int k = 2; k < face.size(); ++k) {
-      sum += (point(k - 1) - point(0)).cross(point(k) - point(0));
+      sum += (point(face[k - 1]) - point(face[0])).cross(point(face[k]) - point(face[0]));
     }
     return sum;
+  }
+
+  /// True if a part of the surface over a face turns away from it, as between creases that bulge
+  /// across each other.
+  bool is_folded(int f) const {
+    for (const int part : level_.GetFaceChildFaces(f)) {
+      const Vec3 area = area_of(parts_.GetFaceVertices(part),
+                                [this](int v) -> const Vec3& { return limit_.position(v); });
+      const double angle = angle_between(area, areas_[static_cast<std::size_t>(f)]);
+      if (angle > std::max(turn(f), kMostPartTurn / kDegrees)) return true;
+    }
+    return false;
   }
 
   void add_edge(int e, SurfaceWaves& waves) const {
@@ -114,6 +141,9 @@ class WaveMeter {
     if (excess <= kWaveAngle / kDegrees) return;
     if (excess <= std::max(turn(faces[0]), turn(faces[1]))) return;
     ++waves.waves;
+    if (excess * kDegrees > kFoldAngle) {
+      waves.folded_faces.insert(waves.folded_faces.end(), faces.begin(), faces.end());
+    }
     if (excess * kDegrees <= waves.greatest) return;
     waves.greatest = excess * kDegrees;
     waves.point = limit_.position(vertex);
@@ -121,6 +151,7 @@ class WaveMeter {
 
   const Cage& mesh_;
   Far::TopologyLevel level_;
+  Far::TopologyLevel parts_;  ///< after a step of subdivision
   const LimitNormals& limit_;
   std::vector<Vec3> areas_;    ///< twice those of the faces, along their normals
   std::vector<double> turns_;  ///< greatest angle of a face with one beside it
