@@ -112,6 +112,28 @@ TEST(FitCage, TellsPointsThatNoSurfaceReaches) {
   only(model.notices, NoticeKind::MissedPoints);
 }
 
+/// A thin fin of two triangles on a sheet: its sharp edges bulge across each other.
+Cage sheet_with_fin() {
+  Cage mesh = testing::triangle_sheet(6, 6);
+  for (Vec3& point : mesh.points) point.z() = 0;
+  // A row of vertices is lifted beyond the next row.
+  for (const int v : {23, 24, 25}) mesh.points[static_cast<std::size_t>(v)] += Vec3(0, 1.9, 0.1);
+  return mesh;
+}
+
+TEST(FitCage, DoesNotFoldTheSurface) {
+  const Cage mesh = sheet_with_fin();
+  CageOptions options = kInterpolate;
+  options.crease_angle = 0;
+  const Model model = model_from_cage(mesh, options);
+  const auto is_meant = [](const Notice& n) { return n.kind == NoticeKind::MissedPoints; };
+  const auto found = std::find_if(model.notices.begin(), model.notices.end(), is_meant);
+  ASSERT_NE(found, model.notices.end());
+  EXPECT_TRUE(mentions(*found, "would fold")) << found->text;
+  EXPECT_TRUE(found->point);
+  EXPECT_GT(model.fits[0].distance, 1e-3);
+}
+
 TEST(FitCage, TakesAFitForAWishToInterpolate) {
   const Model model = model_from_cage(testing::icosahedron(), {.fit = Length::units(0.01)});
   ASSERT_EQ(model.fits.size(), 1U);

@@ -8,6 +8,9 @@
 #include <random>
 
 #include "cage/cages.hh"
+#include "cage/meshes.hh"
+#include "support/errors.hh"
+#include "surfmesh/cage/limit_stencils.hh"
 #include "surfmesh/cage/limit_surface.hh"
 #include "surfmesh/cage/refine_cage.hh"
 #include "surfmesh/core/error.hh"
@@ -226,6 +229,29 @@ TEST(InterpolatingCage, RefusesAFitThatIsNone) {
   EXPECT_THROW(interpolating_cage(sphere(0), {.fit = Length::units(-1)}), Error);
   EXPECT_THROW(interpolating_cage(sphere(0), {.fit = Length::share(2)}), Error);
   EXPECT_THROW(interpolating_cage(Cage()), Error);
+}
+
+TEST(InterpolatingCage, PassesVerticesBy) {
+  const Cage mesh = testing::sphere_mesh(2);
+  const InterpolatingCage found = interpolating_cage(mesh, {.passed_by = {5, 17}});
+  EXPECT_FALSE(found.is_least_squares);
+  const std::vector<Vec3> limits = limit_points(found.cage, Scheme::Loop);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const double distance = (limits[v] - mesh.points[v]).norm();
+    if (v == 5 || v == 17) {
+      EXPECT_EQ(found.cage.points[v], mesh.points[v]);
+      EXPECT_GT(distance, 1e-3);
+      EXPECT_LE(distance, found.distance * (1 + 1e-12));
+    } else {
+      EXPECT_LT(distance, 1e-11);
+    }
+  }
+}
+
+TEST(InterpolatingCage, RefusesToPassByWhatIsNotThere) {
+  const Cage mesh = testing::sphere_mesh(1);
+  EXPECT_EQ(error_of([&] { interpolating_cage(mesh, {.passed_by = {1000}}); }),
+            "invalid input: vertex 1000 to pass by does not exist: there are 42");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cage/meshes.hh"
@@ -34,6 +35,23 @@ TEST(SurfaceWaves, AreBesideSharpEdgesWithoutATag) {
   EXPECT_LT(std::min(std::abs(z), std::abs(z - 2)), 0.5);
   tag_features({}, mesh);
   EXPECT_EQ(waves_of(mesh).waves, 0U);
+}
+
+TEST(SurfaceWaves, FindsFolds) {
+  Cage mesh = testing::sphere_mesh(2);
+  EXPECT_TRUE(measure_waves(mesh, mesh, Scheme::Loop).folded_faces.empty());
+  Cage folded = mesh;
+  folded.points[40] *= -1;  // through the sphere to its other side
+  const SurfaceWaves waves = measure_waves(mesh, folded, Scheme::Loop);
+  ASSERT_FALSE(waves.folded_faces.empty());
+  EXPECT_TRUE(std::is_sorted(waves.folded_faces.begin(), waves.folded_faces.end()));
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const std::vector<int>& face = mesh.faces[f];
+    if (std::find(face.begin(), face.end(), 40) == face.end()) continue;
+    EXPECT_TRUE(std::binary_search(waves.folded_faces.begin(), waves.folded_faces.end(),
+                                   static_cast<int>(f)))
+        << "face " << f;
+  }
 }
 
 }  // namespace
