@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "compare/comparison.hh"
+#include "compare/peers.hh"
+#include "compare/remesh_judge.hh"
+
+namespace surfmesh::compare {
+
+/// A cage whose limit surface is known, and is to be found again from a mesh of it.
+struct RemeshTruth {
+  std::string name;
+  std::filesystem::path file;
+  bool is_smooth = true;  ///< without creases and corners
+};
+
+/// The cages that are there: those of the repository and, unless it is quick, those in ../shared.
+std::vector<RemeshTruth> remesh_truths(const Settings& settings);
+
+/// About how many triangles the meshes have that are remeshed.
+std::vector<int> remesh_counts(bool is_quick);
+
+/// How long the sides of the new elements are, in lengths of those of the input.
+enum class RemeshSizes { Half, Same, Fivefold, Curvature };
+
+std::string name(RemeshSizes sizes);
+
+/// What one tool made of the input.
+struct RemeshRow {
+  RemeshSizes sizes = RemeshSizes::Same;
+  bool is_quads = false;
+  ToolResult run = {};        ///< its `mesh` and `distance` are not set
+  RemeshJudgement mesh = {};  ///< of the last round; not set after a failure
+};
+
+/// One mesh that every tool has remeshed. In each group of sizes the first row is that of surfmesh
+/// with triangles.
+struct RemeshResult {
+  std::string name;
+  std::string about;  ///< one sentence
+  bool is_smooth = true;
+  int wanted = 0;  ///< triangles of the input, about
+  RemeshJudgement input = {};
+  std::vector<RemeshRow> rows = {};
+};
+
+/// The mean distance of a mesh, or of its vertices, over that of the faces of the input, which is
+/// to be at most this.
+double wanted_share(const RemeshResult& result);
+
+/// What surfmesh did not reach, a sentence for each, by comparison with the input and with the
+/// other tools in the same group of sizes:
+///
+/// the share above, by the vertices at all sizes, and by the faces at half the sizes, as faces of
+/// the same length are as far from any surface; topology; turned faces; features as near as those
+/// of the input; at uniform sizes, qualities as good and half the time.
+std::vector<std::string> missed_aims(const RemeshResult& result);
+
+/// Make a mesh of the limit surface of a cage by surfmesh, and remesh it by surfmesh and by the
+/// peers that can, in turn.
+///
+/// Throws   Io if the input cannot be made. What a tool does wrong is told in its row
+RemeshResult compare_remeshing(const RemeshTruth& truth, const RemeshJudge& judge, int triangles,
+                               const std::vector<Peer>& peers, const Settings& settings);
+
+}  // namespace surfmesh::compare
