@@ -62,6 +62,7 @@ TEST_F(RemeshOfTorus, HasItsVerticesOnTheSurface) {
   EXPECT_EQ(mesh.euler, 0);
   EXPECT_EQ(mesh.components, 1u);
   EXPECT_EQ(mesh.boundary_loops, 0u);
+  EXPECT_EQ(mesh.crossings, 0u);
   EXPECT_EQ(mesh.turned, 0u);
   EXPECT_EQ(mesh.faults, "");
   EXPECT_NEAR(mesh.mean_edge / judge_.diagonal(), 0.08, 0.01);
@@ -86,6 +87,21 @@ TEST_F(RemeshOfTorus, CountsTurnedFaces) {
   EXPECT_EQ(found.turned, 1u);
   EXPECT_NE(found.faults.find("turned_neighbour"), std::string::npos) << found.faults;
   EXPECT_FALSE(found.has_topology_of(judge_.judge(file())));
+}
+
+TEST_F(RemeshOfTorus, CountsCrossings) {
+  TriangleMesh mesh = read_triangles(file());
+  // A high one through the first face, whose middle is not on the equator.
+  Vec3 middle = Vec3::Zero();
+  for (const int v : mesh.triangles[0]) middle += mesh.points[static_cast<std::size_t>(v)] / 3;
+  const Vec3 up(0, 0, 10), aside(0.01, 0, 0);
+  const auto first = static_cast<int>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), {middle - up, middle + up, middle + up + aside});
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  const RemeshJudgement found = judged(mesh);
+  EXPECT_GT(found.crossings, 0u);
+  EXPECT_EQ(found.turned, 0u);  // too far away
+  EXPECT_EQ(found.components, 2u);
 }
 
 TEST_F(RemeshOfTorus, MayBeTurnedOverAsAWhole) {
@@ -185,10 +201,11 @@ TEST(MissedAims, NameWhatIsTooFar) {
 TEST(MissedAims, NameOtherFaults) {
   RemeshResult result = good_result();
   result.rows[0].mesh.turned = 3;
+  result.rows[0].mesh.crossings = 5;
   result.rows[0].mesh.euler = 2;
   result.rows[0].mesh.features = 0.02;
   EXPECT_EQ(missed_aims(result),
-            (std::vector<std::string>{"half, triangles: 3 turned",
+            (std::vector<std::string>{"half, triangles: 3 turned", "half, triangles: 5 crossings",
                                       "half, triangles: the topology is not that of the input",
                                       "half, triangles: features off by 2.000 % of the diagonal"}));
   result.rows[0].run.failure = "crashed (signal 11)";
@@ -238,9 +255,11 @@ TEST(RemeshTable, TellsOtherTopologyAndMissedAims) {
   result.rows[0].mesh.euler = 2;
   result.rows[0].mesh.boundary_loops = 1;
   result.rows[0].mesh.turned = 4;
+  result.rows[0].mesh.crossings = 1;
   result.rows[0].mesh.faults = "duplicate_vertex";
   const std::string table = remesh_table(result);
-  EXPECT_NE(table.find("| χ 2, 1 borders, duplicate_vertex, 4 turned |"), std::string::npos)
+  EXPECT_NE(table.find("| χ 2, 1 borders, duplicate_vertex, 1 crossings, 4 turned |"),
+            std::string::npos)
       << table;
   EXPECT_NE(table.find("Missed by surfmesh:\n\n- half, triangles: 4 turned\n"), std::string::npos);
 }

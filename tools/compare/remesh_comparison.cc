@@ -138,6 +138,9 @@ void add_missed_of(const RemeshResult& result, const RemeshRow& row,
     miss(fmt::format("faces {:.2f} of the input's distance", row.mesh.facets.mean / faces));
   }
   if (row.mesh.turned > result.input.turned) miss(fmt::format("{} turned", row.mesh.turned));
+  if (row.mesh.crossings > result.input.crossings) {
+    miss(fmt::format("{} crossings", row.mesh.crossings));
+  }
   if (!row.mesh.has_topology_of(result.input)) miss("the topology is not that of the input");
   // Longer sides cut curved creases more.
   const double cut = std::max(1.0, factor(row.sizes) * factor(row.sizes));

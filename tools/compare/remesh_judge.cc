@@ -12,6 +12,7 @@
 #include "surfmesh/quality/contour_distance.hh"
 #include "surfmesh/quality/face_set_check.hh"
 #include "surfmesh/quality/mesh_extent.hh"
+#include "surfmesh/quality/self_intersections.hh"
 
 namespace surfmesh::compare {
 namespace {
@@ -23,6 +24,9 @@ constexpr double kFeatureTolerance = 1e-5;
 
 /// The cosine of 120°: across a crease a good facet may be at more than 90° to one of its sides.
 constexpr double kTurnedCosine = -0.5;
+
+/// Share of the longest side of a facet from which on it does not tell where its surface is.
+constexpr double kFarAway = 0.25;
 
 ModelInput load_truth(const std::filesystem::path& cage) {
   LoadOptions options;
@@ -88,6 +92,14 @@ Vec3 area_of(const std::array<Vec3, 3>& corners) {
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
 }
 
+double longest_side(const std::array<Vec3, 3>& corners) {
+  double longest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    longest = std::max(longest, (corners[(i + 1) % 3] - corners[i]).norm());
+  }
+  return longest;
+}
+
 /// By point, the areas of the triangles around it, in some unit.
 std::vector<double> areas_around(const Facets& facets) {
   std::vector<double> areas(facets.points.size(), 0.0);
@@ -132,6 +144,7 @@ RemeshJudgement RemeshJudge::judge(const std::filesystem::path& mesh) const {
   judgement.mean_edge = measure_shape(file.mesh).mean_edge;
   measure_quality(file.mesh, judgement);
   measure_topology(file.mesh, judgement);
+  judgement.crossings = find_self_intersections(file.mesh).count;
   const MeshFile poly = mesh_from(std::move(file), mesh.string());
   const Facets facets = facets_of(poly.mesh);
   measure_vertices(facets, poly.mesh.n_vertices(), judgement);
@@ -178,6 +191,7 @@ void RemeshJudge::measure_facets(const Facets& facets, RemeshJudgement& judgemen
     const NearPoint middle = measure((corner[0] + corner[1] + corner[2]) / 3, kAtMiddle);
     all += area.norm();
     const Surface& surface = *input_.model.patches[static_cast<std::size_t>(middle.patch)].surface;
+    if (middle.distance > kFarAway * longest_side(corner)) continue;
     sides.add(area, surface.evaluate(middle.uv, Order::First));
   }
   if (all > 0) found.mean = weighted / all;

@@ -34,8 +34,12 @@ struct RemeshJudgement {
   long euler = 0;
   std::size_t components = 0;
   std::size_t boundary_loops = 0;
-  std::size_t turned = 0;  ///< faces by more than 120° from the surface
-  std::string faults;      ///< of the connectivity, by their kinds; empty if there are none
+  std::size_t crossings = 0;  ///< pairs of faces that pass through each other
+  /// Faces by more than 120° from the surface. Those that are farther from it than a quarter of
+  /// their longest side do not count: the input lacks what the surface is there, and the nearest
+  /// point may be on its other side.
+  std::size_t turned = 0;
+  std::string faults;  ///< of the connectivity, by their kinds; empty if there are none
 
   /// True if the meshes have the same borders, components and Euler characteristic, and no faults
   /// that differ.

@@ -27,7 +27,9 @@ constexpr const char* kHowToRead =
     "greatest, in % of the diagonal, and × input is the mean over that of the faces of the input. "
     "The vertices tell how far the surface of a tool is off; faces are off by their chords as "
     "well, and of the same length they cannot be nearer than the input's. Features: the greatest "
-    "distance of creases and borders from the mesh. The aims are half of the input's distance, "
+    "distance of creases and borders from the mesh. Crossings: pairs of faces that pass through "
+    "each other; turned faces: by more than 120° from the surface, where they are near it. The "
+    "aims are half of the input's distance, "
     "and a quarter on smooth surfaces from 30,000 triangles on: by the vertices at all sizes; "
     "half by the faces at half the length. Q = 4√3·A/Σl² in space, of quads as two triangles. "
     "Seconds are those of the processor, for the whole process.\n";
@@ -51,6 +53,7 @@ std::string topology_text(const RemeshJudgement& mesh, const RemeshJudgement& in
     text += fmt::format(", {} borders", mesh.boundary_loops);
   }
   if (!mesh.faults.empty() && mesh.faults != input.faults) text += ", " + mesh.faults;
+  if (mesh.crossings > 0) text += fmt::format(", {} crossings", mesh.crossings);
   if (mesh.turned > 0) text += fmt::format(", {} turned", mesh.turned);
   return text;
 }
@@ -92,6 +95,7 @@ nlohmann::ordered_json to_json(const RemeshJudgement& mesh) {
           {"euler", mesh.euler},
           {"components", mesh.components},
           {"boundary_loops", mesh.boundary_loops},
+          {"crossings", mesh.crossings},
           {"turned", mesh.turned},
           {"faults", mesh.faults}};
 }
