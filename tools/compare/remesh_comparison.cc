@@ -180,18 +180,20 @@ void add_missed_beside(const RemeshRow& row, const RemeshRow& peer,
 std::vector<RemeshTruth> remesh_truths(const Settings& settings) {
   const auto models = settings.source / "models";
   const auto shared = settings.source.parent_path() / "shared/models";
-  std::vector<RemeshTruth> truths = {{"torus", models / "torus.obj", true},
-                                     {"cube", models / "cube.obj", true},
-                                     {"knob", models / "knob.obj", false}};
-  if (settings.is_quick) return truths;
-  const RemeshTruth others[] = {
-      {"spot", shared / "spot_control_mesh.obj", true},
-      {"creased_cube", shared / "opensubdiv/catmark_cube_creases1.obj", false},
-      {"pawn", shared / "opensubdiv/catmark_pawn.obj", false},
-      {"car", shared / "opensubdiv/catmark_car.obj", false}};
-  for (const RemeshTruth& truth : others) {
-    if (std::filesystem::exists(truth.file)) truths.push_back(truth);
+  std::vector<RemeshTruth> truths = {
+      {"torus", models / "torus.obj", true},
+      {"cube", models / "cube.obj", true},
+      {"barrel", settings.source / "tools/compare/cases/barrel.obj", false},
+      {"knob", models / "knob.obj", false}};
+  if (!settings.is_quick) {
+    truths.insert(truths.end(),
+                  {{"spot", shared / "spot_control_mesh.obj", true},
+                   {"semi_sharp_cube", shared / "opensubdiv/catmark_cube_creases1.obj", false},
+                   {"pawn", shared / "opensubdiv/catmark_pawn.obj", false},
+                   {"car", shared / "opensubdiv/catmark_car.obj", false}});
   }
+  std::erase_if(truths,
+                [](const RemeshTruth& truth) { return !std::filesystem::exists(truth.file); });
   return truths;
 }
 
