@@ -148,13 +148,13 @@ TEST(RemeshTruths, AreThere) {
   EXPECT_EQ(quick.size(), 4u);
   settings.is_quick = false;
   EXPECT_GE(remesh_truths(settings).size(), quick.size());
-  EXPECT_EQ(remesh_counts(true).size(), 1u);
-  EXPECT_EQ(remesh_counts(false).size(), 3u);
+  EXPECT_EQ(remesh_inputs(true).size(), 1u);
+  EXPECT_EQ(remesh_inputs(false).size(), 4u);
 }
 
 /// A mesh by surfmesh that is as it should be, and one by a peer that is no better.
 RemeshResult good_result() {
-  RemeshResult result{"torus_2000", "a torus", true, 2000};
+  RemeshResult result{"torus_2000", "a torus", true, {2000, false}};
   result.input.facets = {0.001, 0.003};
   result.rows.resize(2);
   RemeshRow& mine = result.rows[0];
@@ -183,7 +183,7 @@ TEST(MissedAims, NameWhatIsTooFar) {
   RemeshResult result = good_result();
   result.rows[0].mesh.vertices.mean = result.rows[1].mesh.vertices.mean = 0.0003;
   EXPECT_EQ(missed_aims(result), std::vector<std::string>{});
-  result.wanted = 30000;  // more is expected of a smooth surface then
+  result.wanted.triangles = 30000;  // more is expected of a smooth surface then
   EXPECT_EQ(missed_aims(result),
             std::vector<std::string>{"half, triangles: vertices 0.30 of the input's distance"});
   result.is_smooth = false;
@@ -297,7 +297,7 @@ TEST_F(RemeshOfTorus, GoesThroughAllTools) {
                                    {PeerKind::Gmsh, "Gmsh", "/no/such/tool", ""},
                                    {PeerKind::Cgal, "CGAL", folder_ / "cgal_remesh", "5"}};
   const RemeshResult result =
-      compare_remeshing({"torus", kTorus, true}, judge_, 500, peers, settings);
+      compare_remeshing({"torus", kTorus, true}, judge_, {500, true}, peers, settings);
   // Four groups; no curvature sizes for CGAL, and the others do not remesh or are not there.
   ASSERT_EQ(result.rows.size(), 11u);
   for (const RemeshRow& row : result.rows) {
@@ -308,6 +308,7 @@ TEST_F(RemeshOfTorus, GoesThroughAllTools) {
     EXPECT_EQ(row.run.clock_seconds.size(), 2u);
   }
   EXPECT_EQ(result.rows[2].run.tool, "CGAL");
+  EXPECT_EQ(result.name, "torus_500_adaptive");
   EXPECT_NE(result.rows[0].run.command.find("--surface interpolate --size "), std::string::npos);
   EXPECT_EQ(result.rows[9].run.command.find("--size"), std::string::npos);  // from curvature
 }
@@ -316,7 +317,8 @@ TEST_F(RemeshOfTorus, IsNotMadeWithoutSurfmesh) {
   Settings settings;
   settings.work = folder_.path();
   settings.surfmesh = "/no/such/surfmesh";
-  EXPECT_THROW(compare_remeshing({"torus", kTorus, true}, judge_, 500, {}, settings), Error);
+  EXPECT_THROW(compare_remeshing({"torus", kTorus, true}, judge_, {500, false}, {}, settings),
+               Error);
 }
 
 }  // namespace

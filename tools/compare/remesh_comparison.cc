@@ -32,23 +32,30 @@ double factor(RemeshSizes sizes) {
   return sizes == RemeshSizes::Fivefold ? 5 : 1;
 }
 
-/// Seeks no mesh: the count follows from the size, which it is inverse to the square of.
-std::filesystem::path make_input(const RemeshTruth& truth, const RemeshJudge& judge,
-                                 const std::string& name, int triangles, const Settings& settings) {
+/// The option by which surfmesh makes an input, with sides of a length as a share of the diagonal.
+Command sizes_of_input(const RemeshInput& input, double length) {
+  if (!input.is_adaptive) return {"--size", fmt::format("{:.6g}%", 100 * length)};
+  constexpr double kCurvature = 12;  // so that the first run is not far off
+  return {"--curvature", fmt::format("{:.6g}", kCurvature * length)};
+}
+
+/// Writes <name>.off in two runs: the count of the first tells the sizes, as it is inverse to their
+/// square.
+void make_input(const RemeshTruth& truth, const std::string& name, const RemeshInput& input,
+                const Settings& settings) {
   const std::string output = name + ".off";
-  double size = 0.02 * judge.diagonal();
+  double length = 0.02;
   constexpr int kRuns = 2;
   for (int i = 0; i < kRuns; ++i) {
-    const ToolTask task = surfmesh_task(settings, truth.file, output,
-                                        {"--surface", "limit", "--size", fmt::format("{}", size)});
+    Command options = sizes_of_input(input, length);
+    options.insert(options.end(), {"--surface", "limit"});
+    const ToolTask task = surfmesh_task(settings, truth.file, output, options);
     ProcessRun run;
     const std::string failure = run_once(settings, task, run);
     if (!failure.empty()) throw Error(ErrorCode::Io, fmt::format("{}: {}", name, failure));
-    if (i + 1 == kRuns) break;
     const TriangleMesh mesh = read_triangles(settings.work / output);
-    size *= std::sqrt(static_cast<double>(mesh.triangles.size()) / triangles);
+    length *= std::sqrt(static_cast<double>(mesh.triangles.size()) / input.triangles);
   }
-  return output;
 }
 
 /// What the tasks of one group share.
@@ -142,8 +149,8 @@ void add_missed_of(const RemeshResult& result, const RemeshRow& row,
     miss(fmt::format("{} crossings", row.mesh.crossings));
   }
   if (!row.mesh.has_topology_of(result.input)) miss("the topology is not that of the input");
-  // Longer sides cut curved creases more.
-  const double cut = std::max(1.0, factor(row.sizes) * factor(row.sizes));
+  // Longer sides cut curved creases more; good ones have up to √2 of the length asked for.
+  const double cut = std::max(1.0, 2 * factor(row.sizes) * factor(row.sizes));
   if (row.sizes != RemeshSizes::Curvature &&
       row.mesh.features > cut * std::max(result.input.features, result.input.facets.max)) {
     miss(fmt::format("features off by {:.3f} % of the diagonal", 100 * row.mesh.features));
@@ -197,9 +204,9 @@ std::vector<RemeshTruth> remesh_truths(const Settings& settings) {
   return truths;
 }
 
-std::vector<int> remesh_counts(bool is_quick) {
-  if (is_quick) return {2000};
-  return {2000, 8000, kSmooth};
+std::vector<RemeshInput> remesh_inputs(bool is_quick) {
+  if (is_quick) return {{2000, false}};
+  return {{2000, false}, {8000, false}, {kSmooth, false}, {8000, true}};
 }
 
 std::string name(RemeshSizes sizes) {
@@ -217,7 +224,7 @@ std::string name(RemeshSizes sizes) {
 }
 
 double wanted_share(const RemeshResult& result) {
-  return result.is_smooth && result.wanted >= kSmooth ? 0.25 : 0.5;
+  return result.is_smooth && result.wanted.triangles >= kSmooth ? 0.25 : 0.5;
 }
 
 std::vector<std::string> missed_aims(const RemeshResult& result) {
@@ -234,16 +241,20 @@ std::vector<std::string> missed_aims(const RemeshResult& result) {
   return missed;
 }
 
-RemeshResult compare_remeshing(const RemeshTruth& truth, const RemeshJudge& judge, int triangles,
-                               const std::vector<Peer>& peers, const Settings& settings) {
-  const std::string name = fmt::format("{}_{}", truth.name, triangles);
-  const auto input = make_input(truth, judge, name, triangles, settings);
-  write_medit(read_triangles(settings.work / input), settings.work / (name + ".mesh"));
-  RemeshResult result{name,
-                      fmt::format("about {} triangles on the limit surface of {}", triangles,
-                                  truth.file.filename().string()),
-                      truth.is_smooth, triangles};
-  result.input = judge.judge(settings.work / input);
+RemeshResult compare_remeshing(const RemeshTruth& truth, const RemeshJudge& judge,
+                               const RemeshInput& input, const std::vector<Peer>& peers,
+                               const Settings& settings) {
+  const std::string name =
+      fmt::format("{}_{}{}", truth.name, input.triangles, input.is_adaptive ? "_adaptive" : "");
+  make_input(truth, name, input, settings);
+  write_medit(read_triangles(settings.work / (name + ".off")), settings.work / (name + ".mesh"));
+  RemeshResult result{
+      name,
+      fmt::format("about {} triangles {} on the limit surface of {}", input.triangles,
+                  input.is_adaptive ? "by curvature" : "of one size",
+                  truth.file.filename().string()),
+      truth.is_smooth, input};
+  result.input = judge.judge(settings.work / (name + ".off"));
   for (const RemeshSizes sizes : kAllSizes) {
     add_rows(settings, judge,
              {name, sizes, factor(sizes) * result.input.mean_edge, judge.diagonal()}, peers,

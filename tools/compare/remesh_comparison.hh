@@ -21,8 +21,13 @@ struct RemeshTruth {
 /// The cages that are there: those of the repository and, unless it is quick, those in ../shared.
 std::vector<RemeshTruth> remesh_truths(const Settings& settings);
 
-/// About how many triangles the meshes have that are remeshed.
-std::vector<int> remesh_counts(bool is_quick);
+/// A mesh that is remeshed.
+struct RemeshInput {
+  int triangles = 0;         ///< about
+  bool is_adaptive = false;  ///< with sizes from curvature, stretched ones; else with one size
+};
+
+std::vector<RemeshInput> remesh_inputs(bool is_quick);
 
 /// How long the sides of the new elements are, in lengths of those of the input.
 enum class RemeshSizes { Half, Same, Fivefold, Curvature };
@@ -43,7 +48,7 @@ struct RemeshResult {
   std::string name;
   std::string about;  ///< one sentence
   bool is_smooth = true;
-  int wanted = 0;  ///< triangles of the input, about
+  RemeshInput wanted = {};
   RemeshJudgement input = {};
   std::vector<RemeshRow> rows = {};
 };
@@ -64,7 +69,8 @@ std::vector<std::string> missed_aims(const RemeshResult& result);
 /// peers that can, in turn.
 ///
 /// Throws   Io if the input cannot be made. What a tool does wrong is told in its row
-RemeshResult compare_remeshing(const RemeshTruth& truth, const RemeshJudge& judge, int triangles,
-                               const std::vector<Peer>& peers, const Settings& settings);
+RemeshResult compare_remeshing(const RemeshTruth& truth, const RemeshJudge& judge,
+                               const RemeshInput& input, const std::vector<Peer>& peers,
+                               const Settings& settings);
 
 }  // namespace surfmesh::compare

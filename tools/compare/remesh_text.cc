@@ -17,7 +17,8 @@ constexpr const char* kHead =
     "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 
 constexpr const char* kHowToRead =
-    "\nThe inputs are meshes of limit surfaces by surfmesh with one size, without patches. Each is "
+    "\nThe inputs are meshes of limit surfaces by surfmesh, with one size or (adaptive) sizes from "
+    "curvature and triangles stretched up to twice, without patches. Each is "
     "remeshed with sides of half, the same and five times the mean length of its own, and by "
     "surfmesh and Mmgs with sizes from curvature. Edges of more than 40° are sharp for the other "
     "tools; surfmesh finds them itself. `pmp_remesh` and `cgal_remesh` are programs of your own "

@@ -118,9 +118,9 @@ void compare_remeshings(const Arguments& arguments, Comparison& comparison) {
   const Settings& settings = arguments.settings;
   for (const RemeshTruth& truth : remesh_truths(settings)) {
     const RemeshJudge judge(truth.file);
-    for (const int triangles : remesh_counts(settings.is_quick)) {
+    for (const RemeshInput& input : remesh_inputs(settings.is_quick)) {
       const RemeshResult& result = comparison.remeshing.emplace_back(
-          compare_remeshing(truth, judge, triangles, comparison.peers, settings));
+          compare_remeshing(truth, judge, input, comparison.peers, settings));
       fmt::print("{}: {}\n\n{}\n", result.name, result.about, remesh_table(result));
       write_results(comparison, arguments.output);  // it is a long way to the end
     }
