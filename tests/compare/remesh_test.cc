@@ -207,6 +207,19 @@ TEST(MissedAims, NameOtherFaults) {
             (std::vector<std::string>{"half, triangles: 3 turned", "half, triangles: 5 crossings",
                                       "half, triangles: the topology is not that of the input",
                                       "half, triangles: features off by 2.000 % of the diagonal"}));
+  result = good_result();
+  result.input.area = 100 * std::sqrt(3.0) / 4;
+  result.input.mean_edge = 0.2;  // five times are the sides of 100 triangles
+  EXPECT_NEAR(ideal_count(result, RemeshSizes::Fivefold), 100, 1e-9);
+  EXPECT_EQ(ideal_count(result, RemeshSizes::Curvature), 0);
+  result.rows[0].sizes = RemeshSizes::Fivefold;
+  result.rows[0].mesh.faces = 109;
+  result.rows.resize(1);
+  EXPECT_EQ(missed_aims(result), std::vector<std::string>{});
+  result.rows[0].mesh.faces = 111;
+  EXPECT_EQ(missed_aims(result),
+            std::vector<std::string>{"fivefold, triangles: 111 faces, 100 are ideal"});
+  result = good_result();
   result.rows[0].run.failure = "crashed (signal 11)";
   EXPECT_EQ(missed_aims(result), std::vector<std::string>{"half, triangles: crashed (signal 11)"});
 }

@@ -132,6 +132,14 @@ std::string place(const RemeshRow& row) {
   return fmt::format("{}, {}", name(row.sizes), row.is_quads ? "quads" : "triangles");
 }
 
+/// Where triangles are larger than the faces of the input, these may not show in their number.
+bool has_wrong_count(const RemeshResult& result, const RemeshRow& row) {
+  if (row.sizes != RemeshSizes::Fivefold || row.is_quads) return false;
+  constexpr double kFarOff = 0.1;
+  const double ideal = ideal_count(result, row.sizes);
+  return std::abs(static_cast<double>(row.mesh.faces) - ideal) > kFarOff * ideal;
+}
+
 /// What one mesh of surfmesh lacks, whatever others do.
 void add_missed_of(const RemeshResult& result, const RemeshRow& row,
                    std::vector<std::string>& missed) {
@@ -143,6 +151,9 @@ void add_missed_of(const RemeshResult& result, const RemeshRow& row,
   }
   if (row.sizes == RemeshSizes::Half && row.mesh.facets.mean > 0.5 * faces) {
     miss(fmt::format("faces {:.2f} of the input's distance", row.mesh.facets.mean / faces));
+  }
+  if (has_wrong_count(result, row)) {
+    miss(fmt::format("{} faces, {:.0f} are ideal", row.mesh.faces, ideal_count(result, row.sizes)));
   }
   if (row.mesh.turned > result.input.turned) miss(fmt::format("{} turned", row.mesh.turned));
   if (row.mesh.crossings > result.input.crossings) {
@@ -225,6 +236,12 @@ std::string name(RemeshSizes sizes) {
 
 double wanted_share(const RemeshResult& result) {
   return result.is_smooth && result.wanted.triangles >= kSmooth ? 0.25 : 0.5;
+}
+
+double ideal_count(const RemeshResult& result, RemeshSizes sizes) {
+  if (sizes == RemeshSizes::Curvature) return 0;
+  const double length = factor(sizes) * result.input.mean_edge;
+  return result.input.area / (std::sqrt(3.0) / 4 * length * length);
 }
 
 std::vector<std::string> missed_aims(const RemeshResult& result) {

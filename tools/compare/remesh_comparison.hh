@@ -57,12 +57,17 @@ struct RemeshResult {
 /// to be at most this.
 double wanted_share(const RemeshResult& result);
 
+/// How many equilateral triangles of the sides asked for cover the input; 0 for sizes from
+/// curvature.
+double ideal_count(const RemeshResult& result, RemeshSizes sizes);
+
 /// What surfmesh did not reach, a sentence for each, by comparison with the input and with the
 /// other tools in the same group of sizes:
 ///
 /// the share above, by the vertices at all sizes, and by the faces at half the sizes, as faces of
 /// the same length are as far from any surface; topology; turned and crossing faces; features as
-/// near as those of the input; at uniform sizes, qualities as good and half the time.
+/// near as those of the input; of long sides a count within 10 % of the ideal; at uniform sizes,
+/// qualities as good and half the time.
 std::vector<std::string> missed_aims(const RemeshResult& result);
 
 /// Make a mesh of the limit surface of a cage by surfmesh, and remesh it by surfmesh and by the

@@ -141,6 +141,7 @@ RemeshJudgement RemeshJudge::judge(const std::filesystem::path& mesh) const {
   MeshArraysFile file = read_mesh_arrays(mesh);
   RemeshJudgement judgement;
   judgement.faces = file.mesh.faces.size();
+  judgement.area = measure_extent(file.mesh).area;
   judgement.mean_edge = measure_shape(file.mesh).mean_edge;
   measure_quality(file.mesh, judgement);
   measure_topology(file.mesh, judgement);

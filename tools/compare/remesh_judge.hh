@@ -24,6 +24,7 @@ struct Distances {
 /// A mesh beside the smooth surface that it stands for. Distances are shares of the diagonal.
 struct RemeshJudgement {
   std::size_t faces = 0;
+  double area = 0;         ///< model units
   double mean_edge = 0;    ///< length, model units
   Distances facets;        ///< of the faces from the surface, by area
   Distances vertices;      ///< of the vertices from the surface, by the area around them

@@ -87,6 +87,7 @@ nlohmann::ordered_json to_json(const Distances& distances) {
 
 nlohmann::ordered_json to_json(const RemeshJudgement& mesh) {
   return {{"faces", mesh.faces},
+          {"area", mesh.area},
           {"mean_edge", mesh.mean_edge},
           {"facets", to_json(mesh.facets)},
           {"vertices", to_json(mesh.vertices)},
