@@ -192,6 +192,9 @@ TEST(MissedAims, NameWhatIsTooFar) {
   result.rows[1].mesh.facets.mean = 0.0007;
   EXPECT_EQ(missed_aims(result),
             std::vector<std::string>{"half, triangles: faces 0.60 of the input's distance"});
+  result.wanted.is_adaptive = true;
+  EXPECT_EQ(missed_aims(result), std::vector<std::string>{});
+  result.wanted.is_adaptive = false;
   // Longer sides have longer chords.
   result.rows[0].sizes = result.rows[1].sizes = RemeshSizes::Same;
   EXPECT_EQ(missed_aims(result), std::vector<std::string>{});

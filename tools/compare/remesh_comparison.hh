@@ -65,9 +65,9 @@ double ideal_count(const RemeshResult& result, RemeshSizes sizes);
 /// other tools in the same group of sizes:
 ///
 /// the share above, by the vertices at all sizes, and by the faces at half the sizes, as faces of
-/// the same length are as far from any surface; topology; turned and crossing faces; features as
-/// near as those of the input; of long sides a count within 10 % of the ideal; at uniform sizes,
-/// qualities as good and half the time.
+/// the same length are as far from any surface (but not of adaptive inputs); topology; turned and
+/// crossing faces; features as near as those of the input; of long sides a count within 10 % of the
+/// ideal; at uniform sizes, qualities as good and half the time.
 std::vector<std::string> missed_aims(const RemeshResult& result);
 
 /// Make a mesh of the limit surface of a cage by surfmesh, and remesh it by surfmesh and by the
