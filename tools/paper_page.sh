@@ -19,7 +19,7 @@ export CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}"
 cmake --preset release >&2
 cmake --build --preset release --target surfmesh_paper >&2
 
-tools/compare.sh -o out/compare --rounds "$rounds"
+tools/compare.sh -o out/compare --rounds "$rounds" --only plane --only cages
 build/release/tools/paper/surfmesh-paper -o out/paper
 
 page=libsurfmesh/PAPER.md

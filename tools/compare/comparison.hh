@@ -20,6 +20,7 @@ struct ToolResult {
   Judgement mesh;  ///< of the last round; for cages its lengths are not set, qualities in space
   double distance = 0;  ///< greatest, from the surface, share of the diagonal; only for cages
   std::vector<double> processor_seconds;  ///< of the whole process
+  std::vector<double> clock_seconds;      ///< of the same
   std::vector<double> meshing_seconds;    ///< as the tool itself tells; empty if it does not
 };
 

@@ -46,7 +46,9 @@ std::vector<Peer> find_peers(const std::filesystem::path& work) {
   return {make_peer(PeerKind::Gmsh, "Gmsh", {"gmsh"}, "--version", work),
           make_peer(PeerKind::Bamg, "BAMG", {"ffbamg", "bamg"}, "-h", work),
           make_peer(PeerKind::Mmg2d, "Mmg2d", {"mmg2d_O3", "mmg2d"}, "-h", work),
-          make_peer(PeerKind::Mmgs, "Mmgs", {"mmgs_O3", "mmgs"}, "-h", work)};
+          make_peer(PeerKind::Mmgs, "Mmgs", {"mmgs_O3", "mmgs"}, "-h", work),
+          make_peer(PeerKind::Pmp, "pmp", {"pmp_remesh"}, "--version", work),
+          make_peer(PeerKind::Cgal, "CGAL", {"cgal_remesh"}, "--version", work)};
 }
 
 std::filesystem::path find_program(const std::vector<std::string>& names, std::string_view path) {

@@ -9,7 +9,9 @@
 
 namespace surfmesh::compare {
 
-enum class PeerKind { Gmsh, Bamg, Mmg2d, Mmgs };
+/// Pmp and Cgal are programs of the user that call the remeshing of these libraries, with the
+/// arguments INPUT OUTPUT LENGTH ANGLE.
+enum class PeerKind { Gmsh, Bamg, Mmg2d, Mmgs, Pmp, Cgal };
 
 /// Another mesher of this computer.
 struct Peer {

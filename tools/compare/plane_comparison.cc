@@ -47,7 +47,9 @@ ToolTask mmg_task(const Peer& peer, const PlaneCase& plane) {
 
 /// Nothing for a peer that was not found or does not mesh in a plane.
 std::optional<ToolTask> task_of(const Peer& peer, const PlaneCase& plane) {
-  if (peer.program.empty() || peer.kind == PeerKind::Mmgs) return std::nullopt;
+  const bool is_of_plane =
+      peer.kind == PeerKind::Gmsh || peer.kind == PeerKind::Bamg || peer.kind == PeerKind::Mmg2d;
+  if (peer.program.empty() || !is_of_plane) return std::nullopt;
   ToolTask task = peer.kind == PeerKind::Gmsh   ? gmsh_task(peer, plane)
                   : peer.kind == PeerKind::Bamg ? bamg_task(peer, plane)
                                                 : mmg_task(peer, plane);

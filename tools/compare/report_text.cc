@@ -6,18 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/cage_comparison.hh"
-#include "pictures/median.hh"
+#include "compare/remesh_text.hh"
+#include "compare/table_cells.hh"
 
 namespace surfmesh::compare {
 namespace {
-
-constexpr const char* kNone = "–";
-
-/// "43,123".
-std::string with_commas(std::size_t number) {
-  if (number < 1000) return std::to_string(number);
-  return fmt::format("{},{:03}", with_commas(number / 1000), number % 1000);
-}
 
 /// "43,100" for 43,123: three digits are all that a measured speed has.
 std::string speed_text(std::optional<double> speed) {
@@ -26,15 +19,6 @@ std::string speed_text(std::optional<double> speed) {
   while (*speed >= 1000 * unit) unit *= 10;
   return with_commas(static_cast<std::size_t>(unit * (*speed / unit + 0.5)) / std::size_t(unit) *
                      std::size_t(unit));
-}
-
-std::string seconds_text(const std::vector<double>& seconds) {
-  return seconds.empty() ? kNone : fmt::format("{:.3g}", median(seconds));
-}
-
-std::string spread_text(const std::optional<Spread>& spread) {
-  if (!spread) return kNone;
-  return fmt::format("{:.2f} [{:.2f}, {:.2f}]", spread->median, spread->least, spread->greatest);
 }
 
 std::string plane_cells(const Judgement& mesh) {
@@ -108,7 +92,7 @@ std::string commands(const Comparison& comparison) {
     text += fmt::format("\n{}:\n\n", result.name);
     for (const ToolResult& tool : result.tools) text += fmt::format("    {}\n", tool.command);
   }
-  return text;
+  return text + remesh_commands(comparison.remeshing);
 }
 
 nlohmann::ordered_json to_json(const ToolResult& result, bool is_cage) {
@@ -159,7 +143,7 @@ std::string markdown(const Comparison& comparison) {
     text += fmt::format("\n{} {}: {}\n\n{}", result.is_cage ? "###" : "##", result.name,
                         result.about, case_table(result));
   }
-  return text + commands(comparison);
+  return text + remesh_section(comparison.remeshing) + commands(comparison);
 }
 
 nlohmann::ordered_json to_json(const Comparison& comparison) {
@@ -185,6 +169,10 @@ nlohmann::ordered_json to_json(const Comparison& comparison) {
     nlohmann::ordered_json tools = nlohmann::ordered_json::array();
     for (const ToolResult& tool : result.tools) tools.push_back(to_json(tool, result.is_cage));
     json["cases"].push_back({{"name", result.name}, {"about", result.about}, {"tools", tools}});
+  }
+  json["remeshing"] = nlohmann::ordered_json::array();
+  for (const RemeshResult& result : comparison.remeshing) {
+    json["remeshing"].push_back(to_json(result));
   }
   return json;
 }

@@ -7,6 +7,7 @@
 
 #include "compare/comparison.hh"
 #include "compare/peers.hh"
+#include "compare/remesh_comparison.hh"
 #include "pictures/machine.hh"
 
 namespace surfmesh::compare {
@@ -19,6 +20,7 @@ struct Comparison {
   int rounds = 0;
   double time_limit = 0;
   std::vector<CaseResult> cases;
+  std::vector<RemeshResult> remeshing = {};
 };
 
 /// The whole in Markdown: the machine, the tools, a table for each case, the commands.

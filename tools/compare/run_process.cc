@@ -53,7 +53,8 @@ double seconds(const timeval& time) {
 void wait_for(pid_t process, double time_limit, ProcessRun& run) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds kPause{5};
-  const auto end = Clock::now() + std::chrono::duration<double>(time_limit);
+  const auto start = Clock::now();
+  const auto end = start + std::chrono::duration<double>(time_limit);
   int status = 0;
   rusage usage = {};
   for (pid_t ended = 0; ended == 0;) {
@@ -68,6 +69,7 @@ void wait_for(pid_t process, double time_limit, ProcessRun& run) {
       std::this_thread::sleep_for(kPause);
     }
   }
+  run.clock_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   run.processor_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
   if (WIFSIGNALED(status)) run.signal = WTERMSIG(status);
   if (WIFEXITED(status)) run.status = WEXITSTATUS(status);

@@ -13,6 +13,7 @@ using Command = std::vector<std::string>;
 /// What a finished process was like.
 struct ProcessRun {
   double processor_seconds = 0;  ///< user and system, of the process and its children
+  double clock_seconds = 0;      ///< from its start to its end
   bool is_timed_out = false;
   int signal = 0;   ///< that ended it, 0 for none
   int status = 0;   ///< its exit status, if no signal ended it

@@ -5,10 +5,13 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "compare/cage_comparison.hh"
 #include "compare/chart.hh"
 #include "compare/plane_comparison.hh"
+#include "compare/remesh_comparison.hh"
+#include "compare/remesh_text.hh"
 #include "compare/report_text.hh"
 #include "compare/run_process.hh"
 #include "compare/triangle_file.hh"
@@ -22,7 +25,12 @@ namespace {
 struct Arguments {
   std::filesystem::path output = "out/compare";
   Settings settings;
+  std::set<std::string> parts;  ///< of the comparison; all if it is empty
+
+  bool has(const char* part) const { return parts.empty() || parts.count(part) > 0; }
 };
+
+constexpr const char *kPlane = "plane", *kCages = "cages", *kRemeshing = "remeshing";
 
 constexpr int kMostRounds = 99;
 
@@ -33,7 +41,9 @@ void add_to(CLI::App& app, Arguments& arguments) {
   app.add_option("--rounds", settings.rounds, "runs of each tool")
       ->check(CLI::Range(1, kMostRounds))
       ->capture_default_str();
-  app.add_flag("--quick", settings.is_quick, "leave out the mesh of a million triangles");
+  app.add_flag("--quick", settings.is_quick, "leave out what takes long");
+  app.add_option("--only", arguments.parts, "parts of the comparison, instead of all")
+      ->check(CLI::IsMember({kPlane, kCages, kRemeshing}));
   app.add_option("--time-limit", settings.time_limit, "seconds after which a run is stopped")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
@@ -87,6 +97,36 @@ void tell_peers(const Comparison& comparison) {
   }
 }
 
+void compare_cases(const Arguments& arguments, Comparison& comparison) {
+  const auto add = [&](CaseResult result) {
+    fmt::print("{}: {}\n\n{}\n", result.name, result.about, case_table(result));
+    comparison.cases.push_back(std::move(result));
+  };
+  const Settings& settings = arguments.settings;
+  if (arguments.has(kPlane)) {
+    for (const PlaneCase& plane : plane_cases(settings.is_quick)) {
+      add(compare_plane(plane, comparison.peers, settings));
+    }
+  }
+  if (!arguments.has(kCages)) return;
+  for (const std::string& cage : cage_names()) {
+    add(compare_cage(cage, comparison.peers, settings));
+  }
+}
+
+void compare_remeshings(const Arguments& arguments, Comparison& comparison) {
+  const Settings& settings = arguments.settings;
+  for (const RemeshTruth& truth : remesh_truths(settings)) {
+    const RemeshJudge judge(truth.file);
+    for (const RemeshInput& input : remesh_inputs(settings.is_quick)) {
+      const RemeshResult& result = comparison.remeshing.emplace_back(
+          compare_remeshing(truth, judge, input, comparison.peers, settings));
+      fmt::print("{}: {}\n\n{}\n", result.name, result.about, remesh_table(result));
+      write_results(comparison, arguments.output);  // it is a long way to the end
+    }
+  }
+}
+
 void run(Arguments arguments) {
   make_directories(arguments);
   Settings& settings = arguments.settings;
@@ -99,16 +139,8 @@ void run(Arguments arguments) {
   comparison.time_limit = settings.time_limit;
   write_results(comparison, arguments.output);  // an error here should not come after an hour
   tell_peers(comparison);
-  const auto add = [&](CaseResult result) {
-    fmt::print("{}: {}\n\n{}\n", result.name, result.about, case_table(result));
-    comparison.cases.push_back(std::move(result));
-  };
-  for (const PlaneCase& plane : plane_cases(settings.is_quick)) {
-    add(compare_plane(plane, comparison.peers, settings));
-  }
-  for (const std::string& cage : cage_names()) {
-    add(compare_cage(cage, comparison.peers, settings));
-  }
+  compare_cases(arguments, comparison);
+  if (arguments.has(kRemeshing)) compare_remeshings(arguments, comparison);
   comparison.machine.load_after = load_now();
   write_results(comparison, arguments.output);
   fmt::print("Results lie in {}\n", std::filesystem::absolute(arguments.output).string());

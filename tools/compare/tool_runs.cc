@@ -32,6 +32,7 @@ void add_round(const Settings& settings, const ToolTask& task, ToolResult& resul
   result.failure = run_once(settings, task, run);
   if (!result.failure.empty()) return;
   result.processor_seconds.push_back(run.processor_seconds);
+  result.clock_seconds.push_back(run.clock_seconds);
   if (!task.told_seconds) return;
   if (const auto seconds = task.told_seconds(run)) result.meshing_seconds.push_back(*seconds);
 }
