@@ -121,54 +121,127 @@ Chart::Chart(const ChartFrame& frame, std::vector<ChartFace> faces)
     : frame_(frame), faces_(std::move(faces)) {
   if (faces_.empty()) throw Error(ErrorCode::InvalidInput, "a chart has no faces");
   unit_ = faces_[0].surface->domain();
+  const int count = unit_.corner_count();
   double area = 0;
+  std::vector<std::array<Uv, 4>> slopes;  // at the corners of faces
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     std::array<Uv, 4>& corners = corners_.emplace_back();
-    for (int i = 0; i < 4; ++i) {
-      const Uv corner = unit_.corner(std::min(i, unit_.corner_count() - 1));
-      corners[static_cast<std::size_t>(i)] =
-          frame_.project(faces_[f].surface->evaluate(corner, Order::Position).point);
+    slopes.emplace_back();
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Uv corner = unit_.corner(std::min(static_cast<int>(i), count - 1));
+      const Surface& surface = *faces_[f].surface;
+      corners[i] = frame_.project(surface.evaluate(corner, Order::Position).point);
+      const Jet jet = surface.evaluate(surface.beside_roundings(corner), Order::First);
+      const Vec3 normal = jet.du.cross(jet.dv);
+      slopes.back()[i] = (-1 / normal.dot(frame_.normal)) * frame_.step(normal);
     }
     area += doubled_area(corners[0], corners[1], corners[2]) +
             doubled_area(corners[0], corners[2], corners[3]);
-    for (int side = 0; side < unit_.corner_count(); ++side) {
-      if (faces_[f].neighbours[static_cast<std::size_t>(side)].face >= 0) continue;
-      border_.push_back({f, side});
+    for (int side = 0; side < count; ++side) {
+      if (faces_[f].neighbours[static_cast<std::size_t>(side)].face < 0) {
+        border_.push_back({f, side});
+        const Uv along = corners[static_cast<std::size_t>((side + 1) % count)] -
+                         corners[static_cast<std::size_t>(side)];
+        squared_bulge_ = std::max(squared_bulge_, squared_norm(along) / 4);
+      }
     }
   }
   face_size_ = std::sqrt(std::abs(area) / 2 / static_cast<double>(faces_.size()));
+  number_vertices();
+  measure_bends(slopes);
   sort_into_cells();
+}
+
+/// Number the vertices from 0.
+void Chart::number_vertices() {
+  const auto count = static_cast<std::size_t>(unit_.corner_count());
+  std::vector<int> numbers;
+  for (const ChartFace& face : faces_) {
+    numbers.insert(numbers.end(), face.vertices.begin(),
+                   face.vertices.begin() + unit_.corner_count());
+  }
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  for (const ChartFace& face : faces_) {
+    std::array<std::size_t, 4>& vertices = vertices_.emplace_back();
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto found = std::lower_bound(numbers.begin(), numbers.end(), face.vertices[i]);
+      vertices[i] = static_cast<std::size_t>(found - numbers.begin());
+    }
+  }
+  bends_.resize(numbers.size());
+}
+
+/// At each vertex the mean of how slopes change over the faces around it, by their areas. The slope
+/// of a vertex is the mean of those that its faces have there: around an extraordinary vertex they
+/// differ.
+void Chart::measure_bends(const std::vector<std::array<Uv, 4>>& slopes) {
+  const auto count = static_cast<std::size_t>(unit_.corner_count());
+  std::vector<Uv> mean(bends_.size(), Uv{0, 0});
+  std::vector<double> faces(bends_.size(), 0), areas(bends_.size(), 0);
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    for (std::size_t i = 0; i < count; ++i) {
+      mean[vertices_[f][i]] = mean[vertices_[f][i]] + slopes[f][i];
+      faces[vertices_[f][i]] += 1;
+    }
+  }
+  for (std::size_t v = 0; v < mean.size(); ++v) mean[v] = (1 / faces[v]) * mean[v];
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    // Of a quad, that along its diagonals.
+    const std::array<Uv, 4>& c = corners_[f];
+    const auto slope = [&](std::size_t i) { return mean[vertices_[f][i]]; };
+    const bool is_triangle = count == 3;
+    const Uv a = c[is_triangle ? 1 : 2] - c[0], b = is_triangle ? c[2] - c[0] : c[3] - c[1];
+    const Uv along_a = slope(is_triangle ? 1 : 2) - slope(0);
+    const Uv along_b = is_triangle ? slope(2) - slope(0) : slope(3) - slope(1);
+    const double area = cross(a, b);
+    const InverseSteps inverse(a, b);
+    const Bend bend{inverse.row_a.u * along_a.u + inverse.row_b.u * along_b.u,
+                    0.5 * (inverse.row_a.v * along_a.u + inverse.row_b.v * along_b.u +
+                           inverse.row_a.u * along_a.v + inverse.row_b.u * along_b.v),
+                    inverse.row_a.v * along_a.v + inverse.row_b.v * along_b.v};
+    if (!(area > 0)) continue;
+    for (std::size_t i = 0; i < count; ++i) {
+      Bend& sum = bends_[vertices_[f][i]];
+      sum.uu += area * bend.uu;
+      sum.uv += area * bend.uv;
+      sum.vv += area * bend.vv;
+      areas[vertices_[f][i]] += area;
+    }
+  }
+  for (std::size_t v = 0; v < bends_.size(); ++v) {
+    if (areas[v] == 0) continue;
+    bends_[v] = {bends_[v].uu / areas[v], bends_[v].uv / areas[v], bends_[v].vv / areas[v]};
+  }
 }
 
 Jet Chart::evaluate(Uv uv, Order order) const {
   const Found found = find(uv);
-  const Jet of_face = order == Order::Second ? faces_[found.place.face].surface->evaluate(
-                                                   found.place.at, Order::Second)
-                                             : found.jet;
-  Jet jet = in_plane(of_face, order);
+  Jet jet = in_plane(found.jet);
   jet.point += found.miss.u * jet.du + found.miss.v * jet.dv;
   if (!jet.point.allFinite()) {
     throw Error(
         ErrorCode::Geometry,
         fmt::format("the limit surface has no tangent plane at ({}, {}) of a chart", uv.u, uv.v));
   }
-  if (order == Order::Position) jet.du = jet.dv = Vec3::Constant(kUnset);
+  if (order == Order::Position) return {jet.point};
+  if (order == Order::First) return jet;
+  const Bend bend = bend_at(found.place);
+  jet.duu = bend.uu * frame_.normal;
+  jet.duv = bend.uv * frame_.normal;
+  jet.dvv = bend.vv * frame_.normal;
   return jet;
 }
 
-/// A rounding of a face is as it is in the face's own parameters.
-Uv Chart::beside_roundings(Uv uv) const {
-  const Found found = find(uv);
-  if (!found.is_inside) return uv;
-  const Surface& surface = *faces_[found.place.face].surface;
-  const Uv beside = surface.beside_roundings(found.place.at);
-  if (beside == found.place.at) return uv;
-  return frame_.project(surface.evaluate(beside, Order::Position).point);
-}
-
+/// The place of a point, to first order from where the search has ended.
 CagePlace Chart::place(Uv uv) const {
-  const FacePoint point = find(uv).place;
-  return cage_place(*faces_[point.face].surface, point.at);
+  const Found found = find(uv);
+  Uv at = found.place.at;
+  if (found.is_inside) {
+    const InverseSteps inverse(frame_.step(found.jet.du), frame_.step(found.jet.dv));
+    at = pulled_in(unit_, at + inverse(found.miss));
+  }
+  return cage_place(*faces_[found.place.face].surface, at);
 }
 
 std::optional<Vec3> Chart::point_on_faces(Uv uv) const {
@@ -179,28 +252,35 @@ std::optional<Vec3> Chart::point_on_faces(Uv uv) const {
 
 /// Derivatives by the parameters of a face become those by the coordinates in the plane: at a fixed
 /// point of the plane the surface moves along the normal only.
-Jet Chart::in_plane(const Jet& jet, Order order) const {
+Jet Chart::in_plane(const Jet& jet) const {
   const InverseSteps inverse(frame_.step(jet.du), frame_.step(jet.dv));
-  // Columns of the inverse: how the parameters of the face change along u and v.
-  const Uv by_u{inverse.row_a.u, inverse.row_b.u}, by_v{inverse.row_a.v, inverse.row_b.v};
   Jet result;
   result.point = jet.point;
-  result.du = by_u.u * jet.du + by_u.v * jet.dv;
-  result.dv = by_v.u * jet.du + by_v.v * jet.dv;
-  if (order != Order::Second) return result;
-  const auto second = [&](Uv a, Uv b) {
-    const Vec3 bent = a.u * b.u * jet.duu + (a.u * b.v + a.v * b.u) * jet.duv + a.v * b.v * jet.dvv;
-    const Uv shift = inverse(frame_.step(bent));
-    return Vec3(bent - shift.u * jet.du - shift.v * jet.dv);
-  };
-  result.duu = second(by_u, by_u);
-  result.duv = second(by_u, by_v);
-  result.dvv = second(by_v, by_v);
+  result.du = inverse.row_a.u * jet.du + inverse.row_b.u * jet.dv;
+  result.dv = inverse.row_a.v * jet.du + inverse.row_b.v * jet.dv;
   return result;
 }
 
+Chart::Bend Chart::bend_at(const FacePoint& place) const {
+  const double s = place.at.u, t = place.at.v;
+  const bool is_triangle = unit_.shape == Domain::Shape::Triangle;
+  const std::array<double, 4> weights =
+      is_triangle ? std::array<double, 4>{1 - s - t, s, t, 0}
+                  : std::array<double, 4>{(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
+  Bend sum;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(unit_.corner_count()); ++i) {
+    const Bend& bend = bends_[vertices_[place.face][i]];
+    sum.uu += weights[i] * bend.uu;
+    sum.uv += weights[i] * bend.uv;
+    sum.vv += weights[i] * bend.vv;
+  }
+  return sum;
+}
+
 Chart::Found Chart::find(Uv uv) const {
-  const Found first = search(uv, start(uv));
+  const Start from = start(uv);
+  if (from.is_far_beyond) return look(uv, from.place);
+  const Found first = search(uv, from.place);
   if (first.is_inside || !has_cell(uv)) return first;
   // Around an extraordinary vertex derivatives may lead in circles. Then one of the faces there has
   // the point.
@@ -263,21 +343,23 @@ Chart::Move Chart::go(const FacePoint& place, Uv step) const {
 }
 
 /// A place near a point, which Newton's method starts from.
-Chart::FacePoint Chart::start(Uv uv) const {
+Chart::Start Chart::start(Uv uv) const {
   if (!std::isfinite(uv.u) || !std::isfinite(uv.v)) {
     throw Error(ErrorCode::Geometry, "a chart is evaluated at a point that is not finite");
   }
   if (has_cell(uv)) {
     const std::size_t cell = row(uv.v) * columns_ + column(uv.u);
     for (std::size_t i = first_[cell]; i < first_[cell + 1]; ++i) {
-      if (contains(in_cells_[i], uv)) return place_in(in_cells_[i], uv);
+      if (contains(in_cells_[i], uv)) return {place_in(in_cells_[i], uv)};
     }
   }
   return nearest_on_border(uv);
 }
 
-Chart::FacePoint Chart::nearest_on_border(Uv uv) const {
-  FacePoint best;
+/// Sides may bulge beyond the line between their ends, but not by half of their length; and the
+/// nearest line may be that of a shorter one.
+Chart::Start Chart::nearest_on_border(Uv uv) const {
+  Start best;
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [face, side] : border_) {
     const std::array<Uv, 4>& c = corners_[face];
@@ -289,16 +371,18 @@ Chart::FacePoint Chart::nearest_on_border(Uv uv) const {
     const double distance = squared_norm(to - share * along);
     if (distance >= least) continue;
     least = distance;
-    best = {face, on_side(unit_, side, share)};
+    best = {{face, on_side(unit_, side, share)}, distance > squared_bulge_};
   }
   return best;
 }
 
+/// A point on a common side is in one of both faces, whose corners differ by rounding.
 bool Chart::contains(std::size_t face, Uv uv) const {
   const std::array<Uv, 4>& c = corners_[face];
+  const double rounding = kBeyond * face_size_ * face_size_;
   const std::size_t count = static_cast<std::size_t>(unit_.corner_count());
   for (std::size_t side = 0; side < count; ++side) {
-    if (doubled_area(c[side], c[(side + 1) % count], uv) < 0) return false;
+    if (doubled_area(c[side], c[(side + 1) % count], uv) < -rounding) return false;
   }
   return true;
 }

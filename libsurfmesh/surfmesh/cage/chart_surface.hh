@@ -36,25 +36,31 @@ struct ChartFace {
   };
 
   std::shared_ptr<const Surface> surface;
+  std::array<int, 4> vertices = {-1, -1, -1, -1};  ///< numbers that tell the corners apart
   std::array<Neighbour, 4> neighbours = {};
 };
 
 /// A part of a limit surface of many small faces, as the graph of a function over a plane.
 ///
-/// Beyond its faces it goes on in tangent planes; second derivatives there are those at the border,
-/// for sizes that follow curvature.
+/// Second derivatives are for sizes: they come from the normals at the vertices of the faces, and
+/// are linear in between; the roundings of semi-sharp creases have no part in them. Those of the
+/// limit surface itself ripple within faces, most around
+/// extraordinary vertices, where they may have no bounds. Beyond its faces the chart goes on in
+/// tangent planes, with the second derivatives at their border.
 class Chart {
  public:
   /// Pre      each face, seen along the normal of the frame, turns counter-clockwise and covers no
   ///          part of another one
-  /// Cost     an evaluation for each corner of a face, and O(n) for n faces
+  /// Cost     an evaluation for each corner of a face, and O(n log n) for n faces
   /// Throws   InvalidInput if there are no faces
   Chart(const ChartFrame& frame, std::vector<ChartFace> faces);
 
   /// The surface above a point of the plane.
   ///
-  /// Error    positions 1e-14 of a face, derivatives 1e-7 (test Chart.IsThatOfItsFaces)
-  /// Cost     three to four evaluations of a face, five with second derivatives
+  /// Error    positions 1e-13 of a face, first derivatives 1e-6 (test ChartTest.IsThatOfItsFaces)
+  /// Cost     three to four evaluations of a face, and more near its border; far beyond it, one,
+  /// and
+  ///          O(n) for n sides of the border
   /// Throws   Geometry if the point is not finite, or the surface has no tangent plane there
   Jet evaluate(Uv uv, Order order) const;
 
@@ -63,9 +69,6 @@ class Chart {
 
   /// The place on the cage of a point of the plane; beyond all faces the nearest one.
   CagePlace place(Uv uv) const;
-
-  /// See Surface::beside_roundings. A rounding is as it is in the parameters of its face.
-  Uv beside_roundings(Uv uv) const;
 
   const ChartFrame& frame() const { return frame_; }
 
@@ -101,15 +104,29 @@ class Chart {
     int side = 0;
   };
 
-  FacePoint start(Uv uv) const;
-  FacePoint nearest_on_border(Uv uv) const;
+  /// Where a search starts.
+  struct Start {
+    FacePoint place;
+    bool is_far_beyond = false;  ///< all faces: no search is needed
+  };
+
+  /// The upper half of a symmetric matrix: how the slope of the surface over the plane changes.
+  struct Bend {
+    double uu = 0, uv = 0, vv = 0;
+  };
+
+  Start start(Uv uv) const;
+  Start nearest_on_border(Uv uv) const;
   FacePoint place_in(std::size_t face, Uv uv) const;
   bool contains(std::size_t face, Uv uv) const;
   Found find(Uv uv) const;
   Found look(Uv uv, const FacePoint& place) const;
   Found search(Uv uv, const FacePoint& from) const;
   Move go(const FacePoint& place, Uv step) const;
-  Jet in_plane(const Jet& jet, Order order) const;
+  Jet in_plane(const Jet& jet) const;
+  Bend bend_at(const FacePoint& place) const;
+  void number_vertices();
+  void measure_bends(const std::vector<std::array<Uv, 4>>& slopes);
   bool has_cell(Uv uv) const;
   std::size_t column(double u) const;
   std::size_t row(double v) const;
@@ -121,6 +138,9 @@ class Chart {
   std::vector<std::array<Uv, 4>> corners_;  ///< of the faces, in the plane
   std::vector<BorderSide> border_;
   double face_size_ = 0;
+  double squared_bulge_ = 0;  ///< how far sides of the border may be from their lines, at most
+  std::vector<std::array<std::size_t, 4>> vertices_;  ///< of the faces, into `bends_`
+  std::vector<Bend> bends_;                           ///< at the vertices
   // A grid over the corners.
   Uv lower_{0, 0}, upper_{0, 0};
   std::size_t columns_ = 1, rows_ = 1;
@@ -141,7 +161,6 @@ class ChartSurface : public CageSurface {
   Jet evaluate(Uv uv, Order order) const override { return chart_->evaluate(uv, order); }
   Domain domain() const override { return domain_; }
   CellCount cells() const override { return cells_; }
-  Uv beside_roundings(Uv uv) const override { return chart_->beside_roundings(uv); }
 
   /// Cost     that of an evaluation of first order
   CagePlace place(Uv uv) const override { return chart_->place(uv); }

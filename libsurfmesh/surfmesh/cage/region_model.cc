@@ -80,6 +80,7 @@ class RegionSurfaces {
     for (const int face : all) {
       ChartFace chart_face{surfaces_[index(face)]};
       for (int i = 0; i < neighbours_.corner_count(); ++i) {
+        chart_face.vertices[index(i)] = neighbours_.vertex({face, i});
         const Side beyond = neighbours_.across({face, i});
         if (beyond.face < 0) continue;
         chart_face.neighbours[index(i)] = {place_of(beyond.face), beyond.side};
