@@ -134,15 +134,12 @@ TEST(RegionModel, CreasesAndBordersStayAtTheEdges) {
   EXPECT_FALSE(crease->is_smooth);
   EXPECT_EQ(contours_with(model, 2), 1U);
   EXPECT_EQ(crease->part_count(), 20);
-  for (int i = 0; i <= 20; ++i) {
-    // The limit positions of regular vertices on a crease: a cubic B-spline.
-    const auto at = [&](int j) { return cage.points[static_cast<std::size_t>(j * 21 + 10)]; };
-    const double t = crease->start < crease->end ? i / 20.0 : 1 - i / 20.0;
-    const Vec3 point = model.point(crease->uses[0], t);
-    if (i == 0 || i == 20) continue;
-    const Vec3 expected = (at(i - 1) + 4 * at(i) + at(i + 1)) / 6;
-    const Vec3 mirrored = (at(19 - i + 2) + 4 * at(20 - i) + at(19 - i)) / 6;
-    EXPECT_LT(std::min((point - expected).norm(), (point - mirrored).norm()), 1e-12);
+  // The limit positions of regular vertices on a crease: a cubic B-spline, from either end.
+  const auto at = [&](int j) { return cage.points[static_cast<std::size_t>(j * 21 + 10)]; };
+  const bool is_upward = model.position(crease->start).y() < model.position(crease->end).y();
+  for (int i = 1; i < 20; ++i) {
+    const Vec3 point = model.point(crease->uses[0], (is_upward ? i : 20 - i) / 20.0);
+    EXPECT_LT((point - (at(i - 1) + 4 * at(i) + at(i + 1)) / 6).norm(), 1e-12) << i;
   }
 }
 

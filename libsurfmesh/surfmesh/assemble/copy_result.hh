@@ -141,8 +141,7 @@ void update_normals(Mesh& target) {
 /// elements.
 ///
 /// Reads    surf:patch (face), surf:contour (edge), surf:uv and surf:metric (halfedge);
-/// surf:normal,
-///          surf:beyond and surf:texture (halfedge) if they are there
+///          surf:normal, surf:beyond and surf:texture (halfedge) if they are there
 /// Writes   the same, and what the target has requested: texture coordinates of halfedges, from
 ///          surf:texture if it is there, else from surf:uv, 0 on the boundary's; normals of
 ///          halfedges, from surf:normal if it is there; other normals, of the triangles

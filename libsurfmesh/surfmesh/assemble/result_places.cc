@@ -125,7 +125,8 @@ CageShares ResultPlaces::of_vertex(VertexHandle vertex) const {
 CageShares ResultPlaces::of_corner(HalfedgeHandle corner) const {
   const auto [at, inward] = start_at(corner);
   CagePlace place = place_at(at.patch, at.uv + kInside * inward);
-  // Back by as much in the same face, for its parameters are linear in those of the patch.
+  // Back by as much in the same face, for so near to it its parameters are linear in those
+  // of the patch.
   const CagePlace further = place_at(at.patch, at.uv + 2 * kInside * inward);
   if (further.face == place.face && further.part == place.part) {
     place.uv = place.uv - (further.uv - place.uv);

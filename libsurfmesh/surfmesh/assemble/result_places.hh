@@ -37,13 +37,16 @@ class ResultPlaces {
 
   /// Where a vertex lies; on the border of two faces of the cage, on one of them.
   ///
-  /// Cost     0.2 µs
+  /// Cost     0.2 µs; in regions of faces, four evaluations of a face
   CageShares of_vertex(VertexHandle vertex) const;
 
   /// Where a corner lies, seen from its face; `corner` is the halfedge that leads to it, in a face.
   ///
-  /// Error    rounding; where the surface of a patch is not made of single faces, 1e-12 of these
-  /// Cost     0.3 µs; an evaluation more where the face lies across the contour at the corner
+  /// Error    rounding; where the surface of a patch is not made of single faces, 1e-12 of these,
+  /// and
+  ///          1e-9 in regions
+  /// Cost     0.3 µs, in regions of faces eight evaluations of a face; an evaluation more where the
+  /// face lies across the contour at the corner
   CageShares of_corner(HalfedgeHandle corner) const;
 
  private:

@@ -381,11 +381,6 @@ Model model_of_regions(const FaceNeighbours& neighbours, const RefinedCage& regu
   return model;
 }
 
-/// True if regions make a model of far fewer patches than blocks, or than faces.
-bool are_far_fewer(std::size_t regions, std::size_t others) {
-  return others >= kManyPatches && kFewerPatches * regions <= others;
-}
-
 /// `faces` tells for each face of the regular cage what it is of the cage as given.
 Model model_of_regular(const RefinedCage& regular, const std::vector<FaceOfCage>& faces,
                        Scheme scheme, const CageOptions& options) {
@@ -396,13 +391,16 @@ Model model_of_regular(const RefinedCage& regular, const std::vector<FaceOfCage>
   const FaceNeighbours neighbours(*topology.refiner, sets);
   std::vector<FaceRegion> regions;
   std::vector<Block> blocks;
-  if (has_regions(options.patches, scheme)) regions = gather_regions(neighbours, surfaces);
   if (options.patches != PatchKind::Regions || scheme == Scheme::Bilinear) {
     blocks = has_blocks(options.patches, scheme)
                  ? gather_blocks(*topology.refiner, sets, regular.cage.points)
                  : single_faces(sets);
   }
-  const bool takes_regions = blocks.empty() || are_far_fewer(regions.size(), blocks.size());
+  const bool may_have_regions = blocks.empty() || blocks.size() >= kManyPatches;
+  if (may_have_regions && has_regions(options.patches, scheme)) {
+    regions = gather_regions(neighbours, surfaces);
+  }
+  const bool takes_regions = blocks.empty() || kFewerPatches * regions.size() <= blocks.size();
   Model model = !regions.empty() && takes_regions
                     ? model_of_regions(neighbours, regular, surfaces, regions)
                     : model_of_blocks(topology, regular, surfaces, blocks, scheme);

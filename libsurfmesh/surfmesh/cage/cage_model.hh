@@ -10,7 +10,7 @@
 namespace surfmesh {
 
 /// What becomes a patch of a cage: a face, a rectangular block of faces, or a region of faces over
-/// a plane. Auto: blocks.
+/// a plane. Auto: see model_from_cage.
 enum class PatchKind { Auto, Faces, Blocks, Regions };
 
 /// Which surface a cage stands for: its limit surface, or that of the same connectivity which
@@ -70,10 +70,10 @@ struct CageOptions {
 /// mend_cage); those of the cage itself are not repeated.
 ///
 /// Cost     a few milliseconds for 1,000 faces, in addition to the limit surfaces
-/// Error    see make_limit_surfaces and model_of_regions; uses of a contour agree to 1e-9 of the
-/// cage's diagonal (test
-///          CageModel.UsesOfAContourAgree), except for Chaikin creases of changing sharpness, where
-///          they may differ by 1e-3, with a warning
+/// Error    see make_limit_surfaces; uses of a contour agree to 1e-9 of the cage's diagonal (test
+///          CageModel.UsesOfAContourAgree), those between regions to 1e-8 (see model_of_regions),
+///          except for Chaikin creases of changing sharpness, where they may differ by 1e-3, with a
+///          warning
 /// Throws   InvalidInput for a cage that cannot be subdivided or has no face with a limit surface;
 ///          InvalidOption
 Model model_from_cage(const Cage& cage, const CageOptions& options = {});

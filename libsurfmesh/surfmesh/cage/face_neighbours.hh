@@ -46,7 +46,7 @@ class FaceNeighbours {
   Side neighbour(Side side) const;
 
   OpenSubdiv::Far::TopologyLevel level_;
-  const std::vector<int>& sets_;
+  std::vector<int> sets_;
   int corner_count_;
   std::vector<Side> across_;  ///< by face and side
 };

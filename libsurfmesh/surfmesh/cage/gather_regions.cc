@@ -259,7 +259,8 @@ class RegionGatherer {
     return faces;
   }
 
-  /// Seeds become the faces nearest to the middles of their regions.
+  /// Seeds become the faces nearest to the middles of their regions, and their planes those of the
+  /// mean normals, where all faces lie over these.
   void move_seeds() {
     const std::vector<std::vector<int>> faces = faces_by_region();
     for (std::size_t r = 0; r < seeds_.size(); ++r) {
@@ -273,6 +274,9 @@ class RegionGatherer {
       }
       centre /= area;
       normal.normalize();
+      const bool all_fit = std::all_of(faces[r].begin(), faces[r].end(),
+                                       [&](int f) { return fits(f, normal, kMostTurn); });
+      if (!all_fit) normal = seeds_[r].axis;
       Seed seed;
       double least = std::numeric_limits<double>::infinity();
       for (const int f : faces[r]) {
@@ -447,9 +451,13 @@ class ChartMaker {
              const std::vector<std::shared_ptr<const Surface>>& surfaces)
       : neighbours_(neighbours), shapes_(shapes), surfaces_(surfaces), marks_(shapes.size(), 0) {}
 
-  /// The region of the faces; nothing if their chart would cover itself.
+  /// The region of the faces; nothing if they turn too far, or their chart would cover itself.
   std::optional<FaceRegion> make(const std::vector<int>& faces, const Vec3& axis) {
     FaceRegion region{faces, true, frame_of(faces, axis)};
+    const bool all_fit = std::all_of(faces.begin(), faces.end(), [&](int face) {
+      return turn_from(shape(face), axis) <= kMostTurnOfRest;
+    });
+    if (!all_fit) return std::nullopt;
     ++mark_;
     for (const int face : region.faces) mark(face) = mark_;
     if (!lies_side_by_side(region.faces, region.frame)) return std::nullopt;

@@ -46,7 +46,8 @@ struct RegionBorders {
 ///
 /// Chains end where not just two border edges meet, at corners, where creases begin, where faces
 /// left out of the cage leave a corner, and at the corners of single faces. So that a loop
-/// has three chains at least, and none that is closed, they also end in between.
+/// has three chains at least, and none that is closed but for those of two edges, they also end in
+/// between.
 /// Cost     O(faces)
 RegionBorders find_borders(const FaceNeighbours& neighbours,
                            const std::vector<FaceRegion>& regions);

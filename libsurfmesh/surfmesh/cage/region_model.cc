@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <utility>
 
 #include "surfmesh/cage/region_borders.hh"
@@ -166,28 +167,31 @@ class CrossingMender {
   }
 
   void run() {
-    std::vector<char> is_due(borders_.loops.size(), 1);
-    bool is_any_due = true;
-    while (is_any_due) {
-      is_any_due = false;
-      std::vector<char> is_next(borders_.loops.size(), 0);
-      for (std::size_t r = 0; r < borders_.loops.size(); ++r) {
-        if (!is_due[r] || !surfaces_.is_chart(static_cast<int>(r))) continue;
-        for (const int chain : crossing_chains(r)) {
-          if (!std::exchange(is_smooth_[static_cast<std::size_t>(chain)], char{0})) continue;
-          const BorderChain& border = borders_.chains[static_cast<std::size_t>(chain)];
-          curves_[static_cast<std::size_t>(chain)] = maker_.along_edges(border);
-          for (const BorderChain::Use& use : border.uses) {
-            is_next[static_cast<std::size_t>(use.region)] = 1;
-          }
-          is_any_due = true;
-        }
+    std::vector<std::size_t> due;
+    for (std::size_t r = 0; r < borders_.loops.size(); ++r) {
+      if (surfaces_.is_chart(static_cast<int>(r))) due.push_back(r);
+    }
+    while (!due.empty()) {
+      std::vector<std::vector<int>> crossing(due.size());
+      share_indices(due.size(), [&](std::size_t i) { crossing[i] = crossing_chains(due[i]); });
+      std::set<std::size_t> changed;
+      for (const std::vector<int>& chains : crossing) {
+        for (const int chain : chains) lay_along_edges(static_cast<std::size_t>(chain), changed);
       }
-      is_due = std::move(is_next);
+      due.assign(changed.begin(), changed.end());
     }
   }
 
  private:
+  /// Collects the charts whose borders change.
+  void lay_along_edges(std::size_t chain, std::set<std::size_t>& changed) {
+    if (!std::exchange(is_smooth_[chain], char{0})) return;
+    curves_[chain] = maker_.along_edges(borders_.chains[chain]);
+    for (const BorderChain::Use& use : borders_.chains[chain].uses) {
+      if (surfaces_.is_chart(use.region)) changed.insert(static_cast<std::size_t>(use.region));
+    }
+  }
+
   /// The chains of a region whose curves cross.
   std::vector<int> crossing_chains(std::size_t region) const {
     std::vector<detail::NodeLoop> loops;

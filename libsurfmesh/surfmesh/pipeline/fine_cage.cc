@@ -56,9 +56,14 @@ std::vector<double> inner_lengths(const Model& model,
 
 /// What helps where the cage is a mesh.
 std::string advice(const Model& model) {
-  if (!model.fits.empty()) return "its own edges divide its surface";
-  return fmt::format("if it is a mesh of a surface, {} = interpolate keeps that surface",
-                     ranges::kSurface.name);
+  const bool is_of_meshes = std::all_of(
+      model.patches.begin(), model.patches.end(),
+      [](const Patch& patch) { return patch.cage == nullptr || patch.is_interpolating; });
+  if (!is_of_meshes) {
+    return fmt::format("if it is a mesh of a surface, {} = interpolate keeps that surface",
+                       ranges::kSurface.name);
+  }
+  return fmt::format("{} = regions may make fewer patches", ranges::kPatches.name);
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ struct MeshResult {
 /// boundary it is told of a stage "estimate", whose total is about the number of elements to come.
 ///
 /// Writes   of the result: surf:patch (face), surf:contour (edge), surf:uv, surf:metric (halfedge),
-///          surf:normal and surf:texture (halfedge) if they are asked for, surf:sag (face) if a
-///          sag is
+///          surf:normal and surf:texture (halfedge) if they are asked for,
+///          surf:sag (face) if a sag is
 /// Cost     about 2 µs per triangle. Sizes that ask for more than max_elements are refused before
 ///          the mesh is begun, mostly within milliseconds
 /// Throws   InvalidOption, InvalidInput, Geometry, Limit, Cancelled

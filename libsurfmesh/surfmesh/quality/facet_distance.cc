@@ -179,7 +179,8 @@ OneWayDistance one_way(const FacetSamples& samples, const Facets& others, const 
 Facets facets_of(const PolyMesh& mesh, const std::vector<char>& patches) {
   std::vector<Vec3> points;
   points.reserve(mesh.n_vertices());
-  for (const VertexHandle vh : mesh.vertices()) points.push_back(to_eigen(mesh.point(vh)));
+  // Also deleted ones, so that the numbers of the others hold.
+  for (const VertexHandle vh : mesh.all_vertices()) points.push_back(to_eigen(mesh.point(vh)));
   FacetCollector collector(std::move(points));
   decltype(keys::face_patch)::Handle patch_of;
   if (!patches.empty()) patch_of = require(mesh, keys::face_patch);
