@@ -21,6 +21,13 @@ constexpr double kMiss = 1e-7;
 /// Steps of Newton's method and from face to face, of which five are usual.
 constexpr int kMostSteps = 60;
 
+/// Slope of a chart that its faces never have: they turn by 65° at most. The slopes of vertices are
+/// cut at it.
+constexpr double kMostSlope = 4;
+
+/// How much the slope changes over the width of a face, at most: more is that of slivers.
+constexpr double kMostBend = 4;
+
 /// Faces around a corner that are gone through one after the other, at most.
 constexpr int kMostTurns = 8;
 
@@ -78,6 +85,13 @@ Uv middle_of(const Domain& domain) {
   return domain.shape == Domain::Shape::Triangle ? Uv{1.0 / 3, 1.0 / 3} : Uv{0.5, 0.5};
 }
 
+/// Shares of the corners in a point: barycentric in a triangle, bilinear in a square.
+std::array<double, 4> corner_weights(const Domain& domain, Uv at) {
+  const double s = at.u, t = at.v;
+  if (domain.shape == Domain::Shape::Triangle) return {1 - s - t, s, t, 0};
+  return {(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
+}
+
 /// Where a step leaves a domain.
 struct Exit {
   int side = -1;
@@ -133,7 +147,7 @@ Chart::Chart(const ChartFrame& frame, std::vector<ChartFace> faces)
       corners[i] = frame_.project(surface.evaluate(corner, Order::Position).point);
       const Jet jet = surface.evaluate(surface.beside_roundings(corner), Order::First);
       const Vec3 normal = jet.du.cross(jet.dv);
-      slopes.back()[i] = (-1 / normal.dot(frame_.normal)) * frame_.step(normal);
+      slopes.back()[i] = slope_of(normal);
     }
     area += doubled_area(corners[0], corners[1], corners[2]) +
             doubled_area(corners[0], corners[2], corners[3]);
@@ -150,6 +164,16 @@ Chart::Chart(const ChartFrame& frame, std::vector<ChartFace> faces)
   number_vertices();
   measure_bends(slopes);
   sort_into_cells();
+}
+
+/// The slope of a plane over that of the chart.
+Uv Chart::slope_of(const Vec3& normal) const {
+  const Uv across = frame_.step(normal);
+  const double steepness = std::hypot(across.u, across.v);
+  const double upward = normal.dot(frame_.normal);
+  if (!(steepness > 0)) return {0, 0};
+  const bool is_wall = !(steepness <= kMostSlope * upward);
+  return (is_wall ? -kMostSlope / steepness : -1 / upward) * across;
 }
 
 /// Number the vertices from 0.
@@ -177,7 +201,8 @@ void Chart::number_vertices() {
 /// differ.
 void Chart::measure_bends(const std::vector<std::array<Uv, 4>>& slopes) {
   const auto count = static_cast<std::size_t>(unit_.corner_count());
-  std::vector<Uv> mean(bends_.size(), Uv{0, 0});
+  std::vector<Uv>& mean = slopes_;
+  mean.assign(bends_.size(), Uv{0, 0});
   std::vector<double> faces(bends_.size(), 0), areas(bends_.size(), 0);
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -211,13 +236,15 @@ void Chart::measure_bends(const std::vector<std::array<Uv, 4>>& slopes) {
   }
   for (std::size_t v = 0; v < bends_.size(); ++v) {
     if (areas[v] == 0) continue;
-    bends_[v] = {bends_[v].uu / areas[v], bends_[v].uv / areas[v], bends_[v].vv / areas[v]};
+    const double most = kMostBend / face_size_;
+    const auto cut = [&](double sum) { return std::clamp(sum / areas[v], -most, most); };
+    bends_[v] = {cut(bends_[v].uu), cut(bends_[v].uv), cut(bends_[v].vv)};
   }
 }
 
 Jet Chart::evaluate(Uv uv, Order order) const {
   const Found found = find(uv);
-  Jet jet = in_plane(found.jet);
+  Jet jet = tangent_at(found);
   jet.point += found.miss.u * jet.du + found.miss.v * jet.dv;
   if (!jet.point.allFinite()) {
     throw Error(
@@ -261,12 +288,25 @@ Jet Chart::in_plane(const Jet& jet) const {
   return result;
 }
 
+/// Where nothing was found, and where the derivatives next to an extraordinary vertex make a wall
+/// of the surface, the slopes of the vertices tell the tangent plane.
+Jet Chart::tangent_at(const Found& found) const {
+  if (found.is_inside) {
+    const Jet jet = in_plane(found.jet);
+    const double steepest = std::max(jet.du.squaredNorm(), jet.dv.squaredNorm());
+    if (steepest <= 1 + kMostSlope * kMostSlope) return jet;
+  }
+  const std::array<double, 4> weights = corner_weights(unit_, found.place.at);
+  Uv slope{0, 0};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(unit_.corner_count()); ++i) {
+    slope = slope + weights[i] * slopes_[vertices_[found.place.face][i]];
+  }
+  return {found.jet.point, frame_.along_u + slope.u * frame_.normal,
+          frame_.along_v + slope.v * frame_.normal};
+}
+
 Chart::Bend Chart::bend_at(const FacePoint& place) const {
-  const double s = place.at.u, t = place.at.v;
-  const bool is_triangle = unit_.shape == Domain::Shape::Triangle;
-  const std::array<double, 4> weights =
-      is_triangle ? std::array<double, 4>{1 - s - t, s, t, 0}
-                  : std::array<double, 4>{(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
+  const std::array<double, 4> weights = corner_weights(unit_, place.at);
   Bend sum;
   for (std::size_t i = 0; i < static_cast<std::size_t>(unit_.corner_count()); ++i) {
     const Bend& bend = bends_[vertices_[place.face][i]];
@@ -284,12 +324,13 @@ Chart::Found Chart::find(Uv uv) const {
   if (first.is_inside || !has_cell(uv)) return first;
   // Around an extraordinary vertex derivatives may lead in circles. Then one of the faces there has
   // the point.
+  Found best = first;
   const std::size_t cell = row(uv.v) * columns_ + column(uv.u);
-  for (std::size_t i = first_[cell]; i < first_[cell + 1]; ++i) {
+  for (std::size_t i = first_[cell]; i < first_[cell + 1] && !best.is_inside; ++i) {
     const Found found = search(uv, {in_cells_[i], middle_of(unit_)});
-    if (found.is_inside) return found;
+    if (squared_norm(found.miss) < squared_norm(best.miss)) best = found;
   }
-  return first;
+  return best;
 }
 
 Chart::Found Chart::look(Uv uv, const FacePoint& place) const {
@@ -301,13 +342,13 @@ Chart::Found Chart::look(Uv uv, const FacePoint& place) const {
 /// Newton's method from a place on. Near an extraordinary vertex derivatives may be a few times too
 /// small; so a step that leads away is halved.
 Chart::Found Chart::search(Uv uv, const FacePoint& from) const {
-  Found found = look(uv, from);
+  Found found = look(uv, from), best = found;
   double share = 1, miss_at_border = std::numeric_limits<double>::infinity();
   int turns = 0, slow_steps = 0;
   for (int step = 0; step < kMostSteps && !found.is_inside; ++step) {
     const Uv wanted =
         InverseSteps(frame_.step(found.jet.du), frame_.step(found.jet.dv))(found.miss);
-    if (!std::isfinite(wanted.u) || !std::isfinite(wanted.v)) return found;
+    if (!std::isfinite(wanted.u) || !std::isfinite(wanted.v)) break;
     const Move move = go(found.place, share * wanted);
     const double miss = squared_norm(found.miss);
     turns = move.is_turn ? turns + 1 : 0;
@@ -315,13 +356,14 @@ Chart::Found Chart::search(Uv uv, const FacePoint& from) const {
       slow_steps += miss > kNearer * miss_at_border ? 1 : 0;
       miss_at_border = miss;
     }
-    if (turns > kMostTurns || slow_steps > kMostSlowSteps) return found;
+    if (turns > kMostTurns || slow_steps > kMostSlowSteps) break;
     const Found next = look(uv, move.to);
     const bool is_too_far = move.is_within_face && squared_norm(next.miss) > miss;
     share = is_too_far ? share / 2 : std::min(1.0, 2 * share);
     if (!is_too_far) found = next;
+    if (squared_norm(found.miss) < squared_norm(best.miss)) best = found;
   }
-  return found;
+  return best;
 }
 
 /// Go a step within a face, into the neighbour where it leaves the face, or along the border where

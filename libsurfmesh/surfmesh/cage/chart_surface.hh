@@ -124,6 +124,8 @@ class Chart {
   Found search(Uv uv, const FacePoint& from) const;
   Move go(const FacePoint& place, Uv step) const;
   Jet in_plane(const Jet& jet) const;
+  Jet tangent_at(const Found& found) const;
+  Uv slope_of(const Vec3& normal) const;
   Bend bend_at(const FacePoint& place) const;
   void number_vertices();
   void measure_bends(const std::vector<std::array<Uv, 4>>& slopes);
@@ -140,7 +142,8 @@ class Chart {
   double face_size_ = 0;
   double squared_bulge_ = 0;  ///< how far sides of the border may be from their lines, at most
   std::vector<std::array<std::size_t, 4>> vertices_;  ///< of the faces, into `bends_`
-  std::vector<Bend> bends_;                           ///< at the vertices
+  std::vector<Uv> slopes_;                            ///< at the vertices
+  std::vector<Bend> bends_;                           ///< likewise
   // A grid over the corners.
   Uv lower_{0, 0}, upper_{0, 0};
   std::size_t columns_ = 1, rows_ = 1;
