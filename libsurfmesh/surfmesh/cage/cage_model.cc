@@ -369,8 +369,10 @@ Model model_of_blocks(const CageTopology& topology, const RefinedCage& regular,
 }
 
 Model model_of_regions(const FaceNeighbours& neighbours, const RefinedCage& regular,
-                       const Surfaces& surfaces, const std::vector<FaceRegion>& regions) {
-  Model model = model_of_regions(neighbours, surfaces, regions);
+                       const Surfaces& surfaces, std::vector<FaceRegion> gathered) {
+  RegionModel made = model_of_regions(neighbours, surfaces, std::move(gathered));
+  const std::vector<FaceRegion>& regions = made.regions;
+  Model& model = made.model;
   for (std::size_t r = 0; r < regions.size(); ++r) {
     model.patches[r].name = name_of(regions[r].faces.front(), regular);
     model.patches[r].cage_faces = cage_faces_of(regions[r].faces, regular);
@@ -378,7 +380,7 @@ Model model_of_regions(const FaceNeighbours& neighbours, const RefinedCage& regu
   // Where a region touches itself in a corner, its loops do so to the last bit.
   model.diagonal = diagonal(regular.cage);
   pin_ends(model);
-  return model;
+  return std::move(model);
 }
 
 /// `faces` tells for each face of the regular cage what it is of the cage as given.
@@ -402,7 +404,7 @@ Model model_of_regular(const RefinedCage& regular, const std::vector<FaceOfCage>
   }
   const bool takes_regions = blocks.empty() || kFewerPatches * regions.size() <= blocks.size();
   Model model = !regions.empty() && takes_regions
-                    ? model_of_regions(neighbours, regular, surfaces, regions)
+                    ? model_of_regions(neighbours, regular, surfaces, std::move(regions))
                     : model_of_blocks(topology, regular, surfaces, blocks, scheme);
   model.notices = regular.notices;
   model.notices.insert(model.notices.end(), topology.notices.begin(), topology.notices.end());

@@ -547,10 +547,11 @@ class ChartMaker {
     return true;
   }
 
-  /// True if marked faces, seen along the normal, cover no part of each other. As all turn
-  /// counter-clockwise, it is enough that their borders do not cross.
+  /// True if marked faces, seen along the normal, cover no part of each other, and their borders do
+  /// not touch. As all turn counter-clockwise, it is enough that borders do not cross.
   bool lies_side_by_side(const std::vector<int>& faces, const ChartFrame& frame) const {
     std::vector<detail::NodeLoop> loops;
+    std::vector<int> vertices;
     for (const FaceLoop& loop : face_loops(neighbours_, faces, marks_, mark_)) {
       detail::NodeLoop& nodes = loops.emplace_back();
       for (const FaceNeighbours::Side side : loop) {
@@ -558,13 +559,16 @@ class ChartMaker {
         const Domain domain = surface.domain();
         const Uv from = domain.corner(side.side);
         const Uv to = domain.corner((side.side + 1) % domain.corner_count());
+        vertices.push_back(neighbours_.vertex(side));
         for (int i = 0; i < kSideSamples; ++i) {
           const Uv at = lerp(from, to, double(i) / kSideSamples);
           nodes.push_back(frame.project(surface.evaluate(at, Order::Position).point));
         }
       }
     }
-    return detail::crossing_segments(loops).empty();
+    std::sort(vertices.begin(), vertices.end());
+    const bool is_touching = std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
+    return !is_touching && detail::crossing_segments(loops).empty();
   }
 
   const FaceNeighbours& neighbours_;

@@ -34,6 +34,14 @@ constexpr int kChecks = 8;
 /// Distance of charts in space, in faces, from which on they are not one surface at a point.
 constexpr double kApart = 1e-6;
 
+/// Shares of a part of a contour at which it is looked for crossings: sides of rough faces may meet
+/// next to a corner.
+constexpr std::array kCloseSamples = {0.0, 1.0 / 256, 1.0 / 64,     1.0 / 16,     0.25,
+                                      0.5, 0.75,      1 - 1.0 / 16, 1 - 1.0 / 64, 1 - 1.0 / 256};
+
+/// Distance of a chart from the corners of its faces, in faces, from which on it has missed them.
+constexpr double kOff = 1e-4;
+
 /// Cells of a control space that a face is wide.
 constexpr double kCellsPerFace = 0.5;
 
@@ -343,16 +351,111 @@ class ModelMaker {
 
 }  // namespace
 
-Model model_of_regions(const FaceNeighbours& neighbours, const Surfaces& surfaces,
-                       const std::vector<FaceRegion>& regions) {
-  const RegionBorders borders = find_borders(neighbours, regions);
-  const RegionSurfaces region_surfaces(neighbours, surfaces, regions);
-  const CurveMaker maker(region_surfaces);
-  std::vector<ChainCurves> curves(borders.chains.size());
-  share_indices(curves.size(),
-                [&](std::size_t c) { curves[c] = maker.curves_of(borders.chains[c]); });
-  CrossingMender(borders, region_surfaces, maker, curves).run();
-  return ModelMaker(neighbours, borders, region_surfaces, std::move(curves)).run(regions);
+namespace {
+
+/// Finds the charts that cannot be patches: whose loops cross all the same, as where a rough
+/// surface folds between the samples that were looked at, or whose contours lead elsewhere than
+/// those of their neighbours.
+class ChartCheck {
+ public:
+  ChartCheck(const RegionBorders& borders, const RegionSurfaces& surfaces,
+             const std::vector<ChainCurves>& curves)
+      : borders_(borders), surfaces_(surfaces), curves_(curves) {}
+
+  /// By region, 1 for such.
+  std::vector<char> run() const {
+    std::vector<char> is_bad(borders_.loops.size(), 0);
+    share_indices(is_bad.size(), [&](std::size_t r) {
+      const int region = static_cast<int>(r);
+      if (surfaces_.is_chart(region)) is_bad[r] = crosses(region) || is_apart(region) ? 1 : 0;
+    });
+    return is_bad;
+  }
+
+ private:
+  bool crosses(int region) const {
+    std::vector<detail::NodeLoop> loops;
+    for (const std::vector<ChainUse>& loop : borders_.loops[static_cast<std::size_t>(region)]) {
+      detail::NodeLoop& nodes = loops.emplace_back();
+      for (const ChainUse& use : loop) {
+        const BorderChain& chain = borders_.chains[static_cast<std::size_t>(use.chain)];
+        for (int i = 0; i < chain.edge_count(); ++i) {
+          for (const double share : kCloseSamples) {
+            nodes.push_back(at(use, (i + share) / chain.edge_count()));
+          }
+        }
+      }
+    }
+    return !detail::crossing_segments(loops).empty();
+  }
+
+  /// True if the chart is not where the faces along its contours are.
+  bool is_apart(int region) const {
+    const Chart& chart = *surfaces_.chart(region);
+    for (const std::vector<ChainUse>& loop : borders_.loops[static_cast<std::size_t>(region)]) {
+      for (const ChainUse& use : loop) {
+        const BorderChain& chain = borders_.chains[static_cast<std::size_t>(use.chain)];
+        const BorderChain::Use& sides = chain.uses[static_cast<std::size_t>(use.use)];
+        for (int i = 0; i < chain.edge_count(); ++i) {
+          const FaceSide side = surfaces_.side(sides.sides[static_cast<std::size_t>(i)]);
+          const Vec3 end = side.surface->evaluate(side.from, Order::Position).point;
+          const Uv uv = chart.frame().project(end);
+          const Vec3 gap = chart.evaluate(uv, Order::Position).point - end;
+          if (!(gap.norm() <= kOff * chart.face_size())) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  Uv at(const ChainUse& entry, double t) const {
+    const BorderChain& chain = borders_.chains[static_cast<std::size_t>(entry.chain)];
+    const auto use = static_cast<std::size_t>(entry.use);
+    const Curve& curve = *curves_[static_cast<std::size_t>(entry.chain)][use];
+    return curve.evaluate(chain.uses[use].is_forward ? t : 1 - t);
+  }
+
+  const RegionBorders& borders_;
+  const RegionSurfaces& surfaces_;
+  const std::vector<ChainCurves>& curves_;
+};
+
+/// The regions, with the bad ones taken to pieces.
+std::vector<FaceRegion> without(const std::vector<char>& is_bad, std::vector<FaceRegion> regions) {
+  std::vector<FaceRegion> kept;
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    if (is_bad[r] == 0) {
+      kept.push_back(std::move(regions[r]));
+    } else {
+      for (const int face : regions[r].faces) kept.push_back({{face}});
+    }
+  }
+  std::sort(kept.begin(), kept.end(), [](const FaceRegion& a, const FaceRegion& b) {
+    return a.faces.front() < b.faces.front();
+  });
+  return kept;
+}
+
+}  // namespace
+
+RegionModel model_of_regions(const FaceNeighbours& neighbours, const Surfaces& surfaces,
+                             std::vector<FaceRegion> regions) {
+  for (;;) {
+    const RegionBorders borders = find_borders(neighbours, regions);
+    const RegionSurfaces region_surfaces(neighbours, surfaces, regions);
+    const CurveMaker maker(region_surfaces);
+    std::vector<ChainCurves> curves(borders.chains.size());
+    share_indices(curves.size(),
+                  [&](std::size_t c) { curves[c] = maker.curves_of(borders.chains[c]); });
+    CrossingMender(borders, region_surfaces, maker, curves).run();
+    const std::vector<char> is_bad = ChartCheck(borders, region_surfaces, curves).run();
+    if (std::find(is_bad.begin(), is_bad.end(), 1) == is_bad.end()) {
+      Model model =
+          ModelMaker(neighbours, borders, region_surfaces, std::move(curves)).run(regions);
+      return {std::move(model), std::move(regions)};
+    }
+    regions = without(is_bad, std::move(regions));
+  }
 }
 
 }  // namespace surfmesh
