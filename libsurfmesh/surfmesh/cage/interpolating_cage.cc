@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "surfmesh/cage/face_angles.hh"
 #include "surfmesh/cage/limit_stencils.hh"
 #include "surfmesh/cage/subdivision.hh"
 #include "surfmesh/core/error.hh"
@@ -108,12 +108,8 @@ Points normals_of(const Far::TopologyLevel& level, const Points& points) {
   Points normals = Points::Zero(points.rows(), 3);
   for (int f = 0; f < level.GetNumFaces(); ++f) {
     const Far::ConstIndexArray face = level.GetFaceVertices(f);
-    Vec3 area = Vec3::Zero();
-    for (int k = 2; k < face.size(); ++k) {
-      const Vec3 a = points.row(face[k - 1]) - points.row(face[0]);
-      const Vec3 b = points.row(face[k]) - points.row(face[0]);
-      area += a.cross(b);
-    }
+    const Vec3 area =
+        detail::area_vector(face, [&](int v) -> Vec3 { return points.row(v).transpose(); });
     for (const int v : face) normals.row(v) += area;
   }
   for (int v = 0; v < normals.rows(); ++v) {
