@@ -61,7 +61,7 @@ class CageFitter {
     record(found);
     tell_choice(found);
     if (found.is_least_squares) tell_distance(found);
-    if (!passed_by_.empty()) tell_passed_by(found);
+    tell_passed_by(mesh, found);
     if (!flat_faces_.empty()) tell_flat();
     if (!waves_.folded_faces.empty()) tell_folds(mesh);
     tell_waves();
@@ -161,12 +161,18 @@ class CageFitter {
          place);
   }
 
-  void tell_passed_by(const InterpolatingCage& found) {
-    const int first = passed_by_.front();
+  /// Corners of flat faces are not missed.
+  void tell_passed_by(const Cage& mesh, const InterpolatingCage& found) {
+    const std::vector<int> corners = vertices_of(mesh, flat_faces_);
+    std::vector<int> missed;
+    std::set_difference(passed_by_.begin(), passed_by_.end(), corners.begin(), corners.end(),
+                        std::back_inserter(missed));
+    if (missed.empty()) return;
+    const int first = missed.front();
     warn(NoticeKind::MissedPoints,
          fmt::format("the surface misses {} by up to {:.3g}, beside which it would fold; the first "
                      "is {}; smaller faces there help, or a {}",
-                     counted(passed_by_.size(), "vertex", "vertices"), found.distance,
+                     counted(missed.size(), "vertex", "vertices"), found.distance,
                      place_text(first), ranges::kCreaseAngle.name),
          point(first));
   }
