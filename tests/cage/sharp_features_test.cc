@@ -118,6 +118,12 @@ TEST(SharpFeatures, DoNotStartAtWeakEdges) {
   EXPECT_EQ(tag_features({}, cage).creases, 0U);
 }
 
+/// Where most of a line is weak, the mesh resolves a rounding.
+TEST(SharpFeatures, AreNoneWhereMostEdgesAreWeak) {
+  Cage cage = folded_sheet(9, 4, {50, 50, 35, 35, 35, 35, 35, 35, 35, 35});
+  EXPECT_EQ(tag_features({}, cage).creases, 0U);
+}
+
 /// Lines that end on both sides need four edges for each end.
 TEST(SharpFeatures, AreLongOrHaveNoEnds) {
   Cage shorter = folded_sheet(9, 4, {0, 0, 50, 50, 50, 50, 50, 0, 0, 0});
@@ -136,6 +142,9 @@ TEST(SharpFeatures, MayEndAtHoles) {
     if (mean < 3 || mean > 5) cage.holes.push_back(static_cast<int>(f));
   }
   EXPECT_EQ(border_edges(cage).size(), 2U * 2 + 2 * 4);
+  const SharpFeatures features = tag_features({}, cage);
+  EXPECT_EQ(features.creases, 2U);
+  EXPECT_EQ(features.corners, 0U);  // those of the sheet have tags by now
 }
 
 TEST(SharpFeatures, AreTheCornersOfAPlate) {

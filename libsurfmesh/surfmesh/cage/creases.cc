@@ -74,12 +74,17 @@ std::vector<std::array<int, 2>> edges_above(double degrees, const Cage& cage) {
   return edges;
 }
 
-std::vector<std::array<int, 2>> border_edges(const Cage& cage) {
+std::vector<char> marks_of_holes(const Cage& cage) {
   std::vector<char> is_hole(cage.faces.size(), 0);
   for (const int face : cage.holes) {
     const auto at = static_cast<std::size_t>(face);
     if (face >= 0 && at < is_hole.size()) is_hole[at] = 1;
   }
+  return is_hole;
+}
+
+std::vector<std::array<int, 2>> border_edges(const Cage& cage) {
+  const std::vector<char> is_hole = marks_of_holes(cage);
   std::vector<std::array<int, 2>> edges;
   const std::vector<CageSide> sides = sorted_sides(cage.faces);
   for_each_edge(sides, [&](std::span<const CageSide> edge) {

@@ -118,7 +118,7 @@ struct Candidate {
   }
 };
 
-/// The edges that start features, and those that can go on from them.
+/// The edges that start features, and those that can go on from them; none between holes.
 std::vector<Candidate> candidates_of(const Cage& cage) {
   struct Sum {
     double angle = 0;
@@ -132,9 +132,12 @@ std::vector<Candidate> candidates_of(const Cage& cage) {
       ++of_face[static_cast<std::size_t>(face)].count;
     }
   }
+  const std::vector<char> is_hole = marks_of_holes(cage);
+  const auto is_shown = [&](int face) { return is_hole[static_cast<std::size_t>(face)] == 0; };
   std::vector<Candidate> candidates;
   for (const EdgeTurn& turn : turns) {
     if (turn.angle <= radians(kWeakAngle)) continue;
+    if (std::none_of(turn.faces.begin(), turn.faces.end(), is_shown)) continue;
     const Sum& a = of_face[static_cast<std::size_t>(turn.faces[0])];
     const Sum& b = of_face[static_cast<std::size_t>(turn.faces[1])];
     const int others = a.count + b.count - 2;
@@ -167,7 +170,9 @@ class FeatureLines {
   }
 
   std::vector<Edge> find() {
-    while (drop_twigs()) connect();
+    drop_weak_majorities();
+    while (drop_twigs()) {
+    }
     std::vector<Edge> features;
     for (const std::vector<int>& group : groups()) {
       if (!is_feature(group)) continue;
@@ -210,6 +215,31 @@ class FeatureLines {
     return {};
   }
 
+  /// Leave out some edges; false if there are none.
+  bool drop(const std::vector<char>& is_dropped) {
+    std::vector<Candidate> kept;
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (is_dropped[e] == 0) kept.push_back(edges_[e]);
+    }
+    const bool has_dropped = kept.size() < edges_.size();
+    edges_ = std::move(kept);
+    connect();
+    return has_dropped;
+  }
+
+  /// Leave out weak edges that are more than the strong ones they are connected with: roundings
+  /// that the mesh resolves.
+  void drop_weak_majorities() {
+    std::vector<char> is_dropped(edges_.size(), 0);
+    for (const std::vector<int>& group : groups()) {
+      const auto strong =
+          std::count_if(group.begin(), group.end(), [&](int e) { return edge(e).is_strong(); });
+      if (2 * static_cast<std::size_t>(strong) >= group.size()) continue;
+      for (const int e : group) is_dropped[static_cast<std::size_t>(e)] = !edge(e).is_strong();
+    }
+    drop(is_dropped);
+  }
+
   /// Leave out short lines that branch off a feature and do not stand out.
   bool drop_twigs() {
     std::vector<char> is_dropped(edges_.size(), 0);
@@ -221,13 +251,7 @@ class FeatureLines {
         for (const int e : twig) is_dropped[static_cast<std::size_t>(e)] = 1;
       }
     }
-    std::vector<Candidate> kept;
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      if (is_dropped[e] == 0) kept.push_back(edges_[e]);
-    }
-    const bool has_dropped = kept.size() < edges_.size();
-    edges_ = std::move(kept);
-    return has_dropped;
+    return drop(is_dropped);
   }
 
   /// The edges that are connected with each other.
@@ -258,19 +282,18 @@ class FeatureLines {
     return median_of(std::move(angles));
   }
 
-  /// True for connected edges one of which is strong, with few ends, that stand out or are sharp.
+  /// True for connected edges with few ends that stand out or are sharp.
   bool is_feature(const std::vector<int>& group) const {
     std::size_t ends = 0;
-    bool is_apart = true, has_strong = false;
+    bool is_apart = true;
     for (const int e : group) {
-      has_strong |= edge(e).is_strong();
       for (const int v : edge(e).ends) {
         if (is_end(v)) ++ends;
         if (is_on_other_[static_cast<std::size_t>(v)] != 0) is_apart = false;
       }
     }
     const bool is_tip = is_apart && group.size() < kLeastRing;
-    if (!has_strong || is_tip || group.size() < kEdgesPerEnd * ends) return false;
+    if (is_tip || group.size() < kEdgesPerEnd * ends) return false;
     return median_ratio(group) >= kClearRatio || median_angle(group) > radians(kSharpLine);
   }
 
