@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/pipeline/load_model.hh"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
