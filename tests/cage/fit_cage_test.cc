@@ -5,9 +5,14 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "cage/meshes.hh"
 #include "surfmesh/cage/creases.hh"
+#include "surfmesh/cage/interpolating_cage.hh"
+#include "surfmesh/cage/limit_surface.hh"
+#include "surfmesh/cage/surface_waves.hh"
 #include "surfmesh/core/error.hh"
 
 namespace surfmesh {
@@ -93,6 +98,7 @@ TEST(FitCage, TellsNoiseAndAFitThatHelps) {
   EXPECT_GT(model.fits[0].noisy_share, 0.5);
   const Notice notice = only(model.notices, NoticeKind::NoisyInput);
   EXPECT_TRUE(mentions(notice, "fit = ")) << notice.text;
+  EXPECT_TRUE(mentions(notice, "more than 10°")) << notice.text;
   CageOptions options = kInterpolate;
   options.fit = Length::units(0.2 * kEdge);
   const Model smooth = model_from_cage(mesh, options);
@@ -109,29 +115,93 @@ TEST(FitCage, TellsPointsThatNoSurfaceReaches) {
   options.crease_angle = 0;
   const Model model = model_from_cage(mesh, options);
   EXPECT_GT(model.fits[0].distance, 0.1);
-  only(model.notices, NoticeKind::MissedPoints);
+  const Notice notice = only(model.notices, NoticeKind::MissedPoints);
+  EXPECT_TRUE(mentions(notice, "triangles in place of quads")) << notice.text;
+  EXPECT_TRUE(mentions(notice, "at vertex ")) << notice.text;
+  EXPECT_TRUE(notice.point);
 }
 
-/// A thin fin of two triangles on a sheet: its sharp edges bulge across each other.
-Cage sheet_with_fin() {
-  Cage mesh = testing::triangle_sheet(6, 6);
-  for (Vec3& point : mesh.points) point.z() = 0;
-  // A row of vertices is lifted beyond the next row.
-  for (const int v : {23, 24, 25}) mesh.points[static_cast<std::size_t>(v)] += Vec3(0, 1.9, 0.1);
+/// A thin disc, whose rims bulge across each other without creases.
+Cage disc_mesh() {
+  Cage mesh = testing::cylinder_mesh(24);
+  for (Vec3& point : mesh.points) point.z() *= 0.1;
   return mesh;
 }
 
+constexpr CageOptions kWithoutCreases = {.crease_angle = 0, .surface = SurfaceKind::Interpolate};
+
+/// The notice that mentions a text.
+Notice the_one_with(const Notices& notices, const std::string& text) {
+  const auto found = std::find_if(notices.begin(), notices.end(),
+                                  [&](const Notice& notice) { return mentions(notice, text); });
+  EXPECT_NE(found, notices.end()) << text;
+  return found == notices.end() ? Notice() : *found;
+}
+
+/// The faces of which all sides are sharp creases.
+std::vector<std::vector<int>> flat_faces(const Cage& cage) {
+  std::set<std::pair<int, int>> creases;
+  for (const Cage::Crease& crease : cage.creases) {
+    creases.insert(std::minmax(crease.edge[0], crease.edge[1]));
+  }
+  std::vector<std::vector<int>> flat;
+  for (const std::vector<int>& f : cage.faces) {
+    bool is_flat = true;
+    for (std::size_t k = 0; k < f.size(); ++k) {
+      is_flat &= creases.count(std::minmax(f[k], f[(k + 1) % f.size()])) == 1;
+    }
+    if (is_flat) flat.push_back(f);
+  }
+  return flat;
+}
+
 TEST(FitCage, DoesNotFoldTheSurface) {
-  const Cage mesh = sheet_with_fin();
-  CageOptions options = kInterpolate;
-  options.crease_angle = 0;
-  const Model model = model_from_cage(mesh, options);
-  const auto is_meant = [](const Notice& n) { return n.kind == NoticeKind::MissedPoints; };
-  const auto found = std::find_if(model.notices.begin(), model.notices.end(), is_meant);
-  ASSERT_NE(found, model.notices.end());
-  EXPECT_TRUE(mentions(*found, "would fold")) << found->text;
-  EXPECT_TRUE(found->point);
-  EXPECT_GT(model.fits[0].distance, 1e-3);
+  const Cage mesh = disc_mesh();
+  const Cage through = interpolating_cage(mesh).cage;
+  EXPECT_FALSE(measure_waves(mesh, through, Scheme::Loop).folded_faces.empty());
+  Cage cage = mesh;
+  const detail::CageFit fit = detail::fit_cage(kWithoutCreases, Scheme::Loop, cage);
+  Cage tagged = cage;
+  tagged.points = mesh.points;
+  EXPECT_TRUE(measure_waves(tagged, cage, Scheme::Loop).folded_faces.empty());
+  EXPECT_GT(fit.fit->distance, 1e-3);
+  const Notice missed = the_one_with(fit.notices, "misses");
+  EXPECT_EQ(missed.kind, NoticeKind::MissedPoints);
+  EXPECT_TRUE(missed.point);
+  for (const Notice& notice : fit.notices) EXPECT_FALSE(mentions(notice, "still folds"));
+}
+
+TEST(FitCage, KeepsFacesFlatWhereTheSurfaceFoldsAllTheSame) {
+  Cage cage = disc_mesh();
+  const detail::CageFit fit = detail::fit_cage(kWithoutCreases, Scheme::Loop, cage);
+  const std::vector<std::vector<int>> flat = flat_faces(cage);
+  EXPECT_EQ(flat.size(), 48U);
+  EXPECT_TRUE(mentions(the_one_with(fit.notices, "is flat"), "48 faces"));
+  const auto surfaces = make_limit_surfaces(cage, Scheme::Loop);
+  for (const std::vector<int>& face : flat) {
+    const auto f = static_cast<std::size_t>(std::find(cage.faces.begin(), cage.faces.end(), face) -
+                                            cage.faces.begin());
+    Vec3 centre = Vec3::Zero();
+    for (const int v : face) centre += disc_mesh().points[static_cast<std::size_t>(v)] / 3;
+    const Vec3 at = surfaces[f]->evaluate({1.0 / 3, 1.0 / 3}, Order::Position).point;
+    EXPECT_LT((at - centre).norm(), 1e-9) << f;
+  }
+}
+
+TEST(FitCage, TellsHowNearAFitIs) {
+  CageOptions options;
+  options.fit = Length::units(0.01);
+  const Model model = model_from_cage(testing::sphere_mesh(3), options);
+  const Notice notice = only(model.notices, NoticeKind::ChosenSurface);
+  EXPECT_TRUE(mentions(notice, "within 0.01 of the vertices")) << notice.text;
+  EXPECT_FALSE(mentions(notice, "passes through")) << notice.text;
+}
+
+TEST(FitCage, NamesTheLimitOfTheTurns) {
+  const Model model = model_from_cage(testing::sphere_mesh(3));
+  const Notice notice = only(model.notices, NoticeKind::ChosenSurface);
+  EXPECT_TRUE(mentions(notice, "less than 20°")) << notice.text;
+  EXPECT_TRUE(mentions(notice, "passes through the vertices")) << notice.text;
 }
 
 TEST(FitCage, TakesAFitForAWishToInterpolate) {

@@ -139,6 +139,7 @@ TEST(InterpolatingCage, TellsTheDistanceThatRemains) {
   mesh.points[7] *= 1.5;  // has a share in the mode that no surface has
   const InterpolatingCage result = interpolating_cage(mesh);
   EXPECT_TRUE(result.is_least_squares);
+  EXPECT_FALSE(result.has_stopped);
   EXPECT_NEAR(result.distance, 0.5 * std::sqrt(3) / 8, 1e-9);
   EXPECT_NEAR(result.mean_distance, result.distance, 1e-9);
 }
@@ -202,6 +203,36 @@ TEST(InterpolatingCage, KeepsCornersWithinTheFit) {
   mesh.corners = {{0, 10}, {6, 10}, {42, 10}, {48, 10}};
   const InterpolatingCage result = interpolating_cage(mesh, {.fit = Length::units(0.05)});
   EXPECT_LE(result.distance, 0.05);
+  // The surface reaches its cage there, as it does not at a border that is round.
+  const std::vector<Vec3> limits = limit_points(result.cage, Scheme::Loop);
+  for (const Cage::Corner& corner : mesh.corners) {
+    const auto v = static_cast<std::size_t>(corner.vertex);
+    EXPECT_LT((limits[v] - result.cage.points[v]).norm(), 1e-12) << v;
+    EXPECT_LE((limits[v] - mesh.points[v]).norm(), 0.05) << v;
+  }
+  mesh.corners.clear();
+  mesh.boundary = BoundaryRule::EdgeOnly;
+  const Cage round = interpolating_cage(mesh, {.fit = Length::units(0.05)}).cage;
+  EXPECT_GT((limit_points(round, Scheme::Loop)[0] - round.points[0]).norm(), 0.05);
+}
+
+TEST(InterpolatingCage, NamesTheFarthestVertex) {
+  const Cage mesh = with_noise(sphere(2), 0.02);
+  const InterpolatingCage result = interpolating_cage(mesh, {.fit = Length::units(0.01)});
+  const std::vector<Vec3> limits = limit_points(result.cage, Scheme::Loop);
+  const auto farthest = static_cast<std::size_t>(result.farthest_vertex);
+  EXPECT_NEAR((limits[farthest] - mesh.points[farthest]).norm(), result.distance, 1e-12);
+}
+
+/// A fit that no weight reaches is found out after two of them.
+TEST(InterpolatingCage, PassesThroughThePointsWhereNoWeightReachesTheFit) {
+  const Cage mesh = with_noise(sphere(3), 0.01);
+  const InterpolatingCage through = interpolating_cage(mesh);
+  const InterpolatingCage result = interpolating_cage(mesh, {.fit = Length::units(1e-12)});
+  EXPECT_EQ(result.fairness, 0);
+  EXPECT_LT(result.distance, 1e-12);
+  EXPECT_EQ(result.cage.points, through.cage.points);
+  EXPECT_LT(result.iterations, 20 * through.iterations);
 }
 
 TEST(InterpolatingCage, TakesMeshesOfAnyTraits) {

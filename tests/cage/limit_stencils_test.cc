@@ -99,6 +99,62 @@ TEST(LimitStencils, KnowEdgesOfThreeFaces) { expect_positions_of_surfaces(testin
 
 TEST(LimitStencils, KnowVerticesOfTwoFaces) { expect_positions_of_surfaces(testing::pillow()); }
 
+TEST(LimitStencils, KnowHolesBesideSemiSharpTags) {
+  Cage cage = testing::cube();
+  cage.creases = {{{0, 1}, 2.5}, {{1, 3}, 1.2}, {{3, 2}, 4}};
+  cage.corners = {{6, 1.7}};
+  for (int hole = 0; hole < 6; ++hole) {
+    cage.holes = {hole};
+    expect_positions_of_surfaces(cage);
+  }
+  cage.holes = {0, 1, 2, 3, 4};
+  expect_positions_of_surfaces(cage);
+  cage.holes.push_back(5);
+  for (const Vec3& point : limit_points(cage)) EXPECT_TRUE(point.allFinite());
+}
+
+TEST(LimitStencils, KnowOpenBordersBesideSemiSharpTags) {
+  for (Cage cage : {testing::sheet(5, 5), testing::triangle_sheet(5, 5)}) {
+    cage.boundary = BoundaryRule::None;
+    // From the border inwards: most faces at its first vertices have no surface.
+    cage.creases = {{{1, 7}, 2.5}, {{7, 13}, 2.5}, {{13, 14}, 10}, {{14, 15}, 10}};
+    cage.corners = {{8, 3.2}, {28, 1.5}};
+    expect_positions_of_surfaces(cage);
+  }
+}
+
+TEST(LimitStencils, KnowHolesAtCreaseEndsAndVerticesOfTwoFaces) {
+  Cage cage = testing::torus(8, 6);
+  cage.creases = {{{9, 10}, 10}, {{10, 11}, 10}};
+  for (std::size_t f = 0; f < cage.faces.size(); f += 2) cage.holes.push_back(static_cast<int>(f));
+  expect_positions_of_surfaces(cage);
+  Cage pillow = testing::pillow();
+  for (std::size_t f = 0; f < pillow.faces.size(); ++f) {
+    pillow.holes = {static_cast<int>(f)};
+    expect_positions_of_surfaces(pillow);
+  }
+}
+
+/// A sharp crease that goes on as a semi-sharp one ends there once this is gone.
+TEST(LimitStencils, KnowSharpCreasesThatGoOnAsSemiSharpOnes) {
+  for (Cage cage : {testing::torus(8, 6), testing::triangle_sheet(5, 5)}) {
+    for (const double sharpness : {0.5, 1.5, 2.0, 3.3}) {
+      cage.creases = {{{13, 14}, 10}, {{14, 15}, sharpness}};
+      expect_positions_of_surfaces(cage);
+    }
+  }
+  Cage pillow = testing::pillow();
+  pillow.creases = {{{pillow.faces[0][0], pillow.faces[0][1]}, 1.5}};
+  expect_positions_of_surfaces(pillow);
+}
+
+/// Very sharp tags refine deeply, which is done for some faces after others: here for two groups.
+TEST(LimitStencils, AreTheSameInGroupsOfFaces) {
+  Cage cage = testing::torus(200, 4);
+  for (int i = 0; i < 200; ++i) cage.creases.push_back({{i, (i + 1) % 200}, 7.5});
+  expect_positions_of_surfaces(cage);
+}
+
 /// A step of subdivision does not change the limit surface.
 TEST(LimitStencils, AreThoseOfTheRefinedCage) {
   Cage cage = testing::pentagon_prism();

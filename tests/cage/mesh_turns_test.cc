@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "cage/meshes.hh"
 
 namespace surfmesh {
@@ -47,6 +49,19 @@ TEST(MeshTurns, FindAVertexThatStandsOut) {
     EXPECT_EQ(turns.spike, 123);
     EXPECT_GT(turns.spike_height, 0.15);
   }
+}
+
+/// Vertices at the border of a hole are not compared with others.
+TEST(MeshTurns, LeaveOutBordersOfHoles) {
+  Cage mesh = testing::sphere_mesh(3);
+  mesh.points[123] *= 1 + 0.3 * kEdge;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const std::vector<int>& face = mesh.faces[f];
+    if (std::find(face.begin(), face.end(), 123) == face.end()) continue;
+    mesh.holes = {static_cast<int>(f)};
+  }
+  ASSERT_EQ(mesh.holes.size(), 1U);
+  EXPECT_EQ(measure_turns(mesh).spikes, 0U);
 }
 
 TEST(MeshTurns, AreNoneWithoutEdges) {

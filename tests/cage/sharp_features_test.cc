@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "cage/cages.hh"
+#include "cage/meshes.hh"
+#include "surfmesh/cage/creases.hh"
 #include "surfmesh/cage/mend_cage.hh"
 
 namespace surfmesh {
@@ -80,6 +82,69 @@ TEST(SharpFeatures, AreNoEdgesThatAreAlone) {
   const SharpFeatures features = tag_features({}, wedge);
   EXPECT_EQ(features.creases, wedge.creases.size());
   EXPECT_NE(features.creases, 1U);
+}
+
+/// Edges above the angle are many where a coarse mesh is rough, but they make no lines.
+TEST(SharpFeatures, AreNoShortLinesOnARoughMesh) {
+  Cage mesh = testing::with_noise(testing::sphere_mesh(2), 0.1);
+  const std::vector<std::array<int, 2>> edges = edges_above(kFeatureAngle, mesh);
+  EXPECT_GT(edges.size(), 40U);
+  EXPECT_EQ(tag_features({}, mesh).creases, 0U);
+}
+
+/// A sheet with a fold along y = n / 2, that turns by the angle at each of its m edges, degrees.
+Cage folded_sheet(int m, int n, const std::vector<double>& angles) {
+  Cage cage = testing::triangle_sheet(m, n);
+  for (Vec3& point : cage.points) {
+    const auto column = static_cast<std::size_t>(std::lround(point.x()));
+    const double slope = std::tan(angles[std::min(column, angles.size() - 1)] / 360 * M_PI);
+    point.z() = -slope * std::abs(point.y() - n / 2);
+  }
+  return cage;
+}
+
+TEST(SharpFeatures, GoOnAlongWeakerEdges) {
+  Cage cage = folded_sheet(9, 4, {60, 55, 50, 45, 35, 33, 35, 45, 50, 60});
+  EXPECT_LT(edges_above(kFeatureAngle, cage).size(), 8U);
+  EXPECT_EQ(tag_features({}, cage).creases, 9U);
+  for (const Cage::Crease& crease : cage.creases) {
+    EXPECT_EQ(crease.edge[0] / 10, 2);
+    EXPECT_EQ(crease.edge[1] / 10, 2);
+  }
+}
+
+TEST(SharpFeatures, DoNotStartAtWeakEdges) {
+  Cage cage = folded_sheet(9, 4, std::vector<double>(10, 35));
+  EXPECT_EQ(tag_features({}, cage).creases, 0U);
+}
+
+/// Where most of a line is weak, the mesh resolves a rounding.
+TEST(SharpFeatures, AreNoneWhereMostEdgesAreWeak) {
+  Cage cage = folded_sheet(9, 4, {50, 50, 35, 35, 35, 35, 35, 35, 35, 35});
+  EXPECT_EQ(tag_features({}, cage).creases, 0U);
+}
+
+/// Lines that end on both sides need four edges for each end.
+TEST(SharpFeatures, AreLongOrHaveNoEnds) {
+  Cage shorter = folded_sheet(9, 4, {0, 0, 50, 50, 50, 50, 50, 0, 0, 0});
+  EXPECT_EQ(tag_features({}, shorter).creases, 0U);
+  Cage to_border = folded_sheet(9, 4, {50, 50, 50, 50, 50, 50, 0, 0, 0, 0});
+  EXPECT_GE(tag_features({}, to_border).creases, 4U);
+}
+
+/// A crease may end at the border of a hole, which gets no corner.
+TEST(SharpFeatures, MayEndAtHoles) {
+  Cage cage = folded_sheet(9, 4, {0, 0, 0, 50, 50, 50, 0, 0, 0, 0});
+  EXPECT_EQ(tag_features({}, cage).creases, 0U);
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
+    double mean = 0;
+    for (const int v : cage.faces[f]) mean += cage.points[static_cast<std::size_t>(v)].x() / 3;
+    if (mean < 3 || mean > 5) cage.holes.push_back(static_cast<int>(f));
+  }
+  EXPECT_EQ(border_edges(cage).size(), 2U * 2 + 2 * 4);
+  const SharpFeatures features = tag_features({}, cage);
+  EXPECT_EQ(features.creases, 2U);
+  EXPECT_EQ(features.corners, 0U);  // those of the sheet have tags by now
 }
 
 TEST(SharpFeatures, AreTheCornersOfAPlate) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "cage/meshes.hh"
+#include "surfmesh/cage/creases.hh"
 #include "surfmesh/cage/interpolating_cage.hh"
 #include "surfmesh/cage/sharp_features.hh"
 
@@ -35,6 +36,28 @@ TEST(SurfaceWaves, AreBesideSharpEdgesWithoutATag) {
   EXPECT_LT(std::min(std::abs(z), std::abs(z - 2)), 0.5);
   tag_features({}, mesh);
   EXPECT_EQ(waves_of(mesh).waves, 0U);
+}
+
+/// What is left of semi-sharp tags after a step is not in the limit normals.
+TEST(SurfaceWaves, AreNoFoldsBesideSemiSharpCreases) {
+  Cage mesh = testing::cylinder_mesh(40);
+  add_creases(60, mesh);
+  for (Cage::Crease& crease : mesh.creases) crease.sharpness = 3.5;
+  const SurfaceWaves waves = waves_of(mesh);
+  EXPECT_TRUE(waves.folded_faces.empty());
+  EXPECT_EQ(waves.waves, 0U);
+  EXPECT_GT(waves.edges, 100U);
+  EXPECT_LT(waves.edges, mesh.faces.size() * 3 / 2 - mesh.creases.size());
+}
+
+TEST(SurfaceWaves, LeaveOutHoles) {
+  Cage mesh = testing::sphere_mesh(2);
+  Cage folded = mesh;
+  folded.points[40] *= -1;
+  std::vector<int> folds = measure_waves(mesh, folded, Scheme::Loop).folded_faces;
+  ASSERT_FALSE(folds.empty());
+  mesh.holes = folded.holes = folds;
+  EXPECT_TRUE(measure_waves(mesh, folded, Scheme::Loop).folded_faces.empty());
 }
 
 TEST(SurfaceWaves, FindsFolds) {

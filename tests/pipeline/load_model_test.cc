@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/pipeline/load_model.hh"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -183,8 +184,9 @@ TEST(LoadModel, HasNoKindOfPatchesInTheOptionsOfFilesWithoutCages) {
     return fault(folder / "a.json");
   };
   const std::string error = fault_with("faces");
-  EXPECT_NE(error.find("a.json: /options/patches: only cages have faces, blocks or regions as patches"),
-            std::string::npos)
+  EXPECT_NE(
+      error.find("a.json: /options/patches: only cages have faces, blocks or regions as patches"),
+      std::string::npos)
       << error;
   EXPECT_EQ(fault_with("auto"), "no error");
 }
@@ -367,6 +369,21 @@ TEST(LoadModel, TakesTheSurfaceOfEachCageFromTheFile) {
   ASSERT_EQ(all.fits.size(), 3U);
   EXPECT_EQ(all.fits[0].fit, 0);
   EXPECT_NEAR(all.fits[2].fit, 0.01 * std::sqrt(2.09), 1e-12);
+}
+
+TEST(LoadModel, TakesNoFitAndNullForAFitOfACage) {
+  const TestFolder folder;
+  write_text(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.3\nf 1 2 3 4\n");
+  for (const auto& [fit, expected] :
+       {std::pair{"null", 0.1}, {"false", 0.0}, {"0", 0.0}, {"\"off\"", 0.0}, {"0.2", 0.2}}) {
+    write_text(folder / "a.json",
+               fmt::format(R"({{"cages": [{{"name": "a", "file": "a.obj", "fit": {}}}],
+                                "options": {{"surface": "interpolate", "fit": 0.1}}}})",
+                           fit));
+    const Model model = load_model(folder / "a.json").model;
+    ASSERT_EQ(model.fits.size(), 1U) << fit;
+    EXPECT_EQ(model.fits[0].fit, expected) << fit;
+  }
 }
 
 TEST(LoadModel, RefusesSurfacesWithoutCages) {

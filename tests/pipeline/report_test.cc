@@ -245,6 +245,22 @@ TEST(ReportText, IsATableOfTwentyLines) {
             "notices   none\n");
 }
 
+TEST(ReportText, TellsHowNearASurfaceIsToTheMesh) {
+  Report report = usual();
+  const auto line_for = [&](const SurfaceFit& fit) {
+    report.surfaces = {fit};
+    const std::string text = to_text(report);
+    const std::size_t start = text.find("surface ");
+    return start == text.npos ? "" : text.substr(start, text.find('\n', start) - start);
+  };
+  EXPECT_EQ(line_for({.vertices = 42, .greatest_move = 0.5}),
+            "surface   through 42 points; its cage moved by up to 0.5");
+  EXPECT_EQ(line_for({.vertices = 42, .fit = 0.1, .distance = 0.09, .greatest_move = 0.5}),
+            "surface   within 0.09 of 42 points, 0.1 requested; its cage moved by up to 0.5");
+  EXPECT_EQ(line_for({.vertices = 42, .distance = 0.02, .greatest_move = 0.5}),
+            "surface   near 42 points, at up to 0.02; its cage moved by up to 0.5");
+}
+
 TEST(ReportText, IsShort) {
   const std::string text = to_text(example());
   EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 20);

@@ -3,15 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
 #include <string_view>
 #include <utility>
 
 #include "surfmesh/cage/cage_sides.hh"
+#include "surfmesh/cage/face_angles.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/io/nearest_word.hh"
 
@@ -43,27 +41,14 @@ class CreaseList {
   std::map<std::pair<int, int>, std::size_t> number_of_;
 };
 
-/// Twice the area of a face along its normal.
-Vec3 area_of(const Cage& cage, const std::vector<int>& face) {
-  const auto point = [&](std::size_t k) { return cage.points[static_cast<std::size_t>(face[k])]; };
-  Vec3 area = Vec3::Zero();
-  for (std::size_t k = 2; k < face.size(); ++k) {
-    area += (point(k - 1) - point(0)).cross(point(k) - point(0));
-  }
-  return area;
-}
-
-/// The angle between two faces at a common edge, radians.
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 }  // namespace
 
 std::vector<EdgeTurn> edge_turns(const Cage& cage) {
   std::vector<Vec3> areas;
   areas.reserve(cage.faces.size());
-  for (const std::vector<int>& face : cage.faces) areas.push_back(area_of(cage, face));
+  for (const std::vector<int>& face : cage.faces) {
+    areas.push_back(detail::area_vector(face, cage.points));
+  }
   const std::vector<CageSide> sides = sorted_sides(cage.faces);
   std::vector<EdgeTurn> turns;
   for_each_edge(sides, [&](std::span<const CageSide> edge) {
@@ -71,8 +56,9 @@ std::vector<EdgeTurn> edge_turns(const Cage& cage) {
     const Vec3& a = areas[static_cast<std::size_t>(edge[0].face)];
     const Vec3& b = areas[static_cast<std::size_t>(edge[1].face)];
     const double sign = edge[0].is_rising == edge[1].is_rising ? -1 : 1;
-    turns.push_back(
-        {{edge[0].low, edge[0].high}, {edge[0].face, edge[1].face}, angle_between(a, sign * b)});
+    turns.push_back({{edge[0].low, edge[0].high},
+                     {edge[0].face, edge[1].face},
+                     detail::angle_between(a, sign * b)});
   });
   return turns;
 }
@@ -80,11 +66,35 @@ std::vector<EdgeTurn> edge_turns(const Cage& cage) {
 void add_creases(double degrees, Cage& cage) { add_creases(edges_above(degrees, cage), cage); }
 
 std::vector<std::array<int, 2>> edges_above(double degrees, const Cage& cage) {
-  const double least = degrees * std::numbers::pi / 180;
+  const double least = degrees / detail::kDegrees;
   std::vector<std::array<int, 2>> edges;
   for (const EdgeTurn& edge : edge_turns(cage)) {
     if (edge.angle > least) edges.push_back(edge.ends);
   }
+  return edges;
+}
+
+std::vector<char> marks_of_holes(const Cage& cage) {
+  std::vector<char> is_hole(cage.faces.size(), 0);
+  for (const int face : cage.holes) {
+    const auto at = static_cast<std::size_t>(face);
+    if (face >= 0 && at < is_hole.size()) is_hole[at] = 1;
+  }
+  return is_hole;
+}
+
+std::vector<std::array<int, 2>> border_edges(const Cage& cage) {
+  const std::vector<char> is_hole = marks_of_holes(cage);
+  std::vector<std::array<int, 2>> edges;
+  const std::vector<CageSide> sides = sorted_sides(cage.faces);
+  for_each_edge(sides, [&](std::span<const CageSide> edge) {
+    const auto visible = std::count_if(edge.begin(), edge.end(), [&](const CageSide& side) {
+      return is_hole[static_cast<std::size_t>(side.face)] == 0;
+    });
+    if (visible > 0 && (visible == 1 || edge.size() > 2)) {
+      edges.push_back({edge[0].low, edge[0].high});
+    }
+  });
   return edges;
 }
 

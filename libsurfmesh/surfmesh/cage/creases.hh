@@ -37,6 +37,15 @@ void add_creases(double degrees, Cage& cage);
 /// The edges of which add_creases makes creases, by their vertices, the lower one first.
 std::vector<std::array<int, 2>> edges_above(double degrees, const Cage& cage);
 
+/// Tells for each face whether it is a hole. Numbers of faces that do not exist are ignored.
+std::vector<char> marks_of_holes(const Cage& cage);
+
+/// The edges at which the surface of a cage ends or is cut: of one face that is no hole, or of more
+/// than two faces; by their vertices, the lower one first.
+///
+/// Cost     O(n log n) for n face corners
+std::vector<std::array<int, 2>> border_edges(const Cage& cage);
+
 /// Make sharp creases of edges.
 /// Pre      they are edges of the cage
 void add_creases(const std::vector<std::array<int, 2>>& edges, Cage& cage);

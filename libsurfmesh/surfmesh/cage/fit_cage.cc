@@ -58,11 +58,12 @@ class CageFitter {
     tag();
     Cage mesh = usable(cage_, scheme_);
     const InterpolatingCage found = without_folds(mesh);
-    take(found);
-    tell_choice();
+    record(found);
+    tell_choice(found);
     if (found.is_least_squares) tell_distance(found);
-    if (!passed_by_.empty()) tell_passed_by(found);
+    tell_passed_by(mesh, found);
     if (!flat_faces_.empty()) tell_flat();
+    if (!waves_.folded_faces.empty()) tell_folds(mesh);
     tell_waves();
     if (fit_.fit == 0 && turns_.noisy_share > kNoisyShare) {
       tell_noise(mesh);
@@ -125,28 +126,55 @@ class CageFitter {
     flat_point_ = mesh.points[static_cast<std::size_t>(outlines.front().front())];
   }
 
-  void tell_flat() {
-    Notice notice = warning(
-        NoticeKind::MissedPoints,
-        fmt::format("the surface over {} would fold and is flat instead, one at {}; smaller faces "
-                    "there help, or a {}",
-                    counted(flat_faces_.size(), "face", "faces"), point_text(flat_point_),
-                    ranges::kCreaseAngle.name));
-    notice.point = flat_point_;
+  /// A warning at a place.
+  void warn(NoticeKind kind, std::string text, const Vec3& point) {
+    Notice notice = warning(kind, std::move(text));
+    notice.point = point;
     notices_.push_back(std::move(notice));
   }
 
-  void tell_passed_by(const InterpolatingCage& found) {
-    const int first = passed_by_.front();
-    const Vec3& point = cage_.points[static_cast<std::size_t>(first)];
-    Notice notice = warning(
-        NoticeKind::MissedPoints,
-        fmt::format("the surface passes {} by, at up to {:.3g}, beside which it would fold; the "
-                    "first is vertex {} at {}; smaller faces there help, or a {}",
-                    counted(passed_by_.size(), "vertex", "vertices"), found.distance, first,
-                    point_text(point), ranges::kCreaseAngle.name));
-    notice.point = point;
-    notices_.push_back(std::move(notice));
+  const Vec3& point(int vertex) const { return cage_.points[static_cast<std::size_t>(vertex)]; }
+
+  /// "vertex 7 at (1, 2, 3)".
+  std::string place_text(int vertex) const {
+    return fmt::format("vertex {} at {}", vertex, point_text(point(vertex)));
+  }
+
+  void tell_flat() {
+    warn(NoticeKind::MissedPoints,
+         fmt::format("the surface over {} would fold and is flat instead, one of them at {}; "
+                     "smaller faces there help, or a {}",
+                     counted(flat_faces_.size(), "face", "faces"), point_text(flat_point_),
+                     ranges::kCreaseAngle.name),
+         flat_point_);
+  }
+
+  /// Folds that all of this has left.
+  void tell_folds(const Cage& mesh) {
+    const std::vector<int>& faces = waves_.folded_faces;
+    const Vec3& place = point(mesh.faces[static_cast<std::size_t>(faces.front())].front());
+    warn(NoticeKind::WavySurface,
+         fmt::format("the surface still folds over {}, one of them at {}; smaller faces there "
+                     "help, or a {}",
+                     counted(faces.size(), "face", "faces"), point_text(place),
+                     ranges::kCreaseAngle.name),
+         place);
+  }
+
+  /// Corners of flat faces are not missed.
+  void tell_passed_by(const Cage& mesh, const InterpolatingCage& found) {
+    const std::vector<int> corners = vertices_of(mesh, flat_faces_);
+    std::vector<int> missed;
+    std::set_difference(passed_by_.begin(), passed_by_.end(), corners.begin(), corners.end(),
+                        std::back_inserter(missed));
+    if (missed.empty()) return;
+    const int first = missed.front();
+    warn(NoticeKind::MissedPoints,
+         fmt::format("the surface misses {} by up to {:.3g}, beside which it would fold; the first "
+                     "is {}; smaller faces there help, or a {}",
+                     counted(missed.size(), "vertex", "vertices"), found.distance,
+                     place_text(first), ranges::kCreaseAngle.name),
+         point(first));
   }
 
   void tag() {
@@ -155,7 +183,7 @@ class CageFitter {
     fit_.corners = features.corners;
   }
 
-  void take(const InterpolatingCage& found) {
+  void record(const InterpolatingCage& found) {
     fit_.vertices = found.vertices;
     fit_.fit = options_.fit.value_or(Length()).in_units(diagonal(cage_));
     fit_.distance = found.distance;
@@ -164,22 +192,34 @@ class CageFitter {
     fit_.moved_vertex = found.moved_vertex;
   }
 
-  void tell_choice() {
+  void tell_choice(const InterpolatingCage& found) {
     const bool is_chosen = options_.surface == SurfaceKind::Auto;
     const bool has_default_creases = !options_.crease_angle && fit_.creases + fit_.corners > 0;
     if (!is_chosen && !has_default_creases) return;
-    std::string text = is_chosen ? reason() : "the surface passes through the vertices of the mesh";
+    std::string text = is_chosen ? reason() + "; " : std::string();
+    text += nearness_text(found);
     if (has_default_creases) text += creases_text();
     notices_.push_back(information(NoticeKind::ChosenSurface, std::move(text)));
   }
 
   std::string reason() const {
-    if (fit_.fit > 0) return "taken for a mesh of a surface, as a fit is asked for";
+    if (fit_.fit > 0) return "taken for a mesh of a surface, as a fit is requested";
     return fmt::format(
         "taken for a mesh of a surface, not for a control cage: {} faces without tags of "
-        "subdivision, which turn by less than {:.2g}° at half of their edges; the surface passes "
-        "through its vertices, with {} = limit it would be the limit surface",
-        cage_.faces.size(), turns_.median, ranges::kSurface.name);
+        "subdivision, at half of whose edges they meet at less than {}° (with {} = limit it would "
+        "be a cage)",
+        cage_.faces.size(), smooth_turn(scheme_), ranges::kSurface.name);
+  }
+
+  /// How the surface relates to the vertices: through them, unless it misses some.
+  std::string nearness_text(const InterpolatingCage& found) const {
+    if (fit_.fit > 0 && !found.is_least_squares) {
+      return fmt::format("the surface stays within {:.3g} of the vertices", fit_.fit);
+    }
+    if (found.distance <= kRounding * diagonal(cage_)) {
+      return "the surface passes through the vertices";
+    }
+    return fmt::format("the surface passes the vertices at up to {:.3g}", found.distance);
   }
 
   std::string creases_text() const {
@@ -198,12 +238,13 @@ class CageFitter {
 
   void tell_distance(const InterpolatingCage& found) {
     if (fit_.distance <= std::max(fit_.fit, kRounding * diagonal(cage_))) return;
-    Notice notice = warning(
-        NoticeKind::MissedPoints,
-        fmt::format("no surface of these faces passes through all vertices: the nearest one is up "
-                    "to {:.3g} away, {:.3g} on average; triangles in place of quads help",
-                    found.distance, found.mean_distance));
-    notices_.push_back(std::move(notice));
+    std::string text = found.has_stopped
+                           ? "no surface through all vertices was found before the search ended"
+                           : "no surface of these faces passes through all vertices";
+    text += fmt::format("; this one misses them by up to {:.3g}, at {}, and by {:.3g} on average",
+                        found.distance, place_text(found.farthest_vertex), found.mean_distance);
+    if (!found.has_stopped && scheme_ != Scheme::Loop) text += "; triangles in place of quads help";
+    warn(NoticeKind::MissedPoints, std::move(text), point(found.farthest_vertex));
   }
 
   void tell_waves() {
@@ -213,26 +254,22 @@ class CageFitter {
     }
     fit_.greatest_wave = waves.greatest;
     if (waves.waves == 0) return;
-    Notice notice = warning(
+    warn(
         NoticeKind::WavySurface,
         fmt::format("the surface turns more than the faces of the mesh at {} of {} edges, most, by "
                     "{:.3g}°, at {}; beside sharp edges a {} helps, elsewhere a {}",
                     waves.waves, waves.edges, waves.greatest, point_text(waves.point),
-                    ranges::kCreaseAngle.name, ranges::kFit.name));
-    notice.point = waves.point;
-    notices_.push_back(std::move(notice));
+                    ranges::kCreaseAngle.name, ranges::kFit.name),
+        waves.point);
   }
 
   void tell_spikes() {
-    const Vec3& point = cage_.points[static_cast<std::size_t>(turns_.spike)];
-    Notice notice = warning(
-        NoticeKind::WavySurface,
-        fmt::format("{} out of the mesh around, and so does the surface; most, by {:.2g} of the "
-                    "length of its edges, vertex {} at {}; a {} flattens such places",
-                    counted(turns_.spikes, "vertex stands", "vertices stand"), turns_.spike_height,
-                    turns_.spike, point_text(point), ranges::kFit.name));
-    notice.point = point;
-    notices_.push_back(std::move(notice));
+    warn(NoticeKind::WavySurface,
+         fmt::format("{} out of the surrounding mesh, and so does the surface; the worst, {}, by "
+                     "{:.2g} of the length of its edges; a {} flattens such places",
+                     counted(turns_.spikes, "vertex sticks", "vertices stick"),
+                     place_text(turns_.spike), turns_.spike_height, ranges::kFit.name),
+         point(turns_.spike));
   }
 
   /// The noise that is left in the surface with a fit.
@@ -243,7 +280,7 @@ class CageFitter {
     return measure_turns(smooth).noisy_share;
   }
 
-  /// The least of some fits that leaves hardly any noise, in words; empty if there is none.
+  /// Suggest the smallest tried fit that removes most noise, in words; empty if there is none.
   std::string advice(const Cage& mesh) const {
     const double noise = turns_.roughness * turns_.length;
     for (const double factor : kTriedFits) {
@@ -258,10 +295,10 @@ class CageFitter {
   void tell_noise(const Cage& mesh) {
     notices_.push_back(warning(
         NoticeKind::NoisyInput,
-        fmt::format("the mesh is noisy: it turns to and fro at {} of its inner vertices, and so "
-                    "does the surface through them; a {} takes noise away{}, and so does smoothing "
-                    "beforehand",
-                    percent(turns_.noisy_share), ranges::kFit.name, advice(mesh))));
+        fmt::format("the mesh is noisy: it zigzags by more than {}° at {} of its inner vertices, "
+                    "and so does the surface through them; a {} removes noise{}, and so does "
+                    "smoothing beforehand",
+                    kNoisyAngle, percent(turns_.noisy_share), ranges::kFit.name, advice(mesh))));
   }
 
   const CageOptions& options_;

@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "surfmesh/cage/face_angles.hh"
 #include "surfmesh/cage/limit_stencils.hh"
 #include "surfmesh/cage/subdivision.hh"
 #include "surfmesh/core/error.hh"
@@ -28,6 +28,9 @@ constexpr double kSolverPrecision = 1e-13;
 constexpr double kFitPrecision = 1e-9;
 /// A solution is one if distances are no more than this share of the diagonal.
 constexpr double kSolved = 1e-11;
+/// The nearest surface is found where moves change the distance by less than this share of what
+/// they did at first.
+constexpr double kNearest = 1e-6;
 /// Regular meshes need some 20 iterations, and those with bad triangles 60.
 constexpr int kMostIterations = 300;
 constexpr int kMostLeastSquaresIterations = 2000;
@@ -56,7 +59,7 @@ struct Solution {
 /// Solve for each column by a solver of Eigen's, from a first guess.
 template <class Solver>
 Solution solve(const Solver& prepared, const Points& right, const Points& guess) {
-  Solution solution{guess, 0};
+  Solution solution{guess};
   for (int k = 0; k < 3; ++k) {
     solution.columns.col(k) = prepared.solveWithGuess(right.col(k), guess.col(k));
     solution.iterations += static_cast<int>(prepared.iterations());
@@ -108,12 +111,8 @@ Points normals_of(const Far::TopologyLevel& level, const Points& points) {
   Points normals = Points::Zero(points.rows(), 3);
   for (int f = 0; f < level.GetNumFaces(); ++f) {
     const Far::ConstIndexArray face = level.GetFaceVertices(f);
-    Vec3 area = Vec3::Zero();
-    for (int k = 2; k < face.size(); ++k) {
-      const Vec3 a = points.row(face[k - 1]) - points.row(face[0]);
-      const Vec3 b = points.row(face[k]) - points.row(face[0]);
-      area += a.cross(b);
-    }
+    const Vec3 area =
+        detail::area_vector(face, [&](int v) -> Vec3 { return points.row(v).transpose(); });
     for (const int v : face) normals.row(v) += area;
   }
   for (int v = 0; v < normals.rows(); ++v) {
@@ -169,6 +168,8 @@ class CageSolver {
     nearest.compute(system_);
     solution = solve(nearest, right, nothing);
     result.iterations += solution.iterations;
+    const Points slope = system_.transpose() * (right - system_ * solution.columns);
+    result.has_stopped = !(slope.norm() <= kNearest * (system_.transpose() * right).norm());
     return given_ + solution.columns;
   }
 
@@ -177,7 +178,8 @@ class CageSolver {
     const Vec3 centre = given_.colwise().mean();
     const FairSystem system = fair_system(centre);
     Points reached = given_, points = given_;
-    double low = std::log(kLeastFairness), high = std::log(kMostFairness), at = 0;
+    const double least = std::log(kLeastFairness);
+    double low = least, high = std::log(kMostFairness), at = 0;
     for (int step = 0; step < kMostFitSteps; ++step) {
       points = solve_fair(system, centre, std::exp(at), points, result);
       const double distance = distances(points).maxCoeff();
@@ -186,9 +188,11 @@ class CageSolver {
         reached = points;
         result.fairness = std::exp(at);
       }
+      if (!is_near && at == least) break;
       (is_near ? low : high) = at;
-      if (is_near && (distance >= kFitReached * fit || high - at < kLeastStep)) break;
-      at = (low + high) / 2;
+      if (high - low < kLeastStep || (is_near && distance >= kFitReached * fit)) break;
+      // If the least weight does not reach the fit, none does.
+      at = step == 0 && !is_near ? least : (low + high) / 2;
     }
     if (result.fairness > 0) return reached;
     return interpolate(result);
@@ -200,7 +204,10 @@ class CageSolver {
     for (int v = 0; v < level_.GetNumVertices(); ++v) {
       if (level_.GetVertexFaces(v).size() == 0) continue;
       ++result.vertices;
-      result.distance = std::max(result.distance, distance[v]);
+      if (distance[v] > result.distance) {
+        result.distance = distance[v];
+        result.farthest_vertex = v;
+      }
       squares += distance[v] * distance[v];
       const double move = (points.row(v) - given_.row(v)).norm();
       if (move <= result.greatest_move) continue;

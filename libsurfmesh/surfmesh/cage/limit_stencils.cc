@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -129,37 +130,54 @@ Rows rows_of_refined(const Far::TopologyRefiner& base) {
 /// make_limit_surfaces.
 constexpr int kManySteps = 8;
 
-/// The greatest sharpness of the semi-sharp tags at a vertex; 0 if it has none.
-double semi_sharpness(const Far::TopologyLevel& level, int vertex) {
-  double greatest = 0;
-  const auto take = [&](float sharpness) {
-    if (Sdc::Crease::IsSemiSharp(sharpness)) {
-      greatest = std::max(greatest, static_cast<double>(sharpness));
-    }
+/// Semi-sharp edges are refined along their whole length, so faces are refined together only as
+/// long as these shares of an edge are no more in all: some 100 MB of weights.
+constexpr int kMostRefinedEdges = 1 << 15;
+
+/// The tags at a vertex.
+struct VertexTags {
+  double semi_sharpness = 0;  ///< greatest one of the semi-sharp tags
+  int sharp_edges = 0;        ///< that stay sharp: creases, borders and cuts
+  bool is_sharp = false;      ///< the vertex is a corner that stays one
+};
+
+VertexTags tags_at(const Far::TopologyLevel& level, int vertex) {
+  VertexTags tags;
+  const auto add = [&](float sharpness) {
+    if (!Sdc::Crease::IsSemiSharp(sharpness)) return;
+    tags.semi_sharpness = std::max(tags.semi_sharpness, static_cast<double>(sharpness));
   };
-  take(level.GetVertexSharpness(vertex));
-  for (const int edge : level.GetVertexEdges(vertex)) take(level.GetEdgeSharpness(edge));
-  return greatest;
+  add(level.GetVertexSharpness(vertex));
+  tags.is_sharp = Sdc::Crease::IsInfinite(level.GetVertexSharpness(vertex));
+  for (const int edge : level.GetVertexEdges(vertex)) {
+    add(level.GetEdgeSharpness(edge));
+    const bool is_cut = level.GetEdgeFaces(edge).size() != 2;
+    if (is_cut || Sdc::Crease::IsInfinite(level.GetEdgeSharpness(edge))) ++tags.sharp_edges;
+  }
+  return tags;
 }
 
 /// The steps of subdivision after which the masks are those of the limit; 0 for most vertices.
 ///
-/// Tags of sharpness s are gone after s steps. OpenSubdiv 3.5 takes the end of a crease for a
-/// smooth vertex, which it is not beside the crease, and inner vertices of two faces for corners.
+/// Tags of sharpness s are gone after s steps. What is left then counts: OpenSubdiv 3.5 takes the
+/// end of a crease for a smooth vertex, which it is not beside the crease, and inner vertices of
+/// two faces for corners.
 int steps_to_mask(const Far::TopologyLevel& level, int vertex) {
-  const int steps = static_cast<int>(std::ceil(semi_sharpness(level, vertex)));
-  const Sdc::Crease::Rule rule = level.GetVertexRule(vertex);
+  const VertexTags tags = tags_at(level, vertex);
+  const int steps = static_cast<int>(std::ceil(tags.semi_sharpness));
   const bool has_two_faces =
       level.GetVertexFaces(vertex).size() == 2 && level.GetVertexEdges(vertex).size() == 2;
-  const bool is_smooth_pair = has_two_faces && rule == Sdc::Crease::RULE_SMOOTH;
-  const bool is_dart = rule == Sdc::Crease::RULE_DART;
-  return is_dart || is_smooth_pair ? std::max(steps, kManySteps) : steps;
+  const bool ends_smooth = has_two_faces && tags.sharp_edges == 0 && !tags.is_sharp;
+  const bool ends_as_dart = tags.sharp_edges == 1 && !tags.is_sharp;
+  return ends_as_dart || ends_smooth ? std::max(steps, kManySteps) : steps;
 }
 
-/// A corner of a face in Ptex's numbers, and the vertex there.
+/// A corner of a face, by Ptex's numbers as well, and the vertex there.
 struct FaceCorner {
   int vertex = -1;
+  int steps = 0;  ///< of subdivision that its limit needs
   int face = -1;
+  int ptex_face = -1;
   Uv uv;
 };
 
@@ -168,38 +186,16 @@ FaceCorner corner_at(const Far::TopologyRefiner& refiner, const Far::PtexIndices
   const Far::ConstIndexArray vertices = refiner.GetLevel(0).GetFaceVertices(face);
   const int corner = vertices.FindIndex(vertex);
   const int size = Sdc::SchemeTypeTraits::GetRegularFaceSize(refiner.GetSchemeType());
-  const int first = ptex.GetFaceId(face);
-  // Each corner of another polygon has a face of Ptex of its own, which begins there.
-  if (vertices.size() != size) return {vertex, first + corner, {0, 0}};
+  FaceCorner result{vertex, 0, face, ptex.GetFaceId(face), {0, 0}};
+  if (vertices.size() != size) {
+    // Each corner of another polygon has a face of Ptex of its own, which begins there.
+    result.ptex_face += corner;
+    return result;
+  }
   Domain domain;
   if (size == 3) domain.shape = Domain::Shape::Triangle;
-  return {vertex, first, domain.corner(corner)};
-}
-
-/// Replace the rows of vertices of which the masks are not the limit.
-void replace_by_refinement(const Far::TopologyRefiner& refiner, Rows& rows) {
-  const Far::TopologyLevel level = refiner.GetLevel(0);
-  const Far::PtexIndices ptex(refiner);
-  std::vector<FaceCorner> corners;
-  std::vector<int> faces;
-  int greatest = 0;
-  for (int v = 0; v < level.GetNumVertices(); ++v) {
-    const int steps = steps_to_mask(level, v);
-    if (steps == 0 || level.GetVertexFaces(v).size() == 0) continue;
-    greatest = std::max(greatest, steps);
-    faces.push_back(level.GetVertexFaces(v)[0]);
-    corners.push_back(corner_at(refiner, ptex, v, faces.back()));
-  }
-  if (corners.empty()) return;
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  Rows points;
-  for (int v = 0; v < level.GetNumVertices(); ++v) points.emplace_back(v);
-  const detail::RefinedFaces<WeightRow> refined(refiner, std::move(points), faces, greatest);
-  for (const FaceCorner& corner : corners) {
-    rows[static_cast<std::size_t>(corner.vertex)] =
-        refined.evaluate(corner.face, corner.uv, Order::Position)[0];
-  }
+  result.uv = domain.corner(corner);
+  return result;
 }
 
 bool is_at_border(const Far::TopologyLevel& level, int vertex) {
@@ -208,20 +204,86 @@ bool is_at_border(const Far::TopologyLevel& level, int vertex) {
                      [&](int edge) { return level.GetEdgeFaces(edge).size() == 1; });
 }
 
+bool is_open(const Far::TopologyRefiner& refiner) {
+  return refiner.GetSchemeOptions().GetVtxBoundaryInterpolation() ==
+         Sdc::Options::VTX_BOUNDARY_NONE;
+}
+
+/// True if a face has a limit surface: it is no hole, nor at the border under BoundaryRule::None.
+bool has_surface(const Far::TopologyRefiner& refiner, int face) {
+  const Far::TopologyLevel level = refiner.GetLevel(0);
+  if (level.IsFaceHole(face)) return false;
+  if (!is_open(refiner)) return true;
+  const Far::ConstIndexArray vertices = level.GetFaceVertices(face);
+  return std::none_of(vertices.begin(), vertices.end(),
+                      [&](int vertex) { return is_at_border(level, vertex); });
+}
+
+/// The corners of faces at vertices of which the masks are not the limit, by their steps. A vertex
+/// without a face that has a surface keeps its mask.
+std::vector<FaceCorner> corners_to_refine(const Far::TopologyRefiner& refiner) {
+  const Far::TopologyLevel level = refiner.GetLevel(0);
+  const Far::PtexIndices ptex(refiner);
+  std::vector<FaceCorner> corners;
+  for (int v = 0; v < level.GetNumVertices(); ++v) {
+    const int steps = steps_to_mask(level, v);
+    if (steps == 0) continue;
+    const Far::ConstIndexArray faces = level.GetVertexFaces(v);
+    const auto face =
+        std::find_if(faces.begin(), faces.end(), [&](int f) { return has_surface(refiner, f); });
+    if (face == faces.end()) continue;
+    corners.push_back(corner_at(refiner, ptex, v, *face));
+    corners.back().steps = steps;
+  }
+  std::stable_sort(corners.begin(), corners.end(),
+                   [](const FaceCorner& a, const FaceCorner& b) { return a.steps < b.steps; });
+  return corners;
+}
+
+/// Replace the rows of vertices at some corners, which need the same steps.
+void replace_rows(const Far::TopologyRefiner& refiner, std::span<const FaceCorner> corners,
+                  Rows& rows) {
+  std::vector<int> faces;
+  for (const FaceCorner& corner : corners) faces.push_back(corner.face);
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  Rows points;
+  for (int v = 0; v < refiner.GetLevel(0).GetNumVertices(); ++v) points.emplace_back(v);
+  const detail::RefinedFaces<WeightRow> refined(refiner, std::move(points), faces,
+                                                corners.front().steps);
+  for (const FaceCorner& corner : corners) {
+    if (!refined.has(corner.ptex_face, corner.uv)) continue;
+    rows[static_cast<std::size_t>(corner.vertex)] =
+        refined.evaluate(corner.ptex_face, corner.uv, Order::Position)[0];
+  }
+}
+
+/// Replace the rows of vertices of which the masks are not the limit.
+void replace_by_refinement(const Far::TopologyRefiner& refiner, Rows& rows) {
+  const std::vector<FaceCorner> corners = corners_to_refine(refiner);
+  for (std::size_t first = 0; first < corners.size();) {
+    const int steps = corners[first].steps;
+    const auto most = static_cast<std::size_t>(std::max(1, kMostRefinedEdges >> steps));
+    std::size_t end = first;
+    while (end < corners.size() && end - first < most && corners[end].steps == steps) ++end;
+    replace_rows(refiner, std::span(corners).subspan(first, end - first), rows);
+    first = end;
+  }
+}
+
 }  // namespace
 
 Stencils limit_stencils(const Far::TopologyRefiner& refiner) {
   const Far::TopologyLevel level = refiner.GetLevel(0);
   const bool is_linear = refiner.GetSchemeType() == Sdc::SCHEME_BILINEAR;
-  const bool is_open =
-      refiner.GetSchemeOptions().GetVtxBoundaryInterpolation() == Sdc::Options::VTX_BOUNDARY_NONE;
   Rows rows(static_cast<std::size_t>(level.GetNumVertices()));
   if (!is_linear) {
     rows = is_regular(refiner) ? rows_by_masks(refiner) : rows_of_refined(refiner);
     replace_by_refinement(refiner, rows);
   }
   for (int v = 0; v < level.GetNumVertices(); ++v) {
-    const bool is_free = level.GetVertexFaces(v).size() == 0 || (is_open && is_at_border(level, v));
+    const bool is_free =
+        level.GetVertexFaces(v).size() == 0 || (is_open(refiner) && is_at_border(level, v));
     if (is_linear || is_free) rows[static_cast<std::size_t>(v)] = WeightRow(v);
   }
   return matrix_of(rows, level.GetNumVertices());

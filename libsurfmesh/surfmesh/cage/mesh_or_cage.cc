@@ -11,6 +11,8 @@ constexpr std::size_t kManyTriangles = 1000;
 constexpr std::size_t kManyQuads = 2500;
 constexpr double kSmoothTriangles = 20;
 constexpr double kSmoothQuads = 8;
+/// Loose triangles, or faces that are there twice, are no surface.
+constexpr double kLeastPairedShare = 0.5;
 
 }  // namespace
 
@@ -23,9 +25,13 @@ bool is_fine(const Cage& cage, Scheme scheme) {
   return cage.faces.size() >= (scheme == Scheme::Loop ? kManyTriangles : kManyQuads);
 }
 
+double smooth_turn(Scheme scheme) {
+  return scheme == Scheme::Loop ? kSmoothTriangles : kSmoothQuads;
+}
+
 bool is_mesh_of_surface(const Cage& cage, Scheme scheme, const MeshTurns& turns) {
   if (scheme == Scheme::Bilinear || has_tags(cage) || !is_fine(cage, scheme)) return false;
-  return turns.median < (scheme == Scheme::Loop ? kSmoothTriangles : kSmoothQuads);
+  return turns.paired_share > kLeastPairedShare && turns.median < smooth_turn(scheme);
 }
 
 }  // namespace surfmesh

@@ -16,9 +16,15 @@ bool has_tags(const Cage& cage);
 /// Pre      scheme is not Auto
 bool is_fine(const Cage& cage, Scheme scheme);
 
-/// True if a cage is most likely a mesh of a surface: fine, without tags, and half of its edges
-/// that are no features turn by less than 20 degrees, under other schemes than Loop 8. Under the
-/// bilinear scheme both are the same.
+/// The angle below which half of the edges of a mesh turn, degrees: 20 for triangles, under other
+/// schemes than Loop 8.
+///
+/// Pre      scheme is not Auto
+double smooth_turn(Scheme scheme);
+
+/// True if a cage is most likely a mesh of a surface: fine, without tags, most of its edges have
+/// two faces, and half of those that are no features turn by less than smooth_turn. Under the
+/// bilinear scheme a surface is its mesh.
 ///
 /// Pre      scheme is not Auto
 bool is_mesh_of_surface(const Cage& cage, Scheme scheme, const MeshTurns& turns);

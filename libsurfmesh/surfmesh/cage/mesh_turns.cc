@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/cage/mesh_turns.hh"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "surfmesh/cage/cage_sides.hh"
 #include "surfmesh/cage/creases.hh"
+#include "surfmesh/cage/face_angles.hh"
 #include "surfmesh/cage/sharp_features.hh"
 
 namespace surfmesh {
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;
+using detail::kDegrees;
 
-/// A vertex that stands out by this angle, seen from its neighbours, is noise or a feature.
-constexpr double kNoisyAngle = 10;
-/// Edges of more than this are features in a noisy mesh, too.
-constexpr double kSurelySharp = 60;
+/// Edges of more than this are features in a noisy mesh, too, degrees.
+constexpr double kSharpInNoise = 60;
 /// Vertices need so many neighbours that are no features to compare with.
 constexpr int kFewNeighbours = 3;
 
@@ -124,11 +121,10 @@ class VertexHeights {
   void mark(int vertex) { is_feature_[static_cast<std::size_t>(vertex)] = 1; }
 
   void mark_features(double sharp_angle) {
-    for_each_edge(sides_, [this](std::span<const CageSide> edge) {
-      if (edge.size() == 2) return;
-      mark(edge[0].low);
-      mark(edge[0].high);
-    });
+    for (const auto& [low, high] : border_edges(cage_)) {
+      mark(low);
+      mark(high);
+    }
     for (const auto& [low, high] : edges_above(sharp_angle, cage_)) {
       mark(low);
       mark(high);
@@ -136,14 +132,8 @@ class VertexHeights {
   }
 
   void add_normals() {
-    const auto point = [this](int v) -> const Vec3& {
-      return cage_.points[static_cast<std::size_t>(v)];
-    };
     for (const std::vector<int>& face : cage_.faces) {
-      Vec3 area = Vec3::Zero();
-      for (std::size_t k = 2; k < face.size(); ++k) {
-        area += (point(face[k - 1]) - point(face[0])).cross(point(face[k]) - point(face[0]));
-      }
+      const Vec3 area = detail::area_vector(face, cage_.points);
       for (const int v : face) normals_[static_cast<std::size_t>(v)] += area;
     }
   }
@@ -181,9 +171,20 @@ double median_turn(const Cage& cage) {
   return median_of(2 * smooth.size() < all.size() ? std::move(all) : std::move(smooth));
 }
 
+/// The share of the edges that have two faces.
+double paired_share(const Cage& cage) {
+  std::size_t count = 0, pairs = 0;
+  const std::vector<CageSide> sides = sorted_sides(cage.faces);
+  for_each_edge(sides, [&](std::span<const CageSide> edge) {
+    ++count;
+    if (edge.size() == 2) ++pairs;
+  });
+  return count > 0 ? static_cast<double>(pairs) / static_cast<double>(count) : 0;
+}
+
 void measure_noise(const Cage& cage, MeshTurns& turns) {
   std::vector<double> differences;
-  for (const auto& pair : VertexHeights(cage, kSurelySharp).pairs()) {
+  for (const auto& pair : VertexHeights(cage, kSharpInNoise).pairs()) {
     differences.push_back(std::abs(pair.own - pair.around));
   }
   if (differences.empty()) return;
@@ -214,6 +215,7 @@ void find_spikes(const Cage& cage, MeshTurns& turns) {
 MeshTurns measure_turns(const Cage& cage) {
   MeshTurns turns;
   turns.median = median_turn(cage);
+  turns.paired_share = paired_share(cage);
   turns.length = mean_length(cage);
   measure_noise(cage, turns);
   find_spikes(cage, turns);

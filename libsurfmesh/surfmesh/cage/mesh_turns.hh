@@ -7,12 +7,17 @@
 
 namespace surfmesh {
 
+/// A vertex at which the mesh turns by more than this, seen from its neighbours, and these do not,
+/// is noise or a feature, degrees.
+inline constexpr double kNoisyAngle = 10;
+
 /// How the faces of a mesh turn, apart from its features.
 struct MeshTurns {
   /// Median of the angles at which faces meet, where that is less than kFeatureAngle, degrees; of
   /// all where most are not. 0 without edges of two faces.
   double median = 0;
-  /// Share of the inner vertices at which the mesh turns to and fro by more than kNoisyAngle.
+  double paired_share = 0;  ///< share of the edges that have two faces
+  /// Share of the inner vertices at which the mesh zigzags by more than kNoisyAngle.
   double noisy_share = 0;
   /// Median of the distances of these vertices from where the mesh around would have them, shares
   /// of the lengths of their edges.
@@ -27,14 +32,15 @@ struct MeshTurns {
 ///
 /// The height of a vertex is that of its neighbours' mean above it, along its normal. On a smooth
 /// surface heights of neighbours are alike; how far one differs from the mean of those around it is
-/// noise, or a feature: a mesh is noisy if many do. A spike is a vertex that is moved by more than
+/// noise, or a feature: a mesh is noisy if many do. Borders, also those of holes, count for
+/// nothing. A spike is a vertex that is moved by more than
 /// 0.17 of the length of its edges: so that without the move heights around would be alike, to 0.4
 /// of it.
 /// Units    degrees and shares
 /// Cost     O(n log n) for n face corners, 1 µs a face
 MeshTurns measure_turns(const Cage& cage);
 
-/// A mesh is noisy if at more than this share of its vertices it turns to and fro.
+/// A mesh is noisy if it zigzags at more than this share of its inner vertices.
 inline constexpr double kNoisyShare = 0.4;
 
 }  // namespace surfmesh

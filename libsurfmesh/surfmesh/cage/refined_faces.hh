@@ -3,6 +3,7 @@
 
 // Shows OpenSubdiv's types; for sources of this folder only.
 
+#include <fmt/format.h>
 #include <opensubdiv/far/patchMap.h>
 #include <opensubdiv/far/patchTableFactory.h>
 #include <opensubdiv/far/primvarRefiner.h>
@@ -14,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "surfmesh/core/error.hh"
 #include "surfmesh/geometry/surface.hh"
 
 namespace surfmesh::detail {
@@ -39,10 +41,20 @@ class RefinedFaces {
     refine(*refiner);
   }
 
+  /// True if there is a surface at a point of a face: not in holes, nor in faces at the border
+  /// under BoundaryRule::None. Faces are numbered as Ptex does: as those of the cage where all have
+  /// the scheme's size.
+  bool has(int face, Uv uv) const { return map_->FindPatch(face, uv.u, uv.v) != nullptr; }
+
   /// The value at a point of a face and, up to the order, its derivatives by u, v, uu, uv and vv.
-  /// Faces are numbered as Ptex does: as those of the cage where all have the scheme's size.
+  ///
+  /// Throws   Geometry where there is no surface
   std::array<Value, 6> evaluate(int face, Uv uv, Order order) const {
-    const Far::PatchTable::PatchHandle& patch = *map_->FindPatch(face, uv.u, uv.v);
+    const Far::PatchTable::PatchHandle* found = map_->FindPatch(face, uv.u, uv.v);
+    if (found == nullptr) {
+      throw Error(ErrorCode::Geometry, fmt::format("face {} has no limit surface", face));
+    }
+    const Far::PatchTable::PatchHandle& patch = *found;
     std::array<Weights, 6> w;
     const bool has_first = order >= Order::First, has_second = order >= Order::Second;
     table_->EvaluateBasis(patch, uv.u, uv.v, w[0].data(), has_first ? w[1].data() : nullptr,

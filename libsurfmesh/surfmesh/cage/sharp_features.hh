@@ -25,11 +25,18 @@ struct SharpFeatures {
 
 /// Tag the features of a mesh that a surface is to pass through, which otherwise get round.
 ///
-/// Where no angle is given, edges become creases if faces meet there at more than kFeatureAngle and
-/// at 1.5 times the mean angle of the other edges of these faces, or at more than 75 degrees, and
-/// if other creases or borders go on at one of their ends. With an angle, in degrees, all edges of
-/// more become creases, with 0 none. Vertices become corners where a line of creases, or the
-/// border, turns by more than kCornerAngle; where three lines meet there is a corner anyway.
+/// Where no angle is given, features are lines of edges. They start where faces meet at more than
+/// kFeatureAngle and at 1.5 times the mean angle of the other edges of these faces, or at more than
+/// 75 degrees, and go on along edges of more than 30 degrees and 5 times that mean, if these are
+/// not most of the line. Connected edges become creases if they are at least four for each end at
+/// which neither a border nor another crease goes on, and if half of them are clear: of more than 5
+/// times the mean, or 70 degrees. Shorter branches that are not clear are left out, and so are
+/// rings of three.
+///
+/// With an angle, in degrees, all edges of more become creases, with 0 none. Vertices become
+/// corners where a line of creases, or the border, turns by more than kCornerAngle; where three
+/// lines meet there is a corner anyway. At the border of a hole a crease may end, but that has
+/// no corners: the surface goes on below the hole.
 ///
 /// Cost     O(n log n) for n face corners, 1 µs a face
 SharpFeatures tag_features(const std::optional<double>& crease_angle, Cage& cage);

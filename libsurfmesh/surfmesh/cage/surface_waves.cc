@@ -2,13 +2,13 @@
 #include "surfmesh/cage/surface_waves.hh"
 
 #include <opensubdiv/far/primvarRefiner.h>
+#include <opensubdiv/sdc/crease.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "surfmesh/cage/face_angles.hh"
 #include "surfmesh/cage/primvar.hh"
 #include "surfmesh/cage/subdivision.hh"
 
@@ -16,8 +16,11 @@ namespace surfmesh {
 namespace {
 
 namespace Far = OpenSubdiv::Far;
+namespace Sdc = OpenSubdiv::Sdc;
 
-constexpr double kDegrees = 180 / std::numbers::pi;
+using detail::angle_between;
+using detail::area_vector;
+using detail::kDegrees;
 
 /// What the surface turns more than the faces is a wave from here on, degrees. On meshes of 2,000
 /// to 30,000 triangles of smooth surfaces no edge has more, beside edges that should be creases 1
@@ -30,8 +33,31 @@ constexpr double kFoldAngle = 45;
 /// Nor is it where a part of it turns so far away from the face that it is over, degrees.
 constexpr double kMostPartTurn = 60;
 
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+/// What is left of semi-sharp tags of this sharpness after a step of subdivision is nothing.
+constexpr float kGoneAfterAStep = 1;
+
+bool outlasts_a_step(float sharpness) {
+  return Sdc::Crease::IsSemiSharp(sharpness) && sharpness > kGoneAfterAStep;
+}
+
+/// The faces over which the limit normals are known: those that have a surface, and no vertex at
+/// which a semi-sharp tag goes on after a step of subdivision, which limit masks overlook.
+std::vector<char> known_faces(const Far::TopologyLevel& level) {
+  std::vector<char> is_known(static_cast<std::size_t>(level.GetNumFaces()), 1);
+  const auto leave_out_around = [&](int vertex) {
+    for (const int f : level.GetVertexFaces(vertex)) is_known[static_cast<std::size_t>(f)] = 0;
+  };
+  for (int v = 0; v < level.GetNumVertices(); ++v) {
+    if (outlasts_a_step(level.GetVertexSharpness(v))) leave_out_around(v);
+  }
+  for (int e = 0; e < level.GetNumEdges(); ++e) {
+    if (!outlasts_a_step(level.GetEdgeSharpness(e))) continue;
+    for (const int vertex : level.GetEdgeVertices(e)) leave_out_around(vertex);
+  }
+  for (int f = 0; f < level.GetNumFaces(); ++f) {
+    if (level.IsFaceHole(f)) is_known[static_cast<std::size_t>(f)] = 0;
+  }
+  return is_known;
 }
 
 /// Normals of the limit surface of a cage after a step of subdivision, and its positions.
@@ -68,11 +94,16 @@ class LimitNormals {
 class WaveMeter {
  public:
   WaveMeter(const Cage& mesh, const Far::TopologyRefiner& refiner, const LimitNormals& limit)
-      : mesh_(mesh), level_(refiner.GetLevel(0)), parts_(refiner.GetLevel(1)), limit_(limit) {
-    for (int f = 0; f < level_.GetNumFaces(); ++f) areas_.push_back(area_of(f));
+      : level_(refiner.GetLevel(0)),
+        parts_(refiner.GetLevel(1)),
+        limit_(limit),
+        is_known_(known_faces(level_)) {
+    for (int f = 0; f < level_.GetNumFaces(); ++f) {
+      areas_.push_back(area_vector(level_.GetFaceVertices(f), mesh.points));
+    }
     turns_.resize(areas_.size(), 0);
     for (int e = 0; e < level_.GetNumEdges(); ++e) {
-      if (!is_smooth(e)) continue;
+      if (!is_measured(e)) continue;
       const Far::ConstIndexArray faces = level_.GetEdgeFaces(e);
       const double angle = angle_between(area(faces[0]), area(faces[1]));
       for (const int face : faces) {
@@ -85,10 +116,10 @@ class WaveMeter {
   SurfaceWaves measure() const {
     SurfaceWaves waves;
     for (int e = 0; e < level_.GetNumEdges(); ++e) {
-      if (is_smooth(e)) add_edge(e, waves);
+      if (is_measured(e)) add_edge(e, waves);
     }
     for (int f = 0; f < level_.GetNumFaces(); ++f) {
-      if (is_folded(f)) waves.folded_faces.push_back(f);
+      if (is_known(f) && is_folded(f)) waves.folded_faces.push_back(f);
     }
     std::vector<int>& folded = waves.folded_faces;
     std::sort(folded.begin(), folded.end());
@@ -100,33 +131,24 @@ class WaveMeter {
   const Vec3& area(int face) const { return areas_[static_cast<std::size_t>(face)]; }
   double turn(int face) const { return turns_[static_cast<std::size_t>(face)]; }
 
-  bool is_smooth(int edge) const {
-    return level_.GetEdgeFaces(edge).size() == 2 && level_.GetEdgeSharpness(edge) <= 0;
-  }
+  bool is_known(int face) const { return is_known_[static_cast<std::size_t>(face)] != 0; }
 
-  Vec3 area_of(int f) const {
-    return area_of(level_.GetFaceVertices(f), [this](int v) -> const Vec3& {
-      return mesh_.points[static_cast<std::size_t>(v)];
-    });
-  }
-
-  template <class PointOf>
-  static Vec3 area_of(const Far::ConstIndexArray& face, PointOf point) {
-    Vec3 sum = Vec3::Zero();
-    for (int k = 2; k < face.size(); ++k) {
-      sum += (point(face[k - 1]) - point(face[0])).cross(point(face[k]) - point(face[0]));
-    }
-    return sum;
+  /// True for an edge of two known faces that is no crease.
+  bool is_measured(int edge) const {
+    const Far::ConstIndexArray faces = level_.GetEdgeFaces(edge);
+    return faces.size() == 2 && level_.GetEdgeSharpness(edge) <= 0 && is_known(faces[0]) &&
+           is_known(faces[1]);
   }
 
   /// True if a part of the surface over a face turns away from it, as between creases that bulge
   /// across each other.
   bool is_folded(int f) const {
     for (const int part : level_.GetFaceChildFaces(f)) {
-      const Vec3 area = area_of(parts_.GetFaceVertices(part),
-                                [this](int v) -> const Vec3& { return limit_.position(v); });
-      const double angle = angle_between(area, areas_[static_cast<std::size_t>(f)]);
-      if (angle > std::max(turn(f), kMostPartTurn / kDegrees)) return true;
+      const Vec3 part_area =
+          area_vector(parts_.GetFaceVertices(part),
+                      [this](int v) -> const Vec3& { return limit_.position(v); });
+      if (angle_between(part_area, area(f)) > std::max(turn(f), kMostPartTurn / kDegrees))
+        return true;
     }
     return false;
   }
@@ -149,12 +171,12 @@ class WaveMeter {
     waves.point = limit_.position(vertex);
   }
 
-  const Cage& mesh_;
   Far::TopologyLevel level_;
   Far::TopologyLevel parts_;  ///< after a step of subdivision
   const LimitNormals& limit_;
-  std::vector<Vec3> areas_;    ///< twice those of the faces, along their normals
-  std::vector<double> turns_;  ///< greatest angle of a face with one beside it
+  std::vector<char> is_known_;  ///< by face
+  std::vector<Vec3> areas_;     ///< twice those of the faces, along their normals
+  std::vector<double> turns_;   ///< greatest angle of a face with one beside it
 };
 
 }  // namespace

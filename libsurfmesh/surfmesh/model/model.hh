@@ -112,7 +112,7 @@ struct SurfaceFit {
   std::size_t corners = 0;   ///< vertices that became corners by the angle of lines
   double wavy_share = 0;  ///< of the edges without creases: the surface turns more than the faces
   double greatest_wave = 0;  ///< by which it turns more, degrees
-  double noisy_share = 0;    ///< of the edges without creases: the faces turn to and fro
+  double noisy_share = 0;    ///< of the inner vertices: the faces zigzag there
 
   friend bool operator==(const SurfaceFit&, const SurfaceFit&) = default;
 };

@@ -114,7 +114,10 @@ CageInput read_cage_input(const JsonNode& node, const std::filesystem::path& fol
   if (const auto orient = node.find("orient")) cage.orient = orient->boolean();
   if (const auto angle = node.find("crease_angle")) cage.crease_angle = read_angle(*angle);
   if (const auto surface = node.find("surface")) cage.surface = read_surface_kind(*surface);
-  if (const auto fit = node.find("fit")) cage.fit = read_off_or_length(*fit);
+  // Null is for what the options tell, as it is in these.
+  if (const auto fit = node.find("fit"); fit && !fit->json().is_null()) {
+    cage.fit = read_off_or_length(*fit);
+  }
   if (const auto creases = node.find("creases")) {
     for (const JsonNode& crease : creases->elements()) cage.creases.push_back(read_crease(crease));
   }

@@ -82,14 +82,28 @@ void add_lengths(const Report& report, TextTable& table) {
                                  lengths.min, lengths.max, lengths.mean, report.diagonal));
 }
 
-/// A line for each cage whose surface passes through its points.
-void add_surfaces(const std::vector<SurfaceFit>& surfaces, TextTable& table) {
+/// Distances of less than this share of the diagonal are rounding.
+constexpr double kRounding = 1e-9;
+
+/// How a surface relates to the points of a mesh: "through 42 points", or how near it passes.
+std::string nearness_text(const SurfaceFit& fit, double diagonal) {
+  const std::string points = counted(fit.vertices, "point", "points");
+  if (fit.fit > 0) {
+    return fmt::format("within {:.3g} of {}, {:.3g} requested", fit.distance, points, fit.fit);
+  }
+  if (fit.distance > kRounding * diagonal) {
+    return fmt::format("near {}, at up to {:.3g}", points, fit.distance);
+  }
+  return "through " + points;
+}
+
+/// A line for each cage whose surface passes through its points, or near to them.
+void add_surfaces(const Report& report, TextTable& table) {
   const char* label = "surface";
-  for (const SurfaceFit& fit : surfaces) {
+  for (const SurfaceFit& fit : report.surfaces) {
     const std::string part = fit.part.empty() ? "" : fit.part + " ";
-    table.add(label, fmt::format("{}through {}, within {:.2g}; its cage moved by up to {:.3g}",
-                                 part, counted(fit.vertices, "point", "points"), fit.distance,
-                                 fit.greatest_move));
+    table.add(label, fmt::format("{}{}; its cage moved by up to {:.3g}", part,
+                                 nearness_text(fit, report.diagonal), fit.greatest_move));
     label = "";
   }
 }
@@ -232,7 +246,7 @@ std::string to_text(const Report& report, const TextStyle& style) {
   add_histograms(report, table);
   add_places(report, table);
   add_lengths(report, table);
-  add_surfaces(report.surfaces, table);
+  add_surfaces(report, table);
   add_sag(report.sag, table);
   if (report.facets) detail::add_facets(*report.facets, table);
   if (!style.is_long) add_control(report.control, table);
