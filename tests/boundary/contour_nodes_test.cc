@@ -12,8 +12,8 @@
 #include "support/errors.hh"
 #include "support/models.hh"
 #include "surfmesh/boundary/contour_memory.hh"
-#include "surfmesh/geometry/crossing_segments.hh"
 #include "surfmesh/boundary/metric_arc.hh"
+#include "surfmesh/geometry/crossing_segments.hh"
 
 namespace surfmesh {
 namespace {

@@ -174,7 +174,7 @@ TEST(Decisions, NameTestsThatExist) {
 
 /// Each source of the list as "Surname", with its year.
 std::vector<std::pair<std::string, std::string>> listed_sources() {
-  static const std::regex pattern(R"(\n- (\w+),[^:]*\((\d{4})\):)");
+  static const std::regex pattern(R"(\n- ([\w-]+),[^:]*\((\d{4})\):)");
   const std::string text = read("libsurfmesh/README.md");
   std::vector<std::pair<std::string, std::string>> sources;
   for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {

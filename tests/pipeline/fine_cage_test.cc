@@ -24,8 +24,8 @@ std::size_t count_told(const Cage& cage, Length size, PatchKind patches = PatchK
 
 TEST(FineCage, IsToldIfItsEdgesAreNoLongerThanElements) {
   const Cage mesh = testing::triangle_sheet(30, 20);  // edges of 2 % of the diagonal
-  EXPECT_EQ(count_told(mesh, Length::percent(5)), 1U);
-  EXPECT_EQ(count_told(mesh, Length::percent(0.5)), 0U);
+  EXPECT_EQ(count_told(mesh, Length::percent(5), PatchKind::Faces), 1U);
+  EXPECT_EQ(count_told(mesh, Length::percent(0.5), PatchKind::Faces), 0U);
 }
 
 TEST(FineCage, IsNoneIfElementsMayBeLargerThanFaces) {

@@ -7,9 +7,9 @@
 #include <set>
 #include <utility>
 
-#include "surfmesh/geometry/crossing_segments.hh"
 #include "surfmesh/boundary/loop_steps.hh"
 #include "surfmesh/boundary/pole_room.hh"
+#include "surfmesh/geometry/crossing_segments.hh"
 
 namespace surfmesh {
 namespace {

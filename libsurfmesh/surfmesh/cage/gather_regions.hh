@@ -29,8 +29,7 @@ struct FaceRegion {
 /// The result does not depend on the number of threads. Regions are in the order of their first
 /// faces.
 /// Cost     7 evaluations a face, and O(n log n) for n faces ten times or so, 40 at most: 4 µs a
-/// face
-///          (regions_bench)
+///          face (regions_bench)
 /// Source   Cohen-Steiner, Alliez, Desbrun, Variational shape approximation (2004), for the way of
 ///          moving seeds; the cost is of distances, with a share for turned normals
 std::vector<FaceRegion> gather_regions(const FaceNeighbours& neighbours,

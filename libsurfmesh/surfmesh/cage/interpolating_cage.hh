@@ -58,12 +58,10 @@ struct InterpolatingCage {
 /// Tags are taken as they are: edges that are not creases become round, with waves beside them; see
 /// tag_features.
 /// Units    model units
-/// Error    without fit, distances are up to 1e-11 of the diagonal where no least squares are
-/// needed
+/// Error    without fit, distances are up to 1e-11 of the diagonal where no least squares are needed
 ///          (test InterpolatingCage.PassesThroughTrianglesAndQuads)
-/// Cost     O(face corners): 0.04 s for 100,000 triangles, 1.2 s with a fit; least squares have up
-/// to
-///          2,000 iterations, in which the time grows with the root of the number of vertices
+/// Cost     O(face corners): 0.04 s for 100,000 triangles, 1.2 s with a fit; least squares have
+///          up to 2,000 iterations, in which the time grows with the root of the number of vertices
 /// Throws   InvalidInput for a cage that cannot be subdivided, or a vertex that it does not have;
 ///          InvalidOption; Geometry if no cage is found
 /// Source   Halstead, Efficient, fair interpolation using Catmull-Clark surfaces (1993)
