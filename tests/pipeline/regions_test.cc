@@ -12,8 +12,10 @@
 #include "support/expect_valid.hh"
 #include "support/folders.hh"
 #include "surfmesh/assemble/result_places.hh"
+#include "surfmesh/core/properties.hh"
 #include "surfmesh/formats/write_mesh.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
+#include "surfmesh/quality/face_corners.hh"
 
 /// Whole runs on meshes of many small faces, whose patches are regions of them.
 namespace surfmesh {
@@ -34,7 +36,9 @@ MeshResult mesh_of(const Cage& cage, double size, bool has_quads = false, int th
 
 double area_of(const PolyMesh& mesh) {
   double sum = 0;
-  for (const FaceHandle face : mesh.faces()) sum += mesh.calc_face_area(face);
+  for (const FaceHandle face : mesh.faces()) {
+    sum += 0.5 * detail::double_area_of(mesh, detail::corners_of(mesh, face)).norm();
+  }
   return sum;
 }
 
@@ -49,7 +53,7 @@ class RegionsAtSizes : public ::testing::TestWithParam<double> {};
 TEST_P(RegionsAtSizes, HaveAsManyElementsAsTheSizesAskFor) {
   const double size = GetParam() * kFaceSize;
   const MeshResult result = mesh_of(torus_mesh(), size);
-  expect_valid(result.mesh);
+  testing::expect_valid(result.mesh);
   EXPECT_TRUE(result.report.mesh.is_closed);
   EXPECT_EQ(result.report.mesh.euler, 0);
   EXPECT_FALSE(has_shortfall(result.report));
@@ -64,9 +68,40 @@ TEST_P(RegionsAtSizes, HaveAsManyElementsAsTheSizesAskFor) {
 
 INSTANTIATE_TEST_SUITE_P(Faces, RegionsAtSizes, ::testing::Values(0.5, 1.0, 2.0, 5.0));
 
+/// Two halves of a sphere. A face with two corners on their border had the patch of the other half
+/// where the third one lay on several patches of its own.
+TEST(Regions, KeepFacesOnTheirSideOfGroups) {
+  Cage cage = testing::sphere_mesh(3);
+  cage.groups = {{"top", {}}, {"bottom", {}}};
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
+    double height = 0;
+    for (const int v : cage.faces[f]) height += cage.points[static_cast<std::size_t>(v)].z();
+    cage.groups[height > 0 ? 0 : 1].faces.push_back(static_cast<int>(f));
+  }
+  const Model model = model_from_cage(cage);
+  for (const double size : {0.25, 0.3, 0.35, 0.45, 0.6}) {
+    PipelineOptions options;
+    options.sizing.hmin = options.sizing.hmax = Length::units(size);
+    const MeshResult result = mesh_model(model, {}, options);
+    const auto patch_of = require(result.mesh, keys::face_patch);
+    const std::vector<int> top = find_group(model, "top");
+    for (const EdgeHandle edge : result.mesh.edges()) {
+      const HalfedgeHandle side = result.mesh.halfedge_handle(edge, 0);
+      const FaceHandle a = result.mesh.face_handle(side);
+      const FaceHandle b = result.mesh.face_handle(result.mesh.opposite_halfedge_handle(side));
+      const auto is_top = [&](FaceHandle face) {
+        return std::binary_search(top.begin(), top.end(), result.mesh.property(patch_of, face));
+      };
+      if (is_top(a) == is_top(b)) continue;
+      // The border is a line on the surface that no face has moved.
+      EXPECT_GE(result.mesh.property(require(result.mesh, keys::edge_contour), edge), 0) << size;
+    }
+  }
+}
+
 TEST(Regions, AreMeshedWithQuads) {
   const MeshResult result = mesh_of(torus_mesh(), 2 * kFaceSize, true);
-  expect_valid(result.mesh);
+  testing::expect_valid(result.mesh);
   EXPECT_TRUE(result.report.mesh.is_closed);
   EXPECT_EQ(result.report.mesh.triangles, 0U);
   EXPECT_EQ(result.report.quads.inverted, 0U);

@@ -7,6 +7,7 @@
 #include "surfmesh/across/dissolved_contours.hh"
 #include "surfmesh/across/put_back.hh"
 #include "surfmesh/assemble/orientation.hh"
+#include "surfmesh/core/disjoint_sets.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 
@@ -19,6 +20,18 @@ std::vector<std::vector<SingularPoint>> singular_points_of(const Model& model) {
   return points;
 }
 
+std::vector<std::size_t> sheets_of(const Model& model, const std::vector<char>& is_dissolved) {
+  DisjointSets sets(model.patches.size());
+  for (std::size_t c = 0; c < model.contours.size(); ++c) {
+    if (is_dissolved[c] == 0) continue;
+    const auto& uses = model.contours[c].uses;
+    sets.unite(static_cast<std::size_t>(uses[0].patch), static_cast<std::size_t>(uses[1].patch));
+  }
+  std::vector<std::size_t> sheets;
+  for (std::size_t p = 0; p < model.patches.size(); ++p) sheets.push_back(sets.find(p));
+  return sheets;
+}
+
 class Across {
  public:
   Across(PolyMesh& result, const Model& model, const std::vector<const MetricField*>& fields,
@@ -29,7 +42,9 @@ class Across {
         orientation_(orient_patches(model)),
         walk_(model, is_dissolved_, Walks::FromOpenPatches),
         singular_points_(singular_points_of(model)),
-        input_{result, model, fields, walk_, orientation_.is_turned, singular_points_, {}} {}
+        sheets_(sheets_of(model, is_dissolved_)),
+        input_{result,           model,   fields, walk_, orientation_.is_turned,
+               singular_points_, sheets_, {}} {}
 
   /// First inside the pieces, then across the edges between them.
   AcrossReport run() {
@@ -123,6 +138,7 @@ class Across {
   PatchOrientation orientation_;
   SurfaceWalk walk_;
   std::vector<std::vector<SingularPoint>> singular_points_;
+  std::vector<std::size_t> sheets_;
   RegionInput input_;
   AcrossReport report_;
 };

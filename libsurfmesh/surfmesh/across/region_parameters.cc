@@ -20,15 +20,16 @@ constexpr double kFlatTriangle = 0.4;
 
 class RegionParameters {
  public:
-  RegionParameters(const PolyMesh& result, const RegionWork& work, const ChartMaker& maker)
+  RegionParameters(const RegionInput& input, const RegionWork& work, const ChartMaker& maker)
       : work_(work),
         mesh_(*work.region.mesh),
-        result_(result),
+        result_(input.result),
+        sheets_(input.sheets),
         parameters_(maker),
-        patch_of_(require(result, keys::face_patch)),
-        uv_of_(require(result, keys::corner_uv)),
-        metric_of_(require(result, keys::corner_metric)),
-        beyond_(find(result, keys::corner_beyond)) {}
+        patch_of_(require(result_, keys::face_patch)),
+        uv_of_(require(result_, keys::corner_uv)),
+        metric_of_(require(result_, keys::corner_metric)),
+        beyond_(find(result_, keys::corner_beyond)) {}
 
   /// A face as the result has it.
   FaceInPatch of_result(FaceHandle old) const {
@@ -99,7 +100,8 @@ class RegionParameters {
     return parameters_.find(std::span(sites).first(count));
   }
 
-  /// The patches on which a vertex lies: one on a contour that has not moved lies on several.
+  /// The patches on which a vertex lies: one on a contour that has not moved lies on several. Those
+  /// beyond a contour that stays, at the border of a group for instance, are none of the region's.
   void collect_sites(VertexHandle vh, FaceCornerSites& corner) const {
     const VertexChart& chart = work_.charts[index(vh)];
     corner.chart = &chart;
@@ -115,6 +117,7 @@ class RegionParameters {
       if (result_.is_boundary(heh) || is_beyond(heh)) continue;
       const InPatch site{result_.property(patch_of_, result_.face_handle(heh)),
                          result_.property(uv_of_, heh), result_.property(metric_of_, heh)};
+      if (sheet(site.patch) != sheet(chart.place.patch)) continue;
       const bool is_known = std::ranges::any_of(corner.sites, [&](const InPatch& known) {
         return known.patch == site.patch && known.uv == site.uv;
       });
@@ -126,6 +129,8 @@ class RegionParameters {
     }
   }
 
+  std::size_t sheet(int patch) const { return sheets_[static_cast<std::size_t>(patch)]; }
+
   bool is_beyond(HalfedgeHandle corner) const {
     return beyond_.is_valid() && result_.property(beyond_, corner) != 0;
   }
@@ -133,6 +138,7 @@ class RegionParameters {
   const RegionWork& work_;
   const PolyMesh& mesh_;
   const PolyMesh& result_;
+  const std::vector<std::size_t>& sheets_;
   FaceParameters parameters_;
   decltype(keys::face_patch)::Handle patch_of_;
   decltype(keys::corner_uv)::Handle uv_of_;
@@ -191,12 +197,12 @@ class QualitySum {
 
 std::vector<FaceInPatch> faces_in_patches(const RegionInput& input, const RegionWork& work,
                                           const ChartMaker& maker) {
-  return RegionParameters(input.result, work, maker).find_all();
+  return RegionParameters(input, work, maker).find_all();
 }
 
 RegionQuality quality_before(const RegionInput& input, const RegionWork& work,
                              const ChartMaker& maker) {
-  const RegionParameters parameters(input.result, work, maker);
+  const RegionParameters parameters(input, work, maker);
   QualitySum sum(maker);
   for (const FaceHandle fh : work.region.faces) {
     sum.add(parameters.of_result(fh), input.result.valence(fh));

@@ -41,6 +41,8 @@ struct RegionInput {
   const SurfaceWalk& walk;
   const std::vector<char>& is_turned;                              ///< by patch
   const std::vector<std::vector<SingularPoint>>& singular_points;  ///< by patch
+  /// By patch: those with the same number are connected across contours that are dissolved.
+  const std::vector<std::size_t>& sheets;
   /// By vertex of the result where it lies on the surface, as far as that is known better than from
   /// its corners, whose (u,v) may go on beyond their patch; others have no patch. May be empty.
   std::vector<SurfacePlace> places;

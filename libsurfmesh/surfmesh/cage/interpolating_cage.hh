@@ -58,8 +58,8 @@ struct InterpolatingCage {
 /// Tags are taken as they are: edges that are not creases become round, with waves beside them; see
 /// tag_features.
 /// Units    model units
-/// Error    without fit, distances are up to 1e-11 of the diagonal where no least squares are needed
-///          (test InterpolatingCage.PassesThroughTrianglesAndQuads)
+/// Error    without fit, and where no least squares are needed, distances are up to 1e-11 of the
+///          diagonal (test InterpolatingCage.PassesThroughTrianglesAndQuads)
 /// Cost     O(face corners): 0.04 s for 100,000 triangles, 1.2 s with a fit; least squares have
 ///          up to 2,000 iterations, in which the time grows with the root of the number of vertices
 /// Throws   InvalidInput for a cage that cannot be subdivided, or a vertex that it does not have;
