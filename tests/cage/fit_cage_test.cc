@@ -71,6 +71,17 @@ TEST(FitCage, TellsWhyAMeshIsTakenForOne) {
   EXPECT_TRUE(limit.notices.empty());
 }
 
+/// Where triangles are too few for a mesh, or too steep, what became of them is told, too.
+TEST(FitCage, TellsThatTrianglesAreTakenForACage) {
+  const Model model = model_from_cage(testing::sphere_mesh(2));
+  EXPECT_TRUE(model.fits.empty());
+  const Notice notice = only(model.notices, NoticeKind::ChosenSurface);
+  EXPECT_EQ(notice.severity, Severity::Information);
+  EXPECT_TRUE(mentions(notice, "surface = interpolate")) << notice.text;
+  EXPECT_TRUE(
+      model_from_cage(testing::sphere_mesh(2), {.surface = SurfaceKind::Limit}).notices.empty());
+}
+
 TEST(FitCage, MakesCreasesOfSharpEdges) {
   const Model model = model_from_cage(testing::cylinder_mesh(40), kInterpolate);
   EXPECT_EQ(model.fits[0].creases, 80U);

@@ -33,6 +33,9 @@ constexpr std::array kTriedFits = {1.0, 2.0, 4.0};
 /// A fit that leaves less noise than this share of the limit for it is worth being named.
 constexpr double kCalm = 0.5;
 
+/// Triangles up to which nobody wonders that a cage is one.
+constexpr std::size_t kFewTriangles = 100;
+
 /// Times that vertices are passed by where the surface folds, before faces are kept flat there, and
 /// times in all.
 constexpr int kPassingRounds = 2;
@@ -325,6 +328,12 @@ bool is_in_doubt(const CageOptions& options, Scheme scheme, const Cage& cage) {
   return options.surface == SurfaceKind::Auto && !has_tags(cage) && is_fine(cage, scheme);
 }
 
+/// True for triangles that are not few, though they are no fine mesh: cages of triangles are rare.
+bool may_be_meant_as_mesh(const CageOptions& options, Scheme scheme, const Cage& cage) {
+  return options.surface == SurfaceKind::Auto && scheme == Scheme::Loop && !has_tags(cage) &&
+         cage.faces.size() >= kFewTriangles;
+}
+
 }  // namespace
 
 CageFit fit_cage(const CageOptions& options, Scheme scheme, Cage& cage) {
@@ -339,6 +348,14 @@ CageFit fit_cage(const CageOptions& options, Scheme scheme, Cage& cage) {
   }
   if (options.crease_angle.value_or(0) > 0) add_creases(*options.crease_angle, cage);
   CageFit result;
+  if (may_be_meant_as_mesh(options, scheme, cage)) {
+    result.notices.push_back(information(
+        NoticeKind::ChosenSurface,
+        fmt::format("taken for a control cage: the surface is the limit surface of its {} "
+                    "triangles, which shrinks from the vertices (with {} = interpolate it would "
+                    "pass through them)",
+                    cage.faces.size(), ranges::kSurface.name)));
+  }
   if (has_fit(options)) {
     result.notices.push_back(
         warning(NoticeKind::UnusedOption,
