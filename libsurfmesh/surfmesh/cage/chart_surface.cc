@@ -21,7 +21,7 @@ constexpr double kMiss = 1e-7;
 /// Steps of Newton's method and from face to face, of which five are usual.
 constexpr int kMostSteps = 60;
 
-/// Slope of a chart that its faces never have: they turn by 65° at most. The slopes of vertices are
+/// Slope of a chart that its faces never have: they turn by 69° at most. The slopes of vertices are
 /// cut at it.
 constexpr double kMostSlope = 4;
 

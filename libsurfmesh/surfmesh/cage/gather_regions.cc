@@ -28,10 +28,10 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 /// Greatest angle between the normals of a region and that of its plane. Elements are stretched in
 /// the plane by up to 1/cos of it, 1.7, which the metric makes up for.
-constexpr double kMostTurn = 55 * kDegree;
+constexpr double kMostTurn = 62 * kDegree;
 
 /// The same for small regions that become parts of others, and for the margin around a region.
-constexpr double kMostTurnOfRest = 65 * kDegree;
+constexpr double kMostTurnOfRest = 69 * kDegree;
 
 /// Faces of a region, about. Twice that is too many.
 constexpr std::size_t kFacesOfRegion = 2000;

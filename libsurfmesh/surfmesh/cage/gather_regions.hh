@@ -21,8 +21,8 @@ struct FaceRegion {
 
 /// Divide the faces of a cage into regions, round and of about the same number of faces.
 ///
-/// Regions end where faces are not neighbours. Within one, normals stay within 55° of that of its
-/// plane (within 65° in the few faces that would be regions of their own otherwise), the faces do
+/// Regions end where faces are not neighbours. Within one, normals stay within 62° of that of its
+/// plane (within 69° in the few faces that would be regions of their own otherwise), the faces do
 /// not cover each other, and no two of them meet in an edge where they are not neighbours. Faces
 /// that turn farther themselves, or have no normals, are single.
 ///
