@@ -63,6 +63,7 @@ class Options(TypedDict, total=False):
     across: Union[bool, str]
     normals: Union[bool, str]
     uv: Union[bool, str]
+    texture: Union[bool, str]
     msh: str
     threads: Union[int, str]
     max_elements: Union[int, str]
