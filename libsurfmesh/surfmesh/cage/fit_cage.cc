@@ -34,7 +34,7 @@ constexpr std::array kTriedFits = {1.0, 2.0, 4.0};
 constexpr double kCalm = 0.5;
 
 /// Triangles up to which nobody wonders that a cage is one.
-constexpr std::size_t kFewTriangles = 100;
+constexpr std::size_t kFewTriangles = 150;
 
 /// Times that vertices are passed by where the surface folds, before faces are kept flat there, and
 /// times in all.
