@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "cage/cages.hh"
 #include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/cage/limit_surface.hh"
 #include "surfmesh/cage/subdivision.hh"
@@ -28,16 +29,6 @@ Cage torus(bool is_irregular) {
       cage.faces.push_back({j * n + i, j * n + right, up * n + right, up * n + i});
     }
   }
-  return cage;
-}
-
-Cage triangulated(Cage cage) {
-  std::vector<std::vector<int>> triangles;
-  for (const std::vector<int>& q : cage.faces) {
-    triangles.push_back({q[0], q[1], q[2]});
-    triangles.push_back({q[0], q[2], q[3]});
-  }
-  cage.faces = triangles;
   return cage;
 }
 
@@ -94,13 +85,13 @@ void BM_Irregular(benchmark::State& state) {
 BENCHMARK(BM_Irregular)->DenseRange(0, 2);
 
 void BM_RegularLoop(benchmark::State& state) {
-  const auto surface = make_limit_surfaces(triangulated(torus(false)), Scheme::Loop)[0];
+  const auto surface = make_limit_surfaces(testing::halved_quads(torus(false)), Scheme::Loop)[0];
   evaluate(state, *surface, static_cast<Order>(state.range(0)));
 }
 BENCHMARK(BM_RegularLoop)->DenseRange(0, 2);
 
 void BM_IrregularLoop(benchmark::State& state) {
-  const auto surface = make_limit_surfaces(triangulated(torus(true)), Scheme::Loop)[0];
+  const auto surface = make_limit_surfaces(testing::halved_quads(torus(true)), Scheme::Loop)[0];
   evaluate(state, *surface, static_cast<Order>(state.range(0)));
 }
 BENCHMARK(BM_IrregularLoop)->DenseRange(0, 2);

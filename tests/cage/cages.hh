@@ -37,6 +37,17 @@ inline Cage torus(int m = 6, int n = 4) {
   return cage;
 }
 
+/// The triangles of a cage of quads, all diagonals from the first corner.
+inline Cage halved_quads(Cage cage) {
+  std::vector<std::vector<int>> triangles;
+  for (const std::vector<int>& q : cage.faces) {
+    triangles.push_back({q[0], q[1], q[2]});
+    triangles.push_back({q[0], q[2], q[3]});
+  }
+  cage.faces = triangles;
+  return cage;
+}
+
 /// The triangles of a cage of quads. Their diagonals run this way and that, so that half of the
 /// vertices are irregular.
 inline Cage triangulated(Cage cage) {
@@ -111,16 +122,7 @@ inline Cage flat_sheet(int m, int n) {
 }
 
 /// A bent sheet with every quad cut into two triangles: interior vertices have valence 6.
-inline Cage triangle_sheet(int m = 3, int n = 3) {
-  Cage cage = sheet(m, n);
-  std::vector<std::vector<int>> triangles;
-  for (const std::vector<int>& q : cage.faces) {
-    triangles.push_back({q[0], q[1], q[2]});
-    triangles.push_back({q[0], q[2], q[3]});
-  }
-  cage.faces = triangles;
-  return cage;
-}
+inline Cage triangle_sheet(int m = 3, int n = 3) { return halved_quads(sheet(m, n)); }
 
 /// A hump of quads around vertex 0, which has the valence given.
 inline Cage quad_fan(int valence) {

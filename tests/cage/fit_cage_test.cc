@@ -80,6 +80,8 @@ TEST(FitCage, TellsThatTrianglesAreTakenForACage) {
   EXPECT_TRUE(mentions(notice, "surface = interpolate")) << notice.text;
   EXPECT_TRUE(
       model_from_cage(testing::sphere_mesh(2), {.surface = SurfaceKind::Limit}).notices.empty());
+  // Who names the scheme knows that it is a cage.
+  EXPECT_TRUE(model_from_cage(testing::sphere_mesh(2), {.scheme = Scheme::Loop}).notices.empty());
 }
 
 TEST(FitCage, MakesCreasesOfSharpEdges) {

@@ -18,16 +18,6 @@
 namespace surfmesh {
 namespace {
 
-Cage triangulated(Cage cage) {
-  std::vector<std::vector<int>> triangles;
-  for (const std::vector<int>& q : cage.faces) {
-    triangles.push_back({q[0], q[1], q[2]});
-    triangles.push_back({q[0], q[2], q[3]});
-  }
-  cage.faces = triangles;
-  return cage;
-}
-
 /// The unit sphere as a mesh: an icosahedron, refined.
 Cage sphere(int levels) {
   Cage cage = testing::icosahedron();
@@ -71,7 +61,7 @@ void expect_interpolation(const Cage& mesh) {
 TEST(InterpolatingCage, PassesThroughTrianglesAndQuads) {
   expect_interpolation(sphere(2));
   expect_interpolation(testing::torus(12, 8));
-  expect_interpolation(triangulated(testing::torus(12, 8)));
+  expect_interpolation(testing::halved_quads(testing::torus(12, 8)));
   expect_interpolation(testing::sheet(5, 4));
   expect_interpolation(testing::triangle_sheet(5, 4));
 }
@@ -83,7 +73,7 @@ TEST(InterpolatingCage, PassesThroughCreasesAndCorners) {
   mesh.corners = {{3, 10}, {40, 2}};
   expect_interpolation(mesh);
   mesh.creases.resize(12);
-  expect_interpolation(triangulated(mesh));
+  expect_interpolation(testing::halved_quads(mesh));
 }
 
 TEST(InterpolatingCage, PassesThroughEdgesOfThreeFaces) { expect_interpolation(testing::fan()); }
@@ -109,7 +99,7 @@ TEST(InterpolatingCage, PassesThroughPolygons) {
 
 /// The points of a cage are found again from those of its limit surface.
 TEST(InterpolatingCage, IsTheCageOfALimitSurface) {
-  const Cage cage = triangulated(testing::torus(9, 7));
+  const Cage cage = testing::halved_quads(testing::torus(9, 7));
   Cage mesh = cage;
   const auto surfaces = make_limit_surfaces(cage, Scheme::Loop);
   for (std::size_t f = 0; f < surfaces.size(); ++f) {

@@ -28,16 +28,11 @@ inline Cage cylinder_mesh(int n) {
   const int first = static_cast<int>(cage.points.size());
   cage.points.emplace_back(0, 0, 0);
   cage.points.emplace_back(0, 0, 2);
-  std::vector<std::vector<int>> triangles;
-  for (const std::vector<int>& q : cage.faces) {
-    triangles.push_back({q[0], q[1], q[2]});
-    triangles.push_back({q[0], q[2], q[3]});
-  }
+  cage = halved_quads(cage);
   for (int i = 0; i < n; ++i) {
-    triangles.push_back({(i + 1) % n, i, first});
-    triangles.push_back({top + i, top + (i + 1) % n, first + 1});
+    cage.faces.push_back({(i + 1) % n, i, first});
+    cage.faces.push_back({top + i, top + (i + 1) % n, first + 1});
   }
-  cage.faces = triangles;
   return cage;
 }
 

@@ -3,6 +3,7 @@
 // at its vertices, and a coordinate of a texture with seams at its corners.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Utils/PropertyManager.hh>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 

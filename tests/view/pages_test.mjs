@@ -229,6 +229,8 @@ const TESTS = {
     await page.locator("#histograms svg").first().scrollIntoViewIfNeeded();
     assert.equal(await page.locator("#histograms svg").count(), 3);
     await page.locator("#figures > summary").click();
+    // The section is filled when the browser tells that it is open, which is after the click.
+    await page.locator("#figures .body > *").first().waitFor();
     assert.match(await page.locator("#figures .body").textContent(), /control space.*nodes/);
     checkFaults(page);
     await page.close();

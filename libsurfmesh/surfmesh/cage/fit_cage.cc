@@ -222,7 +222,7 @@ class CageFitter {
     if (found.distance <= kRounding * diagonal(cage_)) {
       return "the surface passes through the vertices";
     }
-    return fmt::format("the surface passes the vertices at up to {:.3g}", found.distance);
+    return fmt::format("the surface misses the vertices by up to {:.3g}", found.distance);
   }
 
   std::string creases_text() const {
@@ -328,10 +328,11 @@ bool is_in_doubt(const CageOptions& options, Scheme scheme, const Cage& cage) {
   return options.surface == SurfaceKind::Auto && !has_tags(cage) && is_fine(cage, scheme);
 }
 
-/// True for triangles that are not few, though they are no fine mesh: cages of triangles are rare.
+/// True for triangles that are not few, though they are no fine mesh: cages of triangles are rare,
+/// and nobody has named their scheme.
 bool may_be_meant_as_mesh(const CageOptions& options, Scheme scheme, const Cage& cage) {
-  return options.surface == SurfaceKind::Auto && scheme == Scheme::Loop && !has_tags(cage) &&
-         cage.faces.size() >= kFewTriangles;
+  return options.surface == SurfaceKind::Auto && options.scheme == Scheme::Auto &&
+         scheme == Scheme::Loop && !has_tags(cage) && cage.faces.size() >= kFewTriangles;
 }
 
 }  // namespace

@@ -3,35 +3,27 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <numeric>
-#include <optional>
 #include <queue>
 #include <set>
 #include <tuple>
 #include <utility>
 
-#include "surfmesh/cage/face_loops.hh"
-#include "surfmesh/core/error.hh"
-#include "surfmesh/core/parallel.hh"
-#include "surfmesh/geometry/crossing_segments.hh"
+#include "surfmesh/cage/face_angles.hh"
+#include "surfmesh/cage/face_shapes.hh"
+#include "surfmesh/cage/region_charts.hh"
 
 namespace surfmesh {
 namespace {
 
 constexpr int kNone = -1;
-constexpr double kDegree = std::numbers::pi / 180;
 
-/// Greatest angle between the normals of a region and that of its plane. Elements are stretched in
-/// the plane by up to 1/cos of it, 1.7, which the metric makes up for.
-constexpr double kMostTurn = 62 * kDegree;
-
-/// The same for small regions that become parts of others, and for the margin around a region.
-constexpr double kMostTurnOfRest = 69 * kDegree;
+/// The angles within which regions stay, radians; see gather_regions.hh.
+constexpr double kMostTurn = kMostTurnOfRegion / detail::kDegrees;
+constexpr double kMostTurnOfRest = kMostTurnOfMargin / detail::kDegrees;
 
 /// Faces of a region, about. Twice that is too many.
 constexpr std::size_t kFacesOfRegion = 2000;
@@ -47,79 +39,6 @@ constexpr int kMoves = 3;
 
 /// Times that faces without a region become seeds after that.
 constexpr int kMostRounds = 30;
-
-/// Rings of faces around a region that its chart covers, too.
-constexpr int kMarginRings = 4;
-
-/// Points of a side of a face that stand for it: sides are curves.
-constexpr int kSideSamples = 4;
-
-/// Sine of the angle between derivatives below which they leave no normal.
-constexpr double kLeastSine = 1e-6;
-
-/// What a region needs to know of a face.
-struct FaceShape {
-  Vec3 centre = Vec3::Zero();
-  Vec3 normal = Vec3::UnitZ();
-  double turn = std::numbers::pi;  ///< greatest angle of its normals to this one
-  double area = 0;
-};
-
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::acos(std::clamp(a.dot(b), -1.0, 1.0));
-}
-
-/// The greatest angle of the normals of a face to an axis.
-double turn_from(const FaceShape& shape, const Vec3& axis) {
-  return angle_between(shape.normal, axis) + shape.turn;
-}
-
-/// From samples at the corners, at the middles of sides and in the middle.
-FaceShape shape_of(const Surface& surface) {
-  const Domain domain = surface.domain();
-  const int count = domain.corner_count();
-  Uv middle{0, 0};
-  std::vector<Uv> samples;
-  for (int i = 0; i < count; ++i) {
-    samples.push_back(domain.corner(i));
-    samples.push_back(lerp(domain.corner(i), domain.corner((i + 1) % count), 0.5));
-    middle = middle + (1.0 / count) * domain.corner(i);
-  }
-  samples.push_back(middle);
-  FaceShape shape;
-  Vec3 sum = Vec3::Zero();
-  std::vector<Vec3> normals;
-  try {
-    for (const Uv uv : samples) {
-      const Jet jet = surface.evaluate(uv, Order::First);
-      const Vec3 area = jet.du.cross(jet.dv);
-      const double length = area.norm();
-      if (!(length > kLeastSine * jet.du.norm() * jet.dv.norm())) return {};
-      shape.centre = jet.point;
-      shape.area = length / (count == 3 ? 2 : 1);
-      sum += area;
-      normals.push_back(area / length);
-    }
-  } catch (const Error&) {
-    return {};  // the surface is not finite there: such a face is no part of a region
-  }
-  shape.normal = sum.normalized();
-  shape.turn = 0;
-  for (const Vec3& normal : normals) {
-    shape.turn = std::max(shape.turn, angle_between(normal, shape.normal));
-  }
-  return shape;
-}
-
-std::vector<FaceShape> shapes_of(const std::vector<std::shared_ptr<const Surface>>& surfaces) {
-  std::vector<FaceShape> shapes(surfaces.size());
-  share_ranges(surfaces.size(), [&](std::size_t first, std::size_t end) {
-    for (std::size_t f = first; f < end; ++f) {
-      if (surfaces[f]) shapes[f] = shape_of(*surfaces[f]);
-    }
-  });
-  return shapes;
-}
 
 /// Divides the faces among seeds.
 class RegionGatherer {
@@ -297,7 +216,7 @@ class RegionGatherer {
     }
     std::vector<std::tuple<double, int, int>> pairs;
     for (const auto& [a, b] : neighbouring_regions()) {
-      pairs.emplace_back(angle_between(sums[index(a)].axis(), sums[index(b)].axis()), a, b);
+      pairs.emplace_back(detail::angle_between(sums[index(a)].axis(), sums[index(b)].axis()), a, b);
     }
     std::sort(pairs.begin(), pairs.end());
     std::vector<int> host(seeds_.size());
@@ -444,140 +363,6 @@ class RegionGatherer {
   std::vector<Seed> seeds_;
 };
 
-/// Makes the charts of regions.
-class ChartMaker {
- public:
-  ChartMaker(const FaceNeighbours& neighbours, const std::vector<FaceShape>& shapes,
-             const std::vector<std::shared_ptr<const Surface>>& surfaces)
-      : neighbours_(neighbours), shapes_(shapes), surfaces_(surfaces), marks_(shapes.size(), 0) {}
-
-  /// The region of the faces; nothing if they turn too far, or their chart would cover itself.
-  std::optional<FaceRegion> make(const std::vector<int>& faces, const Vec3& axis) {
-    FaceRegion region{faces, true, frame_of(faces, axis)};
-    const bool all_fit = std::all_of(faces.begin(), faces.end(), [&](int face) {
-      return turn_from(shape(face), axis) <= kMostTurnOfRest;
-    });
-    if (!all_fit) return std::nullopt;
-    ++mark_;
-    for (const int face : region.faces) mark(face) = mark_;
-    if (!lies_side_by_side(region.faces, region.frame)) return std::nullopt;
-    for (int rings = kMarginRings; rings > 0; rings /= 2) {
-      region.margin = margin_of(region, rings);
-      std::vector<int> all = region.faces;
-      all.insert(all.end(), region.margin.begin(), region.margin.end());
-      std::sort(all.begin(), all.end());
-      if (lies_side_by_side(all, region.frame)) return region;
-      for (const int face : region.margin) mark(face) = 0;
-    }
-    region.margin.clear();
-    return region;
-  }
-
-  int& mark(int face) { return marks_[static_cast<std::size_t>(face)]; }
-  const FaceShape& shape(int face) const { return shapes_[static_cast<std::size_t>(face)]; }
-
-  ChartFrame frame_of(const std::vector<int>& faces, const Vec3& axis) const {
-    Vec3 centre = Vec3::Zero();
-    for (const int face : faces) centre += shape(face).centre;
-    return ChartFrame::at(centre / static_cast<double>(faces.size()), axis);
-  }
-
-  /// Two connected halves of connected faces: those nearer to one of two ends.
-  std::vector<std::vector<int>> halves(const std::vector<int>& faces) {
-    const int end = last_reached(faces, {faces.front()});
-    const int other_end = last_reached(faces, {end});
-    last_reached(faces, {end, other_end});
-    std::vector<std::vector<int>> result(2);
-    for (const int face : faces) result[mark(face) == mark_ ? 0 : 1].push_back(face);
-    return result;
-  }
-
- private:
-  /// Mark the faces with the number of the start that they are nearest to, counted down from
-  /// `mark_`.
-  /// Returns  the last face that is reached
-  int last_reached(const std::vector<int>& faces, const std::vector<int>& starts) {
-    const int is_free = ++mark_;
-    for (const int face : faces) mark(face) = is_free;
-    mark_ += static_cast<int>(starts.size());
-    std::vector<int> queue = starts;
-    for (std::size_t i = 0; i < starts.size(); ++i) mark(starts[i]) = mark_ - static_cast<int>(i);
-    for (std::size_t i = 0; i < queue.size(); ++i) {
-      for (int side = 0; side < neighbours_.corner_count(); ++side) {
-        const int next = neighbours_.across({queue[i], side}).face;
-        if (next < 0 || mark(next) != is_free) continue;
-        mark(next) = mark(queue[i]);
-        queue.push_back(next);
-      }
-    }
-    return queue.back();
-  }
-
-  /// Rings of neighbours around a region that lie over its plane. They are marked.
-  std::vector<int> margin_of(const FaceRegion& region, int rings) {
-    std::vector<int> margin;
-    std::vector<int> last = region.faces;
-    for (int ring = 0; ring < rings; ++ring) {
-      std::vector<int> next;
-      for (const int face : last) {
-        for (int side = 0; side < neighbours_.corner_count(); ++side) {
-          const int other = neighbours_.across({face, side}).face;
-          if (other < 0 || mark(other) == mark_ || !may_be_in_margin(other, region.frame.normal)) {
-            continue;
-          }
-          mark(other) = mark_;
-          next.push_back(other);
-        }
-      }
-      margin.insert(margin.end(), next.begin(), next.end());
-      last = std::move(next);
-    }
-    return margin;
-  }
-
-  /// Not beyond a crease: there a point of the plane would have two tangent planes.
-  bool may_be_in_margin(int face, const Vec3& axis) const {
-    if (turn_from(shape(face), axis) > kMostTurnOfRest) return false;
-    for (int side = 0; side < neighbours_.corner_count(); ++side) {
-      if (neighbours_.across({face, side}).face >= 0) continue;
-      for (const int other : neighbours_.level().GetEdgeFaces(neighbours_.edge({face, side}))) {
-        if (other != face && marks_[static_cast<std::size_t>(other)] == mark_) return false;
-      }
-    }
-    return true;
-  }
-
-  /// True if marked faces, seen along the normal, cover no part of each other, and their borders do
-  /// not touch. As all turn counter-clockwise, it is enough that borders do not cross.
-  bool lies_side_by_side(const std::vector<int>& faces, const ChartFrame& frame) const {
-    std::vector<detail::NodeLoop> loops;
-    std::vector<int> vertices;
-    for (const FaceLoop& loop : face_loops(neighbours_, faces, marks_, mark_)) {
-      detail::NodeLoop& nodes = loops.emplace_back();
-      for (const FaceNeighbours::Side side : loop) {
-        const Surface& surface = *surfaces_[static_cast<std::size_t>(side.face)];
-        const Domain domain = surface.domain();
-        const Uv from = domain.corner(side.side);
-        const Uv to = domain.corner((side.side + 1) % domain.corner_count());
-        vertices.push_back(neighbours_.vertex(side));
-        for (int i = 0; i < kSideSamples; ++i) {
-          const Uv at = lerp(from, to, double(i) / kSideSamples);
-          nodes.push_back(frame.project(surface.evaluate(at, Order::Position).point));
-        }
-      }
-    }
-    std::sort(vertices.begin(), vertices.end());
-    const bool is_touching = std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
-    return !is_touching && detail::crossing_segments(loops).empty();
-  }
-
-  const FaceNeighbours& neighbours_;
-  const std::vector<FaceShape>& shapes_;
-  const std::vector<std::shared_ptr<const Surface>>& surfaces_;
-  std::vector<int> marks_;  ///< by face
-  int mark_ = 0;            ///< of the region at hand
-};
-
 }  // namespace
 
 std::vector<FaceRegion> gather_regions(
@@ -596,7 +381,7 @@ std::vector<FaceRegion> gather_regions(
       add_single(face);
     }
   }
-  ChartMaker maker(neighbours, shapes, surfaces);
+  RegionChartMaker maker(neighbours, shapes, surfaces);
   for (std::size_t r = 0; r < faces.size(); ++r) {
     // Faces that cover each other are halved until they do not.
     std::vector<std::vector<int>> parts = {std::move(faces[r])};

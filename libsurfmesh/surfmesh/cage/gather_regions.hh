@@ -10,6 +10,13 @@
 
 namespace surfmesh {
 
+/// Greatest angle between the normals of a region and that of its plane, degrees. Elements are
+/// stretched in the plane by up to 1/cos of it, 2.1, which the metric makes up for.
+inline constexpr double kMostTurnOfRegion = 62;
+
+/// The same for small regions that become parts of others, and for the margin around a region.
+inline constexpr double kMostTurnOfMargin = 69;
+
 /// Connected faces over which the surface is a graph over a plane, or a single face.
 struct FaceRegion {
   std::vector<int> faces;  ///< ascending

@@ -26,15 +26,15 @@ using Surfaces = std::vector<std::shared_ptr<const Surface>>;
 /// the charts on both sides is smoothed less, and in the end runs along the edges.
 constexpr std::array kSmoothings = {24, 6, 1};
 
-/// Points of each part of a contour that stand for it in a polygon, and at which it is looked
-/// whether it stays within charts.
+/// Points of each part of a contour: the first stand for it in a polygon, the second tell whether
+/// it stays within charts.
 constexpr int kSamples = 3;
 constexpr int kChecks = 8;
 
 /// Distance of charts in space, in faces, from which on they are not one surface at a point.
 constexpr double kApart = 1e-6;
 
-/// Shares of a part of a contour at which it is looked for crossings: sides of rough faces may meet
+/// Shares of a part of a contour that are joined to find crossings: sides of rough faces may meet
 /// next to a corner.
 constexpr std::array kCloseSamples = {0.0, 1.0 / 256, 1.0 / 64,     1.0 / 16,     0.25,
                                       0.5, 0.75,      1 - 1.0 / 16, 1 - 1.0 / 64, 1 - 1.0 / 256};
