@@ -70,8 +70,9 @@ struct PatchFace {
 /// The faces of one patch with vertices of the result, oriented like those of its neighbours.
 class PatchFaces {
  public:
-  /// Adds the positions of the patch's own vertices.
-  PatchFaces(const PatchMesh& patch, bool is_turned, std::vector<Vec3>& points)
+  /// Sets the positions of the patch's vertices between tiles, which have numbers from
+  /// `contour_count` on, and adds those of its own vertices.
+  PatchFaces(const PatchMesh& patch, bool is_turned, int contour_count, std::vector<Vec3>& points)
       : patch_(patch),
         mesh_(*patch.mesh),
         uv_(require(mesh_, keys::vertex_uv)),
@@ -81,11 +82,15 @@ class PatchFaces {
     vertices_ = boundary_vertices(patch_.boundary);
     vertices_.resize(mesh_.n_vertices(), -1);
     for (std::size_t v = 0; v < vertices_.size(); ++v) {
+      const Vec3 point = to_eigen(mesh_.point(VertexHandle(static_cast<int>(v))));
+      if (vertices_[v] >= contour_count) points[static_cast<std::size_t>(vertices_[v])] = point;
       if (vertices_[v] >= 0) continue;
       vertices_[v] = static_cast<int>(points.size());
-      points.push_back(to_eigen(mesh_.point(VertexHandle(static_cast<int>(v)))));
+      points.push_back(point);
     }
   }
+
+  int patch() const { return patch_.boundary.patch; }
 
   std::size_t halfedge_count() const { return mesh_.n_halfedges(); }
 
@@ -188,7 +193,7 @@ struct FaceSoup {
     twins.reserve(corner_count);
   }
 
-  void add(const PatchFaces& patch, int number) {
+  void add(const PatchFaces& patch) {
     const std::size_t first = faces.corner_count();
     std::vector<int> side_of(patch.halfedge_count(), -1);
     std::vector<HalfedgeHandle> halfedges;
@@ -204,7 +209,8 @@ struct FaceSoup {
         if (contour < 0 || model.contour(contour).uses.size() < 3) continue;
         const auto [a, b] = std::minmax(face.corners[k].vertex,
                                         face.corners[k + 1 == face.count ? 0 : k + 1].vertex);
-        shared.push_back({contour, number, {a, b}, static_cast<int>(faces.corner_count() + k)});
+        shared.push_back(
+            {contour, patch.patch(), {a, b}, static_cast<int>(faces.corner_count() + k)});
       }
       faces.add(std::span(vertices).first(face.count));
     });
@@ -285,8 +291,8 @@ class PropertyWriter {
         uv_(attach(mesh, keys::corner_uv)),
         metric_(attach(mesh, keys::corner_metric)) {}
 
-  void write(FaceHandle fh, std::size_t patch, const PatchFaces& faces, const PatchFace& face) {
-    mesh_.property(patch_of_, fh) = static_cast<int>(patch);
+  void write(FaceHandle fh, const PatchFaces& faces, const PatchFace& face) {
+    mesh_.property(patch_of_, fh) = faces.patch();
     HalfedgeHandle heh = mesh_.halfedge_handle(fh);
     for (std::size_t k = 0; k < face.count; ++k, heh = mesh_.next_halfedge_handle(heh)) {
       const CornerValue tip = faces.value(face, k + 1 == face.count ? 0 : k + 1);
@@ -319,7 +325,7 @@ void write_properties(const std::vector<PatchFaces>& patches,
   share_indices(patches.size(), [&](std::size_t p) {
     auto face = static_cast<int>(first_faces[p]);
     patches[p].for_each(
-        [&](const PatchFace& f) { writer.write(FaceHandle(face++), p, patches[p], f); });
+        [&](const PatchFace& f) { writer.write(FaceHandle(face++), patches[p], f); });
   });
 }
 
@@ -384,9 +390,11 @@ AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<Co
   std::vector<std::size_t> first_faces;
   for (std::size_t p = 0; p < patches.size(); ++p) {
     context.throw_if_cancelled();
-    faces.emplace_back(patches[p], orientation.is_turned[p] != 0, points);
+    const PatchMesh& patch = patches[p];
+    faces.emplace_back(patch, orientation.is_turned[patch.patch()] != 0, numbers.contour_count(),
+                       points);
     first_faces.push_back(soup.faces.size());
-    soup.add(faces.back(), static_cast<int>(p));
+    soup.add(faces.back());
   }
   join_shared_sides(model, orientation.cut_contours, soup);
   drop_unused(points, soup.faces);

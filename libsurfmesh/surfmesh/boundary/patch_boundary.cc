@@ -122,6 +122,7 @@ NodeNumbers::NodeNumbers(const Model& model, const std::vector<ContourNodes>& no
     ranges_.push_back({model.contours[c].start, model.contours[c].end, count_, segments});
     count_ += std::max(0, segments - 1);
   }
+  contour_count_ = count_;
 }
 
 int NodeNumbers::operator()(int contour, int node) const {
@@ -141,6 +142,7 @@ PatchBoundary collect_boundary(const Model& model, int patch,
                                const std::vector<ContourNodes>& nodes, const NodeNumbers& numbers,
                                const MetricField& field, int segments_per_face) {
   PatchBoundary boundary;
+  boundary.patch = patch;
   FanMaker maker{model, field, segments_per_face, 0};
   for (const PatchLoop& loop : model.patch(patch).loops) {
     Steps steps = steps_along(model, loop, [&](int contour) {

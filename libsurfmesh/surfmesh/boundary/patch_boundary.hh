@@ -8,8 +8,8 @@
 
 namespace surfmesh {
 
-/// Numbers of the result's vertices on contours: first the vertices of the model, then the inner
-/// nodes of each contour.
+/// Numbers of the result's vertices that several meshes share: first the vertices of the model,
+/// then the inner nodes of each contour, then the nodes between the tiles of a patch.
 class NodeNumbers {
  public:
   NodeNumbers(const Model& model, const std::vector<ContourNodes>& nodes);
@@ -17,8 +17,18 @@ class NodeNumbers {
   /// Vertex of the result for a node of a contour.
   int operator()(int contour, int node) const;
 
+  /// Take numbers for nodes that the tiles of one patch share.
+  /// Returns  the first of them
+  int add(int nodes) {
+    count_ += nodes;
+    return count_ - nodes;
+  }
+
   /// Total number of vertices and nodes.
   int count() const { return count_; }
+
+  /// Number of those on contours: nodes between tiles have numbers from here on.
+  int contour_count() const { return contour_count_; }
 
  private:
   struct Range {
@@ -29,6 +39,7 @@ class NodeNumbers {
 
   std::vector<Range> ranges_;
   int count_ = 0;
+  int contour_count_ = 0;
 };
 
 /// A node of the boundary of a patch's domain.
@@ -54,6 +65,7 @@ struct PoleFan {
 
 /// The boundary that the mesh of one patch must have.
 struct PatchBoundary {
+  int patch = 0;  ///< index in Model::patches
   std::vector<BoundaryLoop> loops;
   std::vector<PoleFan> fans;
 };

@@ -47,11 +47,10 @@ class ChordSplitter {
   bool split(const Chord& chord) {
     auto found = open_.find(chord.patch);
     if (found == open_.end()) {
-      const int patch = static_cast<int>(chord.patch);
-      found = open_
-                  .emplace(chord.patch, reopen_patch(std::move(patches_[chord.patch]),
-                                                     model_.surface(patch), *fields_[chord.patch]))
-                  .first;
+      PatchMesh& patch = patches_[chord.patch];
+      const Surface& surface = model_.surface(patch.boundary.patch);
+      const MetricField& field = *fields_[patch.patch()];
+      found = open_.emplace(chord.patch, reopen_patch(std::move(patch), surface, field)).first;
     }
     return split_chord(found->second, chord.edge);
   }

@@ -18,6 +18,8 @@ namespace surfmesh {
 struct PatchMesh {
   PatchBoundary boundary;
   std::unique_ptr<PolyMesh> mesh;
+
+  std::size_t patch() const { return static_cast<std::size_t>(boundary.patch); }
 };
 
 /// Take the triangles of a patch as its finished mesh.

@@ -126,7 +126,7 @@ class Mending {
   }
 
   void close(const Model& model) {
-    for (auto& [p, mending] : open_) mending->close(model.surface(static_cast<int>(p)));
+    for (auto& [p, mending] : open_) mending->close(model.surface(patches_[p].boundary.patch));
   }
 
  private:
@@ -170,7 +170,10 @@ class Mending {
 
   PatchMending& open(std::size_t patch) {
     std::unique_ptr<PatchMending>& mending = open_[patch];
-    if (!mending) mending = std::make_unique<PatchMending>(patches_[patch], *fields_[patch]);
+    if (!mending) {
+      PatchMesh& mesh = patches_[patch];
+      mending = std::make_unique<PatchMending>(mesh, *fields_[mesh.patch()]);
+    }
     return *mending;
   }
 
