@@ -13,11 +13,11 @@ namespace surfmesh {
 namespace {
 
 /// The order of the data flow: a folder includes only itself and those before it.
-const std::array<std::string, 25> kFolders = {
-    "core",   "io",      "geometry",   "formula",  "nurbs",    "model",    "cage",
-    "metric", "quality", "delaunay",   "boundary", "refine",   "improve",  "patch_mesh",
-    "quad",   "patch",   "control",    "sizes",    "sampling", "estimate", "assemble",
-    "across", "formats", "model_file", "pipeline"};
+const std::array<std::string, 27> kFolders = {
+    "core",       "io",      "geometry", "formula",  "nurbs",      "model",    "cage",
+    "metric",     "quality", "delaunay", "boundary", "tiles",      "refine",   "improve",
+    "patch_mesh", "quad",    "patch",    "control",  "sizes",      "sampling", "estimate",
+    "assemble",   "across",  "pieces",   "formats",  "model_file", "pipeline"};
 
 /// What lies in no folder, surfmesh.hh, stands above all of them.
 std::optional<std::size_t> rank(const std::string& folder) {
@@ -80,7 +80,8 @@ TEST(Layering, FollowsTheDataFlow) {
 
 /// A patch can be meshed where there is no control space: they see a metric field only.
 TEST(Layering, KeepsTheControlSpaceFromTheMeshingStages) {
-  for (const char* stage : {"boundary", "refine", "improve", "patch_mesh", "patch", "assemble"}) {
+  for (const char* stage :
+       {"boundary", "tiles", "refine", "improve", "patch_mesh", "patch", "assemble"}) {
     for (const char* folder : {"control", "sizes", "sampling"}) {
       EXPECT_FALSE(may_include(stage, folder)) << stage << ", " << folder;
     }

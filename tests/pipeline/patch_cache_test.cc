@@ -14,7 +14,10 @@ namespace {
 /// A square with a hole, meshed once and kept.
 class Cache : public ::testing::Test {
  protected:
-  Cache() { cache_.keep(0, cells(0.1)->mesh(), 0.01, mesh_patch(task(0.01))); }
+  Cache() {
+    cache_.begin(0, cells(0.1)->mesh());
+    cache_.keep({0, 0}, 0.01, mesh_patch(task(0.01)));
+  }
 
   static std::unique_ptr<ControlCells> cells(double size) {
     return std::make_unique<ControlCells>(
@@ -43,22 +46,28 @@ TEST_F(Cache, GivesTheMeshOfTheSameTask) {
   for (BoundaryLoop& loop : same.boundary.loops) {
     for (BoundaryNode& node : loop) node.vertex += 7;
   }
-  const auto kept = cache_.find(0, cells(0.1)->mesh(), same);
+  EXPECT_TRUE(cache_.begin(0, cells(0.1)->mesh()));
+  const auto kept = cache_.find({0, 0}, same);
   ASSERT_TRUE(kept.has_value());
   EXPECT_EQ(kept->mesh.mesh->n_faces(), mesh_patch(task(0.01)).mesh.mesh->n_faces());
   EXPECT_EQ(kept->mesh.boundary.loops[0][0].vertex, same.boundary.loops[0][0].vertex);
 }
 
 TEST_F(Cache, KnowsTheSizesItKept) {
-  EXPECT_TRUE(cache_.has_sizes(0, cells(0.1)->mesh()));
-  EXPECT_FALSE(cache_.has_sizes(0, cells(0.2)->mesh()));
-  EXPECT_FALSE(PatchCache(1).has_sizes(0, cells(0.1)->mesh()));
+  EXPECT_TRUE(cache_.begin(0, cells(0.1)->mesh()));
+  EXPECT_FALSE(cache_.begin(0, cells(0.2)->mesh()));
+  EXPECT_FALSE(PatchCache(1).begin(0, cells(0.1)->mesh()));
+}
+
+TEST_F(Cache, ForgetsTheMeshesOfOtherSizes) {
+  EXPECT_FALSE(cache_.begin(0, cells(0.2)->mesh()));
+  EXPECT_FALSE(cache_.find({0, 0}, task(0.01)).has_value());
 }
 
 TEST_F(Cache, GivesNothingForOthers) {
-  EXPECT_FALSE(cache_.find(0, cells(0.2)->mesh(), task(0.01)).has_value());
-  EXPECT_FALSE(cache_.find(0, cells(0.1)->mesh(), task(0.02)).has_value());
-  EXPECT_FALSE(cache_.find(0, cells(0.1)->mesh(), task(0.01, finer_)).has_value());
+  EXPECT_FALSE(cache_.find({0, 1}, task(0.01)).has_value());
+  EXPECT_FALSE(cache_.find({0, 0}, task(0.02)).has_value());
+  EXPECT_FALSE(cache_.find({0, 0}, task(0.01, finer_)).has_value());
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ void ContourDivision::divide(int least, int multiple, std::optional<double> sag,
   const MetricArc& arc = arcs_[selected_];
   const int wanted = static_cast<int>(std::lround(arc.length() / multiple)) * multiple;
   const int rounded_least = rounded_up(least, multiple);
-  const int count = sag ? segments_for_sag(model_, contour_.uses[selected_], arc,
+  const ContourUse& use = contour_.uses[selected_];
+  const int count = sag ? segments_for_sag(model_.surface(use), *use.curve, arc,
                                            {rounded_least, multiple, *sag, more})
                         : std::max(wanted, rounded_least);
   for (int i = 0; i <= count; ++i) {

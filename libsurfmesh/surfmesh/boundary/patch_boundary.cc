@@ -133,7 +133,8 @@ int NodeNumbers::operator()(int contour, int node) const {
 }
 
 Uv point_on_pole(const PoleFan& fan, double share) {
-  const double place = share * static_cast<double>(fan.sides.size() - 1);
+  const double place = (fan.first_share + share * (fan.last_share - fan.first_share)) *
+                       static_cast<double>(fan.sides.size() - 1);
   const auto side = std::min(static_cast<std::size_t>(place), fan.sides.size() - 2);
   return lerp(fan.sides[side], fan.sides[side + 1], place - static_cast<double>(side));
 }

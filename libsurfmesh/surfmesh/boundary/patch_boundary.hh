@@ -57,10 +57,14 @@ using BoundaryLoop = std::vector<BoundaryNode>;
 struct PoleFan {
   int pole = -1;          ///< vertex of the result
   std::vector<Uv> sides;  ///< ends of the sides at the pole, in the direction of the loop
-  int contour_to = -1;    ///< contour of the segment from the first node of the ring to the pole
-  int contour_from = -1;  ///< contour of the segment from the pole to the last node of the ring
-  std::vector<int> ring;  ///< indices into the patch's list of boundary nodes
+  /// Contours of the segments from the first node of the ring to the pole, and from the pole to the
+  /// last one; -1 on the border of a tile.
+  int contour_to = -1;
+  int contour_from = -1;
+  std::vector<int> ring;      ///< indices into the patch's list of boundary nodes
   int segments_per_face = 1;  ///< of the ring; their number is a multiple of it
+  /// The part of the sides that is the fan's: all of them, but in a tile.
+  double first_share = 0, last_share = 1;
 };
 
 /// The boundary that the mesh of one patch must have.
@@ -70,7 +74,7 @@ struct PatchBoundary {
   std::vector<PoleFan> fans;
 };
 
-/// The point on the sides of a pole at a share of them, from 0 to 1.
+/// The point on the sides of a pole at a share of the fan's part of them, from 0 to 1.
 Uv point_on_pole(const PoleFan& fan, double share);
 
 /// Collect the boundary of one patch from the nodes of its contours.

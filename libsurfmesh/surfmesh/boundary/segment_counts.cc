@@ -21,11 +21,12 @@ constexpr double kMostByFactor = 3;
 constexpr double kSagShare = 0.95;
 
 /// True if none of so many segments is farther from the surface than the sag.
-bool holds(const Model& model, const ContourUse& use, const MetricArc& arc, int count, double sag) {
+bool holds(const Surface& surface, const Curve& curve, const MetricArc& arc, int count,
+           double sag) {
   double from = 0;
   for (int i = 1; i <= count; ++i) {
     const double to = i == count ? 1.0 : arc.parameter(i * arc.length() / count);
-    if (segment_sag(model, use, from, to) > kSagShare * sag) return false;
+    if (segment_sag(surface, curve, from, to) > kSagShare * sag) return false;
     from = to;
   }
   return true;
@@ -54,12 +55,12 @@ int LeastSegments::operator()(const Contour& contour) const {
 
 int rounded_up(int count, int multiple) { return (count + multiple - 1) / multiple * multiple; }
 
-int segments_for_sag(const Model& model, const ContourUse& use, const MetricArc& arc,
+int segments_for_sag(const Surface& surface, const Curve& curve, const MetricArc& arc,
                      const SegmentBounds& bounds) {
   const int step = bounds.multiple;
   const double length = arc.length();
   int count = std::max(bounds.least, step * static_cast<int>(std::ceil(kFewest * length / step)));
-  while (count < kMost * length && !holds(model, use, arc, count, bounds.sag)) count += step;
+  while (count < kMost * length && !holds(surface, curve, arc, count, bounds.sag)) count += step;
   const double more = std::min(bounds.factor * count, kMostByFactor * length);
   return std::max(count, rounded_up(static_cast<int>(std::lround(more)), step));
 }

@@ -28,21 +28,21 @@ class LeastSegments {
 /// The least multiple that is not below a count.
 int rounded_up(int count, int multiple);
 
-/// What segments of a contour are to hold.
+/// What segments of a curve are to hold.
 struct SegmentBounds {
   int least = 1;  ///< number of them
   int multiple = 1;
-  double sag = 0;     ///< greatest distance from the contour, model units
+  double sag = 0;     ///< greatest distance from the curve, model units
   double factor = 1;  ///< of the number that holds the sag
 };
 
-/// The least number of segments of equal metric arc, a multiple, that hold the sag: from √½ of the
-/// length up, and at most four times the length. The factor makes it greater, up to three times the
-/// length.
+/// The least number of segments of equal metric arc, a multiple, with which a curve on a surface
+/// holds the sag: from √½ of the length up, and at most four times the length. The factor makes it
+/// greater, up to three times the length.
 ///
-/// `arc` is that of the use.
+/// `arc` is that of the curve.
 /// Cost     five evaluations a segment and number
-int segments_for_sag(const Model& model, const ContourUse& use, const MetricArc& arc,
+int segments_for_sag(const Surface& surface, const Curve& curve, const MetricArc& arc,
                      const SegmentBounds& bounds);
 
 }  // namespace surfmesh

@@ -16,12 +16,14 @@ constexpr double kMostDetour = 0.2;
 
 }  // namespace
 
-double segment_sag(const Model& model, const ContourUse& use, double from, double to) {
-  const Vec3 a = model.point(use, from), b = model.point(use, to);
+double segment_sag(const Surface& surface, const Curve& curve, double from, double to) {
+  const auto at = [&](double t) {
+    return surface.evaluate(curve.evaluate(t), Order::Position).point;
+  };
+  const Vec3 a = at(from), b = at(to);
   double sag = 0;
   for (int i = 1; i < kSagSteps; ++i) {
-    const Vec3 point = model.point(use, from + (to - from) * i / kSagSteps);
-    sag = std::max(sag, segment_distance(point, a, b));
+    sag = std::max(sag, segment_distance(at(from + (to - from) * i / kSagSteps), a, b));
   }
   return sag;
 }

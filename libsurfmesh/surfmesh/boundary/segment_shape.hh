@@ -6,11 +6,11 @@
 /// How a segment of a contour lies in space, between two of its nodes.
 namespace surfmesh {
 
-/// The greatest distance of the contour from the segment between two t of a use, model units.
+/// The greatest distance of a curve on a surface from the segment between two t, model units.
 ///
 /// Error    measured at three places
 /// Cost     five evaluations
-double segment_sag(const Model& model, const ContourUse& use, double from, double to);
+double segment_sag(const Surface& surface, const Curve& curve, double from, double to);
 
 /// True if the straight line in the parameters between two t of a use leads far away from both the
 /// contour and the segment, as it does around a pole where the contour passes near to it.

@@ -15,7 +15,12 @@ class SurfaceMetricField : public MetricField {
  public:
   /// Both must outlive the field.
   SurfaceMetricField(const Surface& surface, const ControlSpace& control)
-      : surface_(surface), control_(control) {}
+      : SurfaceMetricField(surface, control, control.node_metrics()) {}
+
+  /// The same for a part of the patch, in which some of the nodes lie; they must outlive it, too.
+  SurfaceMetricField(const Surface& surface, const ControlSpace& control,
+                     std::span<const MetricCorner> required_points)
+      : surface_(surface), control_(control), required_points_(required_points) {}
 
   Metric at(Uv uv, QueryHint& hint) const override {
     return at_jet(uv, surface_.evaluate(uv, Order::First), hint);
@@ -25,11 +30,12 @@ class SurfaceMetricField : public MetricField {
     return control_.metric({uv, jet.point, first_form_factor(jet.du, jet.dv)}, hint);
   }
 
-  std::span<const MetricCorner> required_points() const override { return control_.node_metrics(); }
+  std::span<const MetricCorner> required_points() const override { return required_points_; }
 
  private:
   const Surface& surface_;
   const ControlSpace& control_;
+  std::span<const MetricCorner> required_points_;
 };
 
 }  // namespace surfmesh

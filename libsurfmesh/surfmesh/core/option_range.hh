@@ -116,6 +116,8 @@ inline constexpr double kMostSegments = 1e5;
 inline constexpr double kMostPasses = 1000;
 /// Regular control nodes: far more than sizes that elements can follow ever need in one patch.
 inline constexpr double kMostNodes = 4e6;
+/// Triangles of a tile: fewer would have more vertices on cuts than inside.
+inline constexpr double kLeastTile = 100;
 /// Triangles: OpenMesh counts in int.
 inline constexpr double kMostElements = 2147483647;
 
@@ -158,6 +160,7 @@ inline constexpr OptionRange kNormals = {"normals", words::kSwitch};
 inline constexpr OptionRange kUv = {"uv", words::kSwitch};
 inline constexpr OptionRange kTexture = {"texture", words::kSwitch};
 inline constexpr OptionRange kMsh = {"msh", words::kMsh};
+inline constexpr OptionRange kTile = {"tile", words::kOff, kLeastTile, kMostElements, false, true};
 inline constexpr OptionRange kThreads = {"threads", words::kAll, 1, kMostThreads, false, true};
 inline constexpr OptionRange kMaxElements = {"max_elements", {}, 1, kMostElements, false, true};
 

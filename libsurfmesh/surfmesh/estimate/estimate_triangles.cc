@@ -178,25 +178,33 @@ class PatchIntegral {
 
 }  // namespace
 
-double TriangleEstimate::triangles_with(double hmin) const {
+double TriangleEstimate::triangles_of(const SizedPatch& patch, double hmin) const {
   const auto raised = [&](double size) {
     return size < bounded_from_ ? size : std::max(size, hmin);
   };
-  double triangles = 0;
-  for (const SizedPatch& patch : patches_) {
-    double area = 0;
-    for (const SizedPiece& piece : patch.pieces) {
-      area += piece.area / (raised(piece.l_s) * raised(piece.l_t));
-    }
-    double segments = 0;
-    for (const auto& contour : patch.contours) {
-      double units = 0;
-      for (const SizedChord& chord : contour) units += chord.length / raised(chord.size);
-      segments += contour.empty() ? 0 : std::max(1.0, units);
-    }
-    // By Euler's formula, a disc without inner nodes has two triangles less than nodes.
-    triangles += std::max(area / kUnitTriangleArea, segments - 2);
+  double area = 0;
+  for (const SizedPiece& piece : patch.pieces) {
+    area += piece.area / (raised(piece.l_s) * raised(piece.l_t));
   }
+  double segments = 0;
+  for (const auto& contour : patch.contours) {
+    double units = 0;
+    for (const SizedChord& chord : contour) units += chord.length / raised(chord.size);
+    segments += contour.empty() ? 0 : std::max(1.0, units);
+  }
+  // By Euler's formula, a disc without inner nodes has two triangles less than nodes.
+  return std::max(area / kUnitTriangleArea, segments - 2);
+}
+
+double TriangleEstimate::triangles_with(double hmin) const {
+  double triangles = 0;
+  for (const SizedPatch& patch : patches_) triangles += triangles_of(patch, hmin);
+  return triangles;
+}
+
+std::vector<double> TriangleEstimate::triangles_of_patches() const {
+  std::vector<double> triangles;
+  for (const SizedPatch& patch : patches_) triangles.push_back(triangles_of(patch, 0));
   return triangles;
 }
 

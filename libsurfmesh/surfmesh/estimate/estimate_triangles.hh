@@ -42,6 +42,9 @@ class TriangleEstimate {
   /// boundary needs; summed over the patches.
   double triangles() const { return triangles_with(0); }
 
+  /// The same by patch.
+  std::vector<double> triangles_of_patches() const;
+
   /// The same if no size were below `hmin`, in model units, but those around tubes.
   double triangles_with(double hmin) const;
 
@@ -50,6 +53,8 @@ class TriangleEstimate {
   std::optional<double> fitting_hmin(double triangles) const;
 
  private:
+  double triangles_of(const SizedPatch& patch, double hmin) const;
+
   std::vector<SizedPatch> patches_;
   double bounded_from_;
 };

@@ -25,20 +25,28 @@ void at_patch(const Patch& patch, Body body) {
   }
 }
 
+/// Call `body(index)` for each of the indices, shared among threads, and tell how far it is.
+template <class Body>
+void share_and_tell(std::string_view stage, const std::vector<std::size_t>& indices,
+                    const RunContext& context, Body body) {
+  std::mutex mutex;
+  std::size_t done = 0;
+  context.tell(stage, 0, indices.size());
+  share_indices(indices, [&](std::size_t i) {
+    context.throw_if_cancelled();
+    body(i);
+    const std::lock_guard lock(mutex);
+    context.tell(stage, ++done, indices.size());
+  });
+}
+
 /// Call `body(index)` for each patch of a model, shared among threads, the patches of the greatest
 /// weight first; tell how far it is, and name the patch in errors; that of the first patch counts.
 template <class Body>
 void for_each_patch(const Model& model, std::string_view stage, const RunContext& context,
                     const std::vector<std::size_t>& weights, Body body) {
-  std::mutex mutex;
-  std::size_t done = 0;
-  context.tell(stage, 0, model.patches.size());
-  share_indices(heaviest_first(weights), [&](std::size_t p) {
-    context.throw_if_cancelled();
-    at_patch(model.patches[p], [&] { body(p); });
-    const std::lock_guard lock(mutex);
-    context.tell(stage, ++done, model.patches.size());
-  });
+  share_and_tell(stage, heaviest_first(weights), context,
+                 [&](std::size_t p) { at_patch(model.patches[p], [&] { body(p); }); });
 }
 
 }  // namespace surfmesh

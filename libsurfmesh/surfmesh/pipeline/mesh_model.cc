@@ -33,7 +33,7 @@
 #include "surfmesh/pipeline/counted_surfaces.hh"
 #include "surfmesh/pipeline/face_notices.hh"
 #include "surfmesh/pipeline/fine_cage.hh"
-#include "surfmesh/pipeline/for_each_patch.hh"
+#include "surfmesh/pipeline/model_tiles.hh"
 #include "surfmesh/pipeline/options_of_model.hh"
 #include "surfmesh/pipeline/patch_cache.hh"
 #include "surfmesh/pipeline/patch_names.hh"
@@ -104,6 +104,7 @@ class Run {
  private:
   void make(MeshResult& result) {
     place_nodes();
+    cut_patches();
     mesh_patches();
     assemble_patches(result.mesh);
     improve_smooth_parts(result.mesh);
@@ -155,6 +156,7 @@ class Run {
     const TriangleEstimate estimate =
         estimate_triangles(model_, spaces_, sizing_.bounds.hmin, context_);
     report_.estimated_elements = estimated_elements(estimate, context_);
+    triangles_of_patches_ = estimate.triangles_of_patches();
     if (is_surely_above(estimate, context_))
       throw_too_many(estimate, sizing_.bounds.hmax, context_);
     const auto elements = static_cast<std::size_t>(report_.estimated_elements);
@@ -198,7 +200,7 @@ class Run {
     if (!is_cached()) return nullptr;
     std::vector<char> is_changed(spaces_.size(), 0);
     share_indices(spaces_.size(), [&](std::size_t p) {
-      is_changed[p] = cache_->has_sizes(p, spaces_[p]->mesh()) ? 0 : 1;
+      is_changed[p] = cache_->begin(p, spaces_[p]->mesh()) ? 0 : 1;
     });
     cache_->contours().forget_changed(model_, is_changed);
     return &cache_->contours();
@@ -207,12 +209,24 @@ class Run {
   /// A mesh that is not corrected is never asked for again.
   bool is_cached() const { return cache_ && corrected_sag_ > 0; }
 
+  void cut_patches() {
+    const StageClock clock(report_.seconds[Stage::Boundary]);
+    tiles_ = detail::cut_patches(model_, fields_, nodes_, *numbers_,
+                                 {.triangles = triangles_of_patches_,
+                                  .most = static_cast<double>(options_.tile),
+                                  .multiple = options_.quads.is_on ? 2 : 1,
+                                  .sag = demands_.sag.value_or(0)},
+                                 context_);
+    report_.tiles = {tiles_.tiles.size(), tiles_.refused};
+    report_.control.queries[Stage::Boundary] += tiles_.queries;
+  }
+
   void mesh_patches() {
     patches_.clear();
     turned_.clear();
-    std::vector<PatchResult> results(model_.patches.size());
-    for_each_patch(model_, "mesh", context_, boundary_counts(),
-                   [&](std::size_t p) { results[p] = mesh_one(p); });
+    std::vector<PatchResult> results(tiles_.tiles.size());
+    detail::for_each_tile(model_, tiles_.tiles, context_,
+                          [&](std::size_t t) { results[t] = mesh_one(t); });
     for (PatchResult& result : results) {
       report_.seconds += result.seconds;
       report_.control.queries += result.queries;
@@ -226,58 +240,44 @@ class Run {
       mend_improper_quads(patches_, model_, fields_);
       return;
     }
-    for (const auto& [p, turned] : split_improper_chords(patches_, model_, fields_).turned) {
-      turned_[p] = turned;
+    for (const auto& [t, turned] : split_improper_chords(patches_, model_, fields_).turned) {
+      turned_[t] = turned;
     }
     tell_turned();
   }
 
-  PatchResult mesh_one(std::size_t p) {
-    double seconds = 0;
-    const auto boundary = [&] {
-      const StageClock clock(seconds);
-      return collect_boundary(model_, static_cast<int>(p), nodes_, *numbers_, *fields_[p],
-                              options_.quads.is_on ? 2 : 1);
-    };
-    PatchTask task{.surface = *model_.patches[p].surface,
-                   .field = *fields_[p],
-                   .boundary = boundary(),
+  PatchResult mesh_one(std::size_t t) {
+    Tile& tile = tiles_.tiles[t];
+    const auto p = static_cast<std::size_t>(tile.boundary.patch);
+    const Surface& surface = *model_.patches[p].surface;
+    const SurfaceMetricField of_tile(surface, *spaces_[p], tile.required_points);
+    PatchTask task{.surface = surface,
+                   .field = tiles_.is_whole(p) ? *fields_[p] : of_tile,
+                   .boundary = std::move(tile.boundary),
                    .refine = options_.refine,
                    .improve = options_.improve,
                    .corrected_sag = corrected_sag_,
                    .stretch = sizing_.stretch,
                    .quads = options_.quads};
-    PatchResult result =
-        is_cached() ? mesh_unless_kept(p, std::move(task)) : mesh_patch(std::move(task), context_);
-    result.seconds[Stage::Triangulate] += seconds;
-    return result;
+    return is_cached() ? mesh_unless_kept({p, t - tiles_.first[p]}, std::move(task))
+                       : mesh_patch(std::move(task), context_);
   }
 
-  PatchResult mesh_unless_kept(std::size_t p, PatchTask task) {
-    const PolyMesh& control = spaces_[p]->mesh();
-    if (auto kept = cache_->find(p, control, task)) {
+  PatchResult mesh_unless_kept(detail::TilePlace place, PatchTask task) {
+    if (auto kept = cache_->find(place, task)) {
       context_.add_elements(kept->mesh.mesh->n_faces());
       return std::move(*kept);
     }
     PatchResult result = mesh_patch(std::move(task), context_);
-    cache_->keep(p, control, corrected_sag_, result);
+    cache_->keep(place, corrected_sag_, result);
     return result;
   }
 
-  /// Nodes on the contours of each patch: how much work the patch is goes by them, roughly.
-  std::vector<std::size_t> boundary_counts() const {
-    std::vector<std::size_t> counts(model_.patches.size(), 0);
-    for (std::size_t c = 0; c < nodes_.size(); ++c) {
-      for (const ContourUse& use : model_.contours[c].uses) {
-        counts[static_cast<std::size_t>(use.patch)] += nodes_[c].points.size();
-      }
-    }
-    return counts;
-  }
-
   void tell_given_up(const std::vector<PatchResult>& results) {
-    std::vector<char> is_given_up;
-    for (const PatchResult& result : results) is_given_up.push_back(result.is_given_up);
+    std::vector<char> is_given_up(model_.patches.size(), 0);
+    for (std::size_t t = 0; t < results.size(); ++t) {
+      if (results[t].is_given_up) is_given_up[patches_[t].patch()] = 1;
+    }
     auto notice = detail::shortfall_of_patches(
         NoticeKind::GivenUp, model_, is_given_up,
         fmt::format("given up at three times the {} that the sizes ask for: they change direction "
@@ -290,14 +290,14 @@ class Run {
     std::size_t count = 0;
     const TurnedPlace* place = nullptr;
     Notice notice = shortfall(NoticeKind::TurnedTriangles, {});
-    for (std::size_t p = 0; p < turned_.size(); ++p) {
-      const TurnedTriangles& turned = turned_[p];
+    for (std::size_t t = 0; t < turned_.size(); ++t) {
+      const TurnedTriangles& turned = turned_[t];
       count += turned.count;
       if (!turned.place || (place && (place->is_of_surface || !turned.place->is_of_surface))) {
         continue;
       }
       place = &*turned.place;
-      notice.patch = static_cast<int>(p);
+      notice.patch = patches_[t].boundary.patch;
     }
     if (count == 0) return;
     if (place) notice.point = place->point;
@@ -404,8 +404,10 @@ class Run {
   std::vector<const MetricField*> fields_;
   std::vector<ContourNodes> nodes_;
   std::unique_ptr<NodeNumbers> numbers_;
-  std::vector<PatchMesh> patches_;
-  std::vector<TurnedTriangles> turned_;  ///< by patch
+  std::vector<double> triangles_of_patches_;  ///< that are estimated
+  detail::ModelTiles tiles_;
+  std::vector<PatchMesh> patches_;       ///< by tile
+  std::vector<TurnedTriangles> turned_;  ///< likewise
 };
 
 /// Hand new control spaces to `work`, and add their times to the report that it makes.

@@ -34,6 +34,9 @@ struct PipelineOptions {
   std::optional<Length> fit = {};           ///< likewise; of interpolating surfaces
   std::optional<Length> joining = {};       ///< of formula patches; see JoinOptions
   std::optional<Length> sew = {};           ///< of CAD files; see CadOptions
+  /// Triangles up to which a patch, or a part of it, is meshed in one: larger ones are cut into
+  /// tiles. 0 is off.
+  int tile = 100'000;
   int threads = 0;  ///< from 1 to 256; 0 is one per core. The mesh is always the same
   std::size_t max_elements = 50'000'000;  ///< more triangles end the run with an error. Above 0
 };

@@ -35,19 +35,32 @@ PatchResult copy_of(const PatchResult& result, PatchBoundary boundary) {
 
 }  // namespace
 
-std::optional<PatchResult> PatchCache::find(std::size_t patch, const PolyMesh& control,
-                                            const PatchTask& task) const {
-  const std::optional<Kept>& kept = patches_[patch];
+bool PatchCache::begin(std::size_t patch, const PolyMesh& control) {
+  KeptPatch& kept = patches_[patch];
+  std::vector<Node> nodes = nodes_of(control);
+  if (nodes == kept.nodes) return true;
+  kept = {std::move(nodes), {}};
+  return false;
+}
+
+std::optional<PatchResult> PatchCache::find(TilePlace place, const PatchTask& task) const {
+  const Kept* kept = nullptr;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto& tiles = patches_[place.patch].tiles;
+    if (const auto found = tiles.find(place.tile); found != tiles.end()) kept = &found->second;
+  }
   if (!kept || kept->corrected_sag != task.corrected_sag ||
-      !are_same(kept->result.mesh.boundary, task.boundary) || kept->nodes != nodes_of(control)) {
+      !are_same(kept->result.mesh.boundary, task.boundary)) {
     return std::nullopt;
   }
   return copy_of(kept->result, task.boundary);
 }
 
-void PatchCache::keep(std::size_t patch, const PolyMesh& control, double corrected_sag,
-                      const PatchResult& result) {
-  patches_[patch] = Kept{nodes_of(control), corrected_sag, copy_of(result, result.mesh.boundary)};
+void PatchCache::keep(TilePlace place, double corrected_sag, const PatchResult& result) {
+  Kept kept{corrected_sag, copy_of(result, result.mesh.boundary)};
+  const std::lock_guard lock(mutex_);
+  patches_[place.patch].tiles.insert_or_assign(place.tile, std::move(kept));
 }
 
 std::vector<PatchCache::Node> PatchCache::nodes_of(const PolyMesh& control) {

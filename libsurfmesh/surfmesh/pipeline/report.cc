@@ -241,7 +241,8 @@ Json seconds_json(const Report& report) {
 }
 
 /// Null in the report of an estimate, which has no mesh.
-constexpr std::array<const char*, 12> kFiguresOfMesh = {"mesh",
+constexpr std::array<const char*, 13> kFiguresOfMesh = {"mesh",
+                                                        "tiles",
                                                         "patches",
                                                         "groups",
                                                         "edge_lengths",
@@ -277,6 +278,7 @@ std::string to_json(const Report& report) {
       {"notices", notices_json(report)},
       {"estimated_elements", std::round(report.estimated_elements)},
       {"mesh", mesh_json(report.mesh)},
+      {"tiles", {{"count", report.tiles.count}, {"refused", report.tiles.refused}}},
       {"patches", patches_json(report.patches)},
       {"groups", groups_json(report.patches)},
       {"surfaces", surfaces_json(report.surfaces)},

@@ -32,6 +32,12 @@ struct Report {
     long euler = 0;
   };
 
+  /// The parts that are meshed by themselves.
+  struct Tiles {
+    std::size_t count = 0;    ///< patches that are whole among them
+    std::size_t refused = 0;  ///< that stay larger than asked, for no line cuts them well
+  };
+
   /// Numbers of control faces by interpolation.
   struct Classes {
     std::size_t single = 0;
@@ -77,6 +83,7 @@ struct Report {
   Notices notices;                           ///< a tool exits with status 3 if one is a shortfall
   double estimated_elements = 0;  ///< known before the mesh is made, see TriangleEstimate
   Mesh mesh;
+  Tiles tiles;
   std::vector<PatchMeasure> patches;
   EdgeStatistics edges;       ///< in the metric of the control space
   QualityStatistics quality;  ///< likewise
