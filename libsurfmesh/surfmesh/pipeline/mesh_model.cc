@@ -19,21 +19,17 @@
 #include "surfmesh/assemble/corner_normals.hh"
 #include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/assemble/vertex_copies.hh"
-#include "surfmesh/boundary/patch_boundary.hh"
-#include "surfmesh/control/surface_metric_field.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/validate.hh"
-#include "surfmesh/estimate/element_limit.hh"
-#include "surfmesh/estimate/estimate_triangles.hh"
 #include "surfmesh/patch/mesh_patch.hh"
 #include "surfmesh/patch_mesh/improper_chords.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/counted_surfaces.hh"
 #include "surfmesh/pipeline/face_notices.hh"
-#include "surfmesh/pipeline/fine_cage.hh"
-#include "surfmesh/pipeline/model_tiles.hh"
+#include "surfmesh/pipeline/for_each_patch.hh"
+#include "surfmesh/pipeline/mesh_plan.hh"
 #include "surfmesh/pipeline/options_of_model.hh"
 #include "surfmesh/pipeline/patch_cache.hh"
 #include "surfmesh/pipeline/patch_names.hh"
@@ -53,7 +49,11 @@ class Run {
  public:
   Run(const Model& model, const ResolvedSizing& sizing, const PipelineOptions& options,
       const RunContext& context)
-      : model_(model), options_(options), context_(context), sizing_(sizing) {
+      : model_(model),
+        options_(options),
+        context_(context),
+        sizing_(sizing),
+        plan_(model, sizing, options, context, report_) {
     if (sizing.sag > 0) demands_.sag = sizing.sag;
     report_.options = detail::options_in_effect(model, options);
     report_.surfaces = model.fits;
@@ -66,7 +66,7 @@ class Run {
   /// What is known without a mesh.
   Report estimate_only(ControlSpaces control) {
     context_.begin_mesh();
-    take_spaces(std::move(control));
+    plan_.take_spaces(std::move(control));
     return std::move(report_);
   }
 
@@ -81,7 +81,7 @@ class Run {
   /// Mesh with the sizes of control spaces.
   void mesh(ControlSpaces control, MeshResult& result) {
     context_.begin_mesh();
-    take_spaces(std::move(control));
+    plan_.take_spaces(std::move(control));
     const Report before = report_;
     make(result);
     if (!is_worth_two_meshes(result.report)) return;
@@ -103,8 +103,8 @@ class Run {
 
  private:
   void make(MeshResult& result) {
-    place_nodes();
-    cut_patches();
+    // A mesh that is not corrected is never asked for again.
+    plan_.divide(demands_, corrected_sag_, corrected_sag_ > 0 ? cache_ : nullptr);
     mesh_patches();
     assemble_patches(result.mesh);
     improve_smooth_parts(result.mesh);
@@ -130,103 +130,12 @@ class Run {
            b.quads.mean_jacobian * b.edges.unit_fraction;
   }
 
-  void take_spaces(ControlSpaces made) {
-    const StageClock clock(report_.seconds[Stage::Control]);
-    append(std::move(made.notices), report_.notices);
-    spaces_ = std::move(made.spaces);
-    report_.control.kind = effective_kind(options_.control);
-    report_.control.precision = made.precision;
-    for (std::size_t p = 0; p < spaces_.size(); ++p) {
-      const PolyMesh& mesh = spaces_[p]->mesh();
-      report_.control.nodes += mesh.n_vertices();
-      report_.control.faces += mesh.n_faces();
-      count_classes(mesh);
-      surface_fields_.push_back(
-          std::make_unique<SurfaceMetricField>(*model_.patches[p].surface, *spaces_[p]));
-      fields_.push_back(surface_fields_.back().get());
-    }
-    estimate();
-    if (auto notice = detail::notice_of_fine_cage(model_, fields_)) {
-      report_.notices.push_back(std::move(*notice));
-    }
-  }
-
-  /// What would surely be too much is refused before any memory is taken for it.
-  void estimate() {
-    const TriangleEstimate estimate =
-        estimate_triangles(model_, spaces_, sizing_.bounds.hmin, context_);
-    report_.estimated_elements = estimated_elements(estimate, context_);
-    triangles_of_patches_ = estimate.triangles_of_patches();
-    if (is_surely_above(estimate, context_))
-      throw_too_many(estimate, sizing_.bounds.hmax, context_);
-    const auto elements = static_cast<std::size_t>(report_.estimated_elements);
-    context_.tell("estimate", elements, elements);
-  }
-
-  void count_classes(const PolyMesh& mesh) {
-    const auto handle = find(mesh, keys::face_class);
-    if (!handle.is_valid()) return;
-    Report::Classes& classes = report_.control.classes;
-    for (const FaceHandle fh : mesh.faces()) {
-      switch (static_cast<Interpolation>(mesh.property(handle, fh))) {
-        case Interpolation::Single:
-          ++classes.single;
-          break;
-        case Interpolation::Triangle:
-          ++classes.triangle;
-          break;
-        case Interpolation::Linear:
-          ++classes.linear;
-          break;
-        default:
-          ++classes.circles;
-      }
-    }
-  }
-
-  void place_nodes() {
-    const StageClock clock(report_.seconds[Stage::Boundary]);
-    context_.tell("boundary", 0, model_.contours.size());
-    BoundaryNodes boundary =
-        place_contour_nodes(model_, fields_, demands_, context_, known_contours());
-    nodes_ = std::move(boundary.contours);
-    report_.control.queries[Stage::Boundary] = boundary.report.queries;
-    numbers_ = std::make_unique<NodeNumbers>(model_, nodes_);
-    context_.tell("boundary", model_.contours.size(), model_.contours.size());
-  }
-
-  /// The contours between patches whose sizes are as they were; null if none are kept.
-  ContourMemory* known_contours() {
-    if (!is_cached()) return nullptr;
-    std::vector<char> is_changed(spaces_.size(), 0);
-    share_indices(spaces_.size(), [&](std::size_t p) {
-      is_changed[p] = cache_->begin(p, spaces_[p]->mesh()) ? 0 : 1;
-    });
-    cache_->contours().forget_changed(model_, is_changed);
-    return &cache_->contours();
-  }
-
-  /// A mesh that is not corrected is never asked for again.
-  bool is_cached() const { return cache_ && corrected_sag_ > 0; }
-
-  void cut_patches() {
-    const StageClock clock(report_.seconds[Stage::Boundary]);
-    tiles_ = detail::cut_patches(model_, fields_, nodes_, *numbers_,
-                                 {.triangles = triangles_of_patches_,
-                                  .most = static_cast<double>(options_.tile),
-                                  .multiple = options_.quads.is_on ? 2 : 1,
-                                  .sag = demands_.sag.value_or(0)},
-                                 context_);
-    report_.tiles = {tiles_.tiles.size(), tiles_.refused};
-    report_.control.queries[Stage::Boundary] += tiles_.queries;
-  }
-
   void mesh_patches() {
     patches_.clear();
     turned_.clear();
-    std::vector<PatchResult> results(tiles_.tiles.size());
-    detail::for_each_tile(model_, tiles_.tiles, context_,
-                          [&](std::size_t t) { results[t] = mesh_one(t); });
+    std::vector<PatchResult> results(plan_.tiles().size());
+    share_and_tell("mesh", detail::largest_first(plan_.tiles()), context_,
+                   [&](std::size_t t) { results[t] = plan_.mesh_tile(t); });
     for (PatchResult& result : results) {
       report_.seconds += result.seconds;
       report_.control.queries += result.queries;
@@ -237,40 +146,13 @@ class Run {
     tell_given_up(results);
     const StageClock clock(report_.seconds[Stage::Assemble]);
     if (options_.quads.is_on) {
-      mend_improper_quads(patches_, model_, fields_);
+      mend_improper_quads(patches_, model_, plan_.fields());
       return;
     }
-    for (const auto& [t, turned] : split_improper_chords(patches_, model_, fields_).turned) {
+    for (const auto& [t, turned] : split_improper_chords(patches_, model_, plan_.fields()).turned) {
       turned_[t] = turned;
     }
     tell_turned();
-  }
-
-  PatchResult mesh_one(std::size_t t) {
-    Tile& tile = tiles_.tiles[t];
-    const auto p = static_cast<std::size_t>(tile.boundary.patch);
-    const Surface& surface = *model_.patches[p].surface;
-    const SurfaceMetricField of_tile(surface, *spaces_[p], tile.required_points);
-    PatchTask task{.surface = surface,
-                   .field = tiles_.is_whole(p) ? *fields_[p] : of_tile,
-                   .boundary = std::move(tile.boundary),
-                   .refine = options_.refine,
-                   .improve = options_.improve,
-                   .corrected_sag = corrected_sag_,
-                   .stretch = sizing_.stretch,
-                   .quads = options_.quads};
-    return is_cached() ? mesh_unless_kept({p, t - tiles_.first[p]}, std::move(task))
-                       : mesh_patch(std::move(task), context_);
-  }
-
-  PatchResult mesh_unless_kept(detail::TilePlace place, PatchTask task) {
-    if (auto kept = cache_->find(place, task)) {
-      context_.add_elements(kept->mesh.mesh->n_faces());
-      return std::move(*kept);
-    }
-    PatchResult result = mesh_patch(std::move(task), context_);
-    cache_->keep(place, corrected_sag_, result);
-    return result;
   }
 
   void tell_given_up(const std::vector<PatchResult>& results) {
@@ -321,7 +203,8 @@ class Run {
   void assemble_patches(PolyMesh& mesh) {
     const StageClock clock(report_.seconds[Stage::Assemble]);
     context_.tell("assemble", 0, 1);
-    AssembleReport report = assemble(mesh, model_, nodes_, *numbers_, patches_, context_);
+    AssembleReport report =
+        assemble(mesh, model_, plan_.nodes(), plan_.numbers(), patches_, context_);
     append(std::move(report.notices), report_.notices);
     context_.tell("assemble", 1, 1);
   }
@@ -331,7 +214,7 @@ class Run {
     const StageClock clock(report_.seconds[Stage::Across]);
     context_.tell("across", 0, 1);
     report_.control.queries[Stage::Across] =
-        improve_across(mesh, model_, fields_, context_).queries;
+        improve_across(mesh, model_, plan_.fields(), context_).queries;
     if (mesh.n_faces() > context_.max_elements()) context_.throw_too_many_elements();
     context_.tell("across", 1, 1);
   }
@@ -399,13 +282,7 @@ class Run {
   detail::PatchCache* cache_ = nullptr;
   double corrected_sag_ = 0;  ///< triangles above this are corrected one by one; 0 is off
   Report report_;
-  std::vector<std::unique_ptr<ControlSpace>> spaces_;
-  std::vector<std::unique_ptr<SurfaceMetricField>> surface_fields_;
-  std::vector<const MetricField*> fields_;
-  std::vector<ContourNodes> nodes_;
-  std::unique_ptr<NodeNumbers> numbers_;
-  std::vector<double> triangles_of_patches_;  ///< that are estimated
-  detail::ModelTiles tiles_;
+  detail::MeshPlan plan_;
   std::vector<PatchMesh> patches_;       ///< by tile
   std::vector<TurnedTriangles> turned_;  ///< likewise
 };

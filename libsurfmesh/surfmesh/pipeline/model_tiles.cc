@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/pipeline/model_tiles.hh"
 
+#include <algorithm>
 #include <utility>
 
 #include "surfmesh/core/parallel.hh"
@@ -48,6 +49,14 @@ ModelTiles cut_patches(const Model& model, const std::vector<const MetricField*>
     });
   });
   return joined(std::move(of_patches), numbers);
+}
+
+std::vector<std::size_t> largest_first(const std::vector<Tile>& tiles) {
+  std::vector<std::size_t> weights;
+  for (const Tile& tile : tiles) {
+    weights.push_back(static_cast<std::size_t>(std::max(0.0, tile.triangles)));
+  }
+  return heaviest_first(weights);
 }
 
 }  // namespace surfmesh::detail

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "surfmesh/boundary/contour_nodes.hh"
 #include "surfmesh/core/run_context.hh"
 #include "surfmesh/model/model.hh"
-#include "surfmesh/pipeline/for_each_patch.hh"
 #include "surfmesh/tiles/cut_into_tiles.hh"
 
 namespace surfmesh::detail {
@@ -40,18 +38,7 @@ ModelTiles cut_patches(const Model& model, const std::vector<const MetricField*>
                        const std::vector<ContourNodes>& nodes, NodeNumbers& numbers,
                        const TileRules& rules, const RunContext& context);
 
-/// Call `body(index)` for each tile of a model, shared among threads, the largest first; tell how
-/// far it is, and name the patch in errors; that of the first tile counts.
-template <class Body>
-void for_each_tile(const Model& model, const std::vector<Tile>& tiles, const RunContext& context,
-                   Body body) {
-  std::vector<std::size_t> weights;
-  for (const Tile& tile : tiles) {
-    weights.push_back(static_cast<std::size_t>(std::max(0.0, tile.triangles)));
-  }
-  share_and_tell("mesh", heaviest_first(weights), context, [&](std::size_t t) {
-    at_patch(model.patch(tiles[t].boundary.patch), [&] { body(t); });
-  });
-}
+/// The indices of tiles, the one of most triangles first.
+std::vector<std::size_t> largest_first(const std::vector<Tile>& tiles);
 
 }  // namespace surfmesh::detail

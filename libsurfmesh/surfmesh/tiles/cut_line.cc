@@ -17,6 +17,10 @@ namespace {
 /// Segments of a cut at least: none joins two nodes that something else joins.
 constexpr int kLeastSegments = 3;
 
+/// Least metric length of a cut: with so many segments, shorter ones would be too fine for the
+/// triangles beside them.
+constexpr double kLeastLength = 2.5;
+
 /// Least metric distance of a node from a cut: triangles between them are still well shaped.
 constexpr double kLeastDistance = 0.6;
 
@@ -72,6 +76,7 @@ class MeasuredCut {
   }
 
   int count() const { return count_; }
+  double length() const { return arc_.length(); }
 
   std::vector<Uv> inner_nodes() const {
     std::vector<Uv> nodes;
@@ -131,7 +136,7 @@ class LineCut {
   }
 
   /// Cuts between the nodes nearest to where the line enters and leaves the polygon.
-  /// Returns  false if there are none, or one has no end
+  /// Returns  false if there are none, or one is too short or has no end
   bool collect(int axis, double value) {
     const auto ends = crossings(polygon_, nodes_, axis, value);
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
@@ -142,6 +147,7 @@ class LineCut {
       if (are_neighbours) continue;
       cuts_.emplace_back(TileCut{*from, *to}, uv(*from), uv(*to), rules_);
       queries_ += cuts_.back().queries();
+      if (cuts_.back().length() < kLeastLength) return false;
     }
     return !cuts_.empty();
   }

@@ -24,8 +24,9 @@ struct CutRules {
 /// Nodes on cuts lie at equal metric arcs, three segments at least, so that no edge joins the two
 /// ends of one; they are appended to `nodes`. Of quads, each part has an even number of sides.
 ///
-/// Returns  the parts; none where a cut would come nearer than 0.6 units to a node, cross a side,
-///          or meet one under less than 39°, or if the line leaves the polygon whole
+/// Returns  the parts; none where a cut would be shorter than 2.5 units, come nearer than 0.6 units
+///          to a node, cross a side, or meet one under less than 39°, or if the line leaves the
+///          polygon whole
 /// Cost     O(sides), and eight metric queries per unit of length
 std::vector<TilePolygon> divide_at(const TilePolygon& polygon, std::vector<TileNode>& nodes,
                                    int axis, double value, const CutRules& rules,
