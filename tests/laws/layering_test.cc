@@ -13,11 +13,11 @@ namespace surfmesh {
 namespace {
 
 /// The order of the data flow: a folder includes only itself and those before it.
-const std::array<std::string, 27> kFolders = {
-    "core",       "io",      "geometry", "formula",  "nurbs",      "model",    "cage",
-    "metric",     "quality", "delaunay", "boundary", "tiles",      "refine",   "improve",
-    "patch_mesh", "quad",    "patch",    "control",  "sizes",      "sampling", "estimate",
-    "assemble",   "across",  "pieces",   "formats",  "model_file", "pipeline"};
+const std::array<std::string, 28> kFolders = {
+    "core",     "io",         "exchange", "geometry", "formula",  "nurbs",      "model",
+    "cage",     "metric",     "quality",  "delaunay", "boundary", "tiles",      "refine",
+    "improve",  "patch_mesh", "quad",     "patch",    "control",  "sizes",      "sampling",
+    "estimate", "assemble",   "across",   "pieces",   "formats",  "model_file", "pipeline"};
 
 /// What lies in no folder, surfmesh.hh, stands above all of them.
 std::optional<std::size_t> rank(const std::string& folder) {
