@@ -321,7 +321,8 @@ class Run {
   void assemble_patches(PolyMesh& mesh) {
     const StageClock clock(report_.seconds[Stage::Assemble]);
     context_.tell("assemble", 0, 1);
-    AssembleReport report = assemble(mesh, model_, nodes_, *numbers_, patches_, context_);
+    AssembleReport report =
+        assemble(mesh, model_, nodes_, *numbers_, std::move(patches_), context_);
     append(std::move(report.notices), report_.notices);
     context_.tell("assemble", 1, 1);
   }
