@@ -204,7 +204,7 @@ class Run {
     const StageClock clock(report_.seconds[Stage::Assemble]);
     context_.tell("assemble", 0, 1);
     AssembleReport report =
-        assemble(mesh, model_, plan_.nodes(), plan_.numbers(), patches_, context_);
+        assemble(mesh, model_, plan_.nodes(), plan_.numbers(), std::move(patches_), context_);
     append(std::move(report.notices), report_.notices);
     context_.tell("assemble", 1, 1);
   }
