@@ -515,6 +515,16 @@ void add_qualities(Report& report) {
   }
 }
 
+/// The names of parts, and what is told of each patch and source.
+void describe(const Model& model, const Sources& sources, const PipelineOptions& options,
+              MeshResult& result) {
+  result.names = mesh_names(model);
+  result.report.patches = measure_patches(result.mesh, result.names);
+  add_qualities(result.report);
+  append(detail::unused_sources(result.mesh, model, sources, resolve(options.sizing, model)),
+         result.report.notices);
+}
+
 /// Throws   MissingProperty for normals that are asked for after the mesh was made
 void check_output(const MeshResult& result) {
   const bool has_normals = find(result.mesh, keys::corner_normal).is_valid();
@@ -547,20 +557,19 @@ MeshResult mesh_model(const Model& model, const Sources& sources, const Pipeline
   check(model);
   const RunContext context(observer, options.max_elements, element_kind(options));
   MeshResult result;  // OpenMesh's meshes cannot be moved, only copied
+  double serial_seconds = 0;
   with_threads(options.threads, [&] {
+    const SerialClock clock(serial_seconds);
     do_or_cancel(context, [&] {
       mesh_as_asked(model, sources, options, context, result);
       add_normals(model, options, context, result);
       add_texture(model, options, result);
       result.report.facets =
           measure_facet_distance(result.mesh, model, FacetsOf::InterpolatedCages, context);
+      describe(model, sources, options, result);
     });
   });
-  result.names = mesh_names(model);
-  result.report.patches = measure_patches(result.mesh, result.names);
-  add_qualities(result.report);
-  append(detail::unused_sources(result.mesh, model, sources, resolve(options.sizing, model)),
-         result.report.notices);
+  result.report.serial_seconds = serial_seconds;
   return result;
 }
 
@@ -574,11 +583,14 @@ Report estimate_mesh(const Model& model, const Sources& sources, const PipelineO
   const auto estimate = [&](ControlSpaces control) {
     report = Run(model, sizing, options, context).estimate_only(std::move(control));
   };
+  double serial_seconds = 0;
   with_threads(options.threads, [&] {
+    const SerialClock clock(serial_seconds);
     do_or_cancel(context, [&] {
       work_with_control(model, sources, sizing, options, context, report, estimate);
     });
   });
+  report.serial_seconds = serial_seconds;
   tell_raised_sag(model, options.sizing, report);
   report.mesh.patches = model.patches.size();
   report.patches = measure_patches(PolyMesh(), mesh_names(model));
