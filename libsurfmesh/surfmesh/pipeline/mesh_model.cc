@@ -24,6 +24,7 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/core/parallel.hh"
+#include "surfmesh/core/range_sums.hh"
 #include "surfmesh/core/validate.hh"
 #include "surfmesh/estimate/element_limit.hh"
 #include "surfmesh/estimate/estimate_triangles.hh"
@@ -48,6 +49,21 @@ namespace {
 
 /// Meshes of up to so many quads are made in two ways.
 constexpr std::size_t kMostQuadsMadeTwice = 1000;
+
+struct EdgeLengths {
+  double min = std::numeric_limits<double>::infinity();
+  double max = 0;
+  double sum = 0;
+
+  void add(double length) { *this += {length, length, length}; }
+
+  EdgeLengths& operator+=(const EdgeLengths& other) {
+    min = std::min(min, other.min);
+    max = std::max(max, other.max);
+    sum += other.sum;
+    return *this;
+  }
+};
 
 class Run {
  public:
@@ -108,8 +124,9 @@ class Run {
     assemble_patches(result.mesh);
     improve_smooth_parts(result.mesh);
     mark_copies(result.mesh, model_);
-    compare(result.mesh);
-    measure(result.mesh);
+    const MeshTopology topology = measure_topology(result.mesh);
+    compare(result.mesh, topology);
+    measure(result.mesh, topology);
     result.report = std::move(report_);
   }
 
@@ -336,8 +353,8 @@ class Run {
     context_.tell("across", 1, 1);
   }
 
-  void compare(const PolyMesh& mesh) {
-    for (const MeshFault& fault : compare_with_promise(mesh, model_)) {
+  void compare(const PolyMesh& mesh, const MeshTopology& topology) {
+    for (const MeshFault& fault : compare_with_promise(mesh, topology, model_)) {
       report_.notices.push_back(
           shortfall(NoticeKind::BrokenPromise,
                     fmt::format("the mesh is not as the model promises: {}: {}, the first: {}",
@@ -345,8 +362,7 @@ class Run {
     }
   }
 
-  void measure(const PolyMesh& mesh) {
-    const MeshTopology topology = measure_topology(mesh);
+  void measure(const PolyMesh& mesh, const MeshTopology& topology) {
     const std::size_t corners = 2 * topology.edges - topology.boundary_edges;
     const std::size_t quads = corners - 3 * topology.faces;  // there are triangles and quads only
     report_.mesh = {topology.vertices,     topology.faces - quads, quads,
@@ -364,18 +380,15 @@ class Run {
   }
 
   static Report::Lengths measure_lengths(const PolyMesh& mesh) {
-    Report::Lengths lengths;
-    if (mesh.n_edges() == 0) return lengths;
-    lengths.min = std::numeric_limits<double>::infinity();
-    double sum = 0;
-    for (const EdgeHandle eh : mesh.edges()) {
-      const double length = mesh.calc_edge_length(eh);
-      lengths.min = std::min(lengths.min, length);
-      lengths.max = std::max(lengths.max, length);
-      sum += length;
-    }
-    lengths.mean = sum / static_cast<double>(mesh.n_edges());
-    return lengths;
+    const auto sums = sum_of_ranges(mesh.n_edges(), [&](std::size_t first, std::size_t end) {
+      EdgeLengths own;
+      for (std::size_t e = first; e < end; ++e) {
+        own.add(mesh.calc_edge_length(EdgeHandle(static_cast<int>(e))));
+      }
+      return own;
+    });
+    if (mesh.n_edges() == 0) return {};
+    return {sums.min, sums.sum / static_cast<double>(mesh.n_edges()), sums.max};
   }
 
   void locate_worst(const PolyMesh& mesh) {

@@ -91,25 +91,11 @@ Triangle measure_triangle(const Corners& corners, FaceHandle fh) {
 
 using PatchAreas = detail::PatchRuns<double>;
 
-/// The patch of a face, 0 for all of a mesh without patches.
-class PatchOf {
- public:
-  explicit PatchOf(const PolyMesh& mesh) : mesh_(mesh), handle_(find(mesh, keys::face_patch)) {}
-
-  int operator()(std::size_t face) const {
-    return handle_.is_valid() ? mesh_.property(handle_, FaceHandle(static_cast<int>(face))) : 0;
-  }
-
- private:
-  const PolyMesh& mesh_;
-  decltype(keys::face_patch)::Handle handle_;
-};
-
 /// Sets the qualities as seen in (u,v), by face, of triangles.
 /// Returns  the areas of patches in (u,v)
 PatchAreas measure_triangles(const PolyMesh& mesh, std::vector<double>& qualities) {
   const Corners corners(mesh);
-  const PatchOf patch_of(mesh);
+  const detail::PatchOf patch_of(mesh);
   return sum_of_ranges(qualities.size(), [&](std::size_t first, std::size_t end) {
     PatchAreas areas;
     for (std::size_t f = first; f < end; ++f) {
@@ -159,17 +145,13 @@ struct LengthSums {
   }
 };
 
-struct Least {
-  double quality = std::numeric_limits<double>::infinity();
-};
-
 struct QualitySums {
   detail::Moments moments;
   std::size_t count = 0;
   std::size_t poor = 0;
-  Least least;
+  detail::Least least;
   int worst_face = -1;
-  detail::PatchRuns<Least> of_patches;
+  detail::PatchRuns<detail::Least> of_patches;
   std::vector<HistogramBin> histogram = detail::empty_quality_histogram();
 
   void add(std::size_t face, int patch, double quality) {
@@ -178,7 +160,7 @@ struct QualitySums {
     detail::count_quality(quality, histogram);
     take_worst(quality, static_cast<int>(face));
     if (quality < kPoorQuality) ++poor;
-    double& own = of_patches.next(patch).quality;
+    double& own = of_patches.next(patch).value;
     own = std::min(own, quality);
   }
 
@@ -186,7 +168,7 @@ struct QualitySums {
     moments += other.moments;
     count += other.count;
     poor += other.poor;
-    take_worst(other.least.quality, other.worst_face);
+    take_worst(other.least.value, other.worst_face);
     of_patches += other.of_patches;
     detail::add_counts(other.histogram, histogram);
     return *this;
@@ -194,24 +176,11 @@ struct QualitySums {
 
  private:
   void take_worst(double quality, int face) {
-    if (!(quality < least.quality)) return;
-    least.quality = quality;
+    if (!(quality < least.value)) return;
+    least.value = quality;
     worst_face = face;
   }
 };
-
-/// By patch; empty where no face has one.
-std::vector<double> least_of_patches(const detail::PatchRuns<Least>& runs) {
-  int most = -1;
-  for (const auto& [patch, least] : runs) most = std::max(most, patch);
-  std::vector<double> qualities(static_cast<std::size_t>(most + 1), Least().quality);
-  for (const auto& [patch, least] : runs) {
-    if (patch < 0) continue;
-    double& own = qualities[static_cast<std::size_t>(patch)];
-    own = std::min(own, least.quality);
-  }
-  return qualities;
-}
 
 /// A condition for all halfedges.
 template <class Condition>
@@ -259,7 +228,7 @@ std::vector<double> triangle_qualities(const PolyMesh& mesh) {
   std::vector<double> qualities(mesh.n_faces(), kUnset);
   const std::unordered_set<int> turned = turned_patches(measure_triangles(mesh, qualities));
   if (turned.empty()) return qualities;
-  const PatchOf patch_of(mesh);
+  const detail::PatchOf patch_of(mesh);
   share_ranges(qualities.size(), [&](std::size_t first, std::size_t end) {
     for (std::size_t f = first; f < end; ++f) {
       if (turned.contains(patch_of(f))) qualities[f] = -qualities[f];
@@ -290,7 +259,7 @@ EdgeStatistics measure_edges(const PolyMesh& mesh) {
 
 QualityStatistics measure_quality(const PolyMesh& mesh) {
   const std::vector<double> qualities = triangle_qualities(mesh);
-  const PatchOf patch_of(mesh);
+  const detail::PatchOf patch_of(mesh);
   const QualitySums sums = sum_of_ranges(qualities.size(), [&](std::size_t first, std::size_t end) {
     QualitySums own;
     for (std::size_t f = first; f < end; ++f) {
@@ -302,10 +271,10 @@ QualityStatistics measure_quality(const PolyMesh& mesh) {
   result.count = sums.count;
   if (sums.count == 0) return result;
   if (find(mesh, keys::face_patch).is_valid()) {
-    result.min_of_patches = least_of_patches(sums.of_patches);
+    result.min_of_patches = detail::least_of_patches(sums.of_patches);
   }
   result.histogram = sums.histogram;
-  result.min = sums.least.quality;
+  result.min = sums.least.value;
   result.worst_face = sums.worst_face;
   result.mean = sums.moments.mean();
   result.below_0_3 = static_cast<double>(sums.poor) / static_cast<double>(result.count);
