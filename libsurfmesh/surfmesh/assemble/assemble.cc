@@ -9,13 +9,15 @@
 
 #include "surfmesh/assemble/border_links.hh"
 #include "surfmesh/assemble/common_vertices.hh"
-#include "surfmesh/assemble/copy_piece.hh"
+#include "surfmesh/assemble/copy_links.hh"
+#include "surfmesh/assemble/copy_values.hh"
 #include "surfmesh/assemble/glue_sides.hh"
 #include "surfmesh/assemble/orientation.hh"
 #include "surfmesh/assemble/piece.hh"
 #include "surfmesh/assemble/piece_border.hh"
 #include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/assemble/result_arrays.hh"
+#include "surfmesh/core/freed_memory.hh"
 #include "surfmesh/core/parallel.hh"
 
 namespace surfmesh {
@@ -37,6 +39,10 @@ std::vector<Piece> take_pieces(std::vector<PatchMesh> patches, const PatchOrient
     pieces.push_back({std::move(patch), is_turned, vertices});
   }
   return pieces;
+}
+
+std::size_t vertex_count(const std::vector<Piece>& pieces) {
+  return pieces.empty() ? 0 : static_cast<std::size_t>(pieces.back().vertices.end_of_own());
 }
 
 /// What is counted over all pieces.
@@ -82,18 +88,17 @@ std::vector<HalfedgeHandle> halfedges_of_sides(const GluedSides& glued, const Pi
   return halfedges;
 }
 
-/// Copy all pieces, and free the mesh of each as soon as it is copied.
-void copy_pieces(std::vector<Piece>& pieces, const CommonVertices& common,
-                 const std::vector<HalfedgeHandle>& halfedges, const RunContext& context,
-                 detail::ResultArrays& result) {
+/// Call `copy(piece, number, sides)` for all pieces, the greatest first.
+template <class Copy>
+void for_each_piece(std::vector<Piece>& pieces, const std::vector<HalfedgeHandle>& halfedges,
+                    const RunContext& context, Copy copy) {
   std::vector<std::size_t> sizes;
   for (const Piece& piece : pieces) sizes.push_back(piece.source.mesh->n_faces());
   share_indices(heaviest_first(sizes), [&](std::size_t p) {
     context.throw_if_cancelled();
     Piece& piece = pieces[p];
-    const std::span sides = std::span(halfedges).subspan(piece.first_side, piece.sides.size());
-    detail::copy_piece(piece, static_cast<int>(p), common, sides, result);
-    piece.source.mesh.reset();
+    copy(piece, static_cast<int>(p),
+         std::span(halfedges).subspan(piece.first_side, piece.sides.size()));
   });
 }
 
@@ -153,17 +158,25 @@ AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<Co
   const std::vector<HalfedgeHandle> halfedges = halfedges_of_sides(glued, counts);
   context.throw_if_cancelled();
 
-  const int vertex_count = pieces.empty() ? 0 : pieces.back().vertices.end_of_own();
-  const std::size_t copied_edges = static_cast<std::size_t>(counts.edges);
-  detail::ResultArrays result =
-      detail::make_room(mesh, static_cast<std::size_t>(vertex_count),
-                        copied_edges + glued.edges.size(), static_cast<std::size_t>(counts.faces));
-  common.set_points(model, nodes, numbers, mesh);
-  copy_pieces(pieces, common, halfedges, context, result);
+  const auto copied_edges = static_cast<std::size_t>(counts.edges);
+  const detail::ElementCounts size{vertex_count(pieces), copied_edges + glued.edges.size(),
+                                   static_cast<std::size_t>(counts.faces)};
+  const detail::ResultArrays result = detail::make_result_arrays(mesh, size);
+  common.set_points(model, nodes, numbers, result.point);
   for (std::size_t i = 0; i < glued.edges.size(); ++i) {
     const auto first = static_cast<std::size_t>(glued.edges[i][0]);
     result.contour[copied_edges + i] = sides[first].contour;
   }
+  for_each_piece(pieces, halfedges, context, [&](Piece& piece, int number, auto own_sides) {
+    detail::copy_values(piece, number, common, own_sides, result);
+    detail::release_values(*piece.source.mesh);
+  });
+  return_freed_memory();
+  mesh.resize(size.vertices, size.edges, size.faces);
+  for_each_piece(pieces, halfedges, context, [&](Piece& piece, int number, auto own_sides) {
+    detail::copy_links(piece, number, common, own_sides, mesh);
+    piece.source.mesh.reset();
+  });
   detail::link_open_halfedges(halfedges, mesh);
   detail::separate_fans(sides, halfedges, mesh);
   return {notices_of(model, glued.cut)};

@@ -8,19 +8,26 @@
 
 namespace surfmesh::detail {
 
-/// A result that is being assembled, and the values of its properties by element.
+/// What the elements of a result hold.
 struct ResultArrays {
-  PolyMesh& mesh;
-  std::vector<int>& patch;      ///< surf:patch, by face
-  std::vector<int>& contour;    ///< surf:contour, by edge
-  std::vector<Uv>& uv;          ///< surf:uv, by halfedge
-  std::vector<Metric>& metric;  ///< surf:metric, by halfedge
+  std::vector<PolyMesh::Point>& point;  ///< by vertex
+  std::vector<int>& patch;              ///< surf:patch, by face
+  std::vector<int>& contour;            ///< surf:contour, by edge
+  std::vector<Uv>& uv;                  ///< surf:uv, by halfedge
+  std::vector<Metric>& metric;          ///< surf:metric, by halfedge
 };
 
-/// Attach the properties of a result to a mesh without elements, and give it its elements, which
-/// are not linked yet and lie on no contour.
+/// How many elements a result has.
+struct ElementCounts {
+  std::size_t vertices = 0;
+  std::size_t edges = 0;
+  std::size_t faces = 0;
+};
+
+/// Attach the properties of a result to a mesh without elements, and make them long enough for so
+/// many, which the mesh is to get later. No edge lies on a contour.
 ///
 /// Cost     O(n), most of it the system's for memory that was never used; all arrays at once
-ResultArrays make_room(PolyMesh& mesh, std::size_t vertices, std::size_t edges, std::size_t faces);
+ResultArrays make_result_arrays(PolyMesh& mesh, const ElementCounts& counts);
 
 }  // namespace surfmesh::detail
