@@ -12,13 +12,11 @@ namespace {
 /// Copies the links of a piece as if everything lay inside it, and puts right what does not.
 class LinkCopy {
  public:
-  LinkCopy(const Piece& piece, int number, const CommonVertices& common,
-           std::span<const HalfedgeHandle> sides, PolyMesh& result)
+  LinkCopy(const Piece& piece, const CommonVertices& common, PolyMesh& result)
       : piece_(piece),
-        number_(number),
         common_(common),
         source_(*piece.source.mesh),
-        places_(piece, sides),
+        places_(piece),
         result_(result) {}
 
   void run() {
@@ -95,7 +93,8 @@ class LinkCopy {
   /// Let a halfedge of the result follow another one, with a vertex between them.
   void join(HalfedgeHandle heh, HalfedgeHandle next, VertexHandle between) {
     result_.set_next_halfedge_handle(heh, next);
-    if (common_.is_written_by(number_, between.idx())) result_.set_halfedge_handle(between, next);
+    if (common_.is_written_by(piece_.number, between.idx()))
+      result_.set_halfedge_handle(between, next);
   }
 
   /// The side that leads from the first corner of a face to the next one in the result.
@@ -114,7 +113,6 @@ class LinkCopy {
   }
 
   const Piece& piece_;
-  int number_;
   const CommonVertices& common_;
   const PolyMesh& source_;
   PiecePlaces places_;
@@ -123,9 +121,8 @@ class LinkCopy {
 
 }  // namespace
 
-void copy_links(const Piece& piece, int number, const CommonVertices& common,
-                std::span<const HalfedgeHandle> sides, PolyMesh& result) {
-  LinkCopy(piece, number, common, sides, result).run();
+void copy_links(const Piece& piece, const CommonVertices& common, PolyMesh& result) {
+  LinkCopy(piece, common, result).run();
 }
 
 }  // namespace surfmesh::detail

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <span>
-
 #include "surfmesh/assemble/common_vertices.hh"
 #include "surfmesh/assemble/piece.hh"
 
@@ -10,11 +8,9 @@ namespace surfmesh::detail {
 
 /// Link the faces of a piece in the result. Open halfedges are not linked.
 ///
-/// Different pieces write to different elements, so that all may be written at once. `number` is
-/// the piece's own, `sides` are the halfedges that its sides have been given.
+/// Different pieces write to different elements, so that all may be written at once.
 ///
 /// Cost     O(n), and O(m log m) of m elements at the border
-void copy_links(const Piece& piece, int number, const CommonVertices& common,
-                std::span<const HalfedgeHandle> sides, PolyMesh& result);
+void copy_links(const Piece& piece, const CommonVertices& common, PolyMesh& result);
 
 }  // namespace surfmesh::detail

@@ -12,18 +12,18 @@ namespace {
 
 class ValueCopy {
  public:
-  ValueCopy(const Piece& piece, std::span<const HalfedgeHandle> sides, const ResultArrays& result)
+  ValueCopy(const Piece& piece, const ResultArrays& result)
       : piece_(piece),
         mesh_(*piece.source.mesh),
-        places_(piece, sides),
+        places_(piece),
         uv_(mesh_.property(require(mesh_, keys::vertex_uv)).data_vector()),
         metric_(mesh_.property(require(mesh_, keys::vertex_metric)).data_vector()),
         result_(result) {}
 
-  void copy_points(int number, const CommonVertices& common) const {
+  void copy_points(const CommonVertices& common) const {
     for (const VertexHandle vh : mesh_.vertices()) {
       const int vertex = piece_.vertices(vh);
-      if (common.is_on_contour(vertex) || !common.is_written_by(number, vertex)) continue;
+      if (common.is_on_contour(vertex) || !common.is_written_by(piece_.number, vertex)) continue;
       result_.point[static_cast<std::size_t>(vertex)] = mesh_.point(vh);
     }
   }
@@ -66,10 +66,9 @@ class ValueCopy {
 
 }  // namespace
 
-void copy_values(const Piece& piece, int number, const CommonVertices& common,
-                 std::span<const HalfedgeHandle> sides, const ResultArrays& result) {
-  const ValueCopy copy(piece, sides, result);
-  copy.copy_points(number, common);
+void copy_values(const Piece& piece, const CommonVertices& common, const ResultArrays& result) {
+  const ValueCopy copy(piece, result);
+  copy.copy_points(common);
   copy.copy_corners();
   copy.write_patch();
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <span>
-
 #include "surfmesh/assemble/common_vertices.hh"
 #include "surfmesh/assemble/piece.hh"
 #include "surfmesh/assemble/result_arrays.hh"
@@ -12,12 +10,10 @@ namespace surfmesh::detail {
 /// Write what the corners and faces of a piece hold to the result, and the points of the piece's
 /// own vertices and of those between the pieces of a patch.
 ///
-/// Different pieces write to different elements, so that all may be written at once. `number` is
-/// the piece's own, `sides` are the halfedges that its sides have been given.
+/// Different pieces write to different elements, so that all may be written at once.
 ///
 /// Cost     O(n)
-void copy_values(const Piece& piece, int number, const CommonVertices& common,
-                 std::span<const HalfedgeHandle> sides, const ResultArrays& result);
+void copy_values(const Piece& piece, const CommonVertices& common, const ResultArrays& result);
 
 /// Free the points and properties of a piece's mesh; its links stay.
 void release_values(PolyMesh& mesh);

@@ -5,10 +5,9 @@
 
 namespace surfmesh::detail {
 
-PiecePlaces::PiecePlaces(const Piece& piece, std::span<const HalfedgeHandle> sides)
+PiecePlaces::PiecePlaces(const Piece& piece)
     : piece_(piece),
       mesh_(*piece.source.mesh),
-      sides_(sides),
       first_(2 * piece.first_edge),
       row_end_(2 * piece.copied_edge_count()) {
   auto border = piece.border_edges.begin();
@@ -29,7 +28,7 @@ void PiecePlaces::add_border_edge(const BorderEdge& border) {
   MovedEdge& moved = moved_.emplace_back();
   moved.edge = border.edge;
   if (border.side.is_valid()) {
-    moved.halfedges[index(border.side) % 2] = sides_[copied_side_count_++];
+    moved.halfedges[index(border.side) % 2] = piece_.halfedges[copied_side_count_++];
   }
 }
 

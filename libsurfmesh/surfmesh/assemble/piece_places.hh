@@ -16,8 +16,7 @@ namespace surfmesh::detail {
 /// fill the places of edges at the border, whose sides have been given halfedges elsewhere.
 class PiecePlaces {
  public:
-  /// `sides` are the halfedges that the piece's sides have been given, in their order.
-  PiecePlaces(const Piece& piece, std::span<const HalfedgeHandle> sides);
+  explicit PiecePlaces(const Piece& piece);
 
   /// Halfedges below this number keep their places, but for those of edges at the border.
   int row_end() const { return row_end_; }
@@ -43,7 +42,7 @@ class PiecePlaces {
   void for_each_loose_face(Visit visit) const {
     std::size_t side = copied_side_count_;
     for (const LooseFace& face : piece_.loose_faces) {
-      visit(face, sides_.subspan(side, face.count));
+      visit(face, piece_.halfedges.subspan(side, face.count));
       side += face.count;
     }
   }
@@ -74,7 +73,6 @@ class PiecePlaces {
 
   const Piece& piece_;
   const PolyMesh& mesh_;
-  std::span<const HalfedgeHandle> sides_;
   int first_;
   int row_end_;
   std::size_t copied_side_count_ = 0;  ///< sides of faces that are copied

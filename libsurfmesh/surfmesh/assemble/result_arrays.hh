@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
+#include "surfmesh/assemble/piece.hh"
 #include "surfmesh/core/mesh.hh"
 
 namespace surfmesh::detail {
@@ -15,13 +15,6 @@ struct ResultArrays {
   std::vector<int>& contour;            ///< surf:contour, by edge
   std::vector<Uv>& uv;                  ///< surf:uv, by halfedge
   std::vector<Metric>& metric;          ///< surf:metric, by halfedge
-};
-
-/// How many elements a result has.
-struct ElementCounts {
-  std::size_t vertices = 0;
-  std::size_t edges = 0;
-  std::size_t faces = 0;
 };
 
 /// Attach the properties of a result to a mesh without elements, and make them long enough for so
