@@ -13,6 +13,7 @@
 #include "surfmesh/assemble/number_pieces.hh"
 #include "surfmesh/assemble/orientation.hh"
 #include "surfmesh/assemble/piece_border.hh"
+#include "surfmesh/assemble/placed_piece.hh"
 #include "surfmesh/assemble/result_arrays.hh"
 #include "surfmesh/core/freed_memory.hh"
 #include "surfmesh/core/parallel.hh"
@@ -64,6 +65,7 @@ AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<Co
   common.set_points(model, nodes, numbers, arrays.point);
   write_contours(glued, sides, first_glued, arrays.contour);
   for_each_piece(pieces, context, [&](Piece& piece) {
+    detail::place_edges(piece);
     detail::copy_values(piece, common, arrays);
     detail::release_values(*piece.source.mesh);
   });
@@ -72,6 +74,7 @@ AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<Co
   for_each_piece(pieces, context, [&](Piece& piece) {
     detail::copy_links(piece, common, mesh);
     piece.source.mesh.reset();
+    piece.edge_places = {};
   });
   detail::link_open_halfedges(halfedges, mesh);
   detail::separate_fans(sides, halfedges, mesh);

@@ -10,7 +10,8 @@ namespace surfmesh::detail {
 ///
 /// Different pieces write to different elements, so that all may be written at once.
 ///
-/// Cost     O(n), and O(m log m) of m elements at the border
+/// Cost     O(n)
+/// Pre      place_edges has been called
 void copy_links(const Piece& piece, const CommonVertices& common, PolyMesh& result);
 
 }  // namespace surfmesh::detail

@@ -1,76 +1,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/assemble/copy_values.hh"
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
-#include "surfmesh/assemble/piece_places.hh"
+#include "surfmesh/assemble/placed_piece.hh"
 #include "surfmesh/core/properties.hh"
 
 namespace surfmesh::detail {
 namespace {
 
-class ValueCopy {
- public:
-  ValueCopy(const Piece& piece, const ResultArrays& result)
-      : piece_(piece),
-        mesh_(*piece.source.mesh),
-        places_(piece),
-        uv_(mesh_.property(require(mesh_, keys::vertex_uv)).data_vector()),
-        metric_(mesh_.property(require(mesh_, keys::vertex_metric)).data_vector()),
-        result_(result) {}
+void copy_points(const Piece& piece, const CommonVertices& common, const ResultArrays& result) {
+  const PolyMesh& mesh = *piece.source.mesh;
+  for (const VertexHandle vh : mesh.vertices()) {
+    const int vertex = piece.vertices(vh);
+    if (common.is_on_contour(vertex) || !common.is_written_by(piece.number, vertex)) continue;
+    result.point[static_cast<std::size_t>(vertex)] = mesh.point(vh);
+  }
+}
 
-  void copy_points(const CommonVertices& common) const {
-    for (const VertexHandle vh : mesh_.vertices()) {
-      const int vertex = piece_.vertices(vh);
-      if (common.is_on_contour(vertex) || !common.is_written_by(piece_.number, vertex)) continue;
-      result_.point[static_cast<std::size_t>(vertex)] = mesh_.point(vh);
+void copy_corners(const Piece& piece, const ResultArrays& result) {
+  const PolyMesh& mesh = *piece.source.mesh;
+  const auto& uv = mesh.property(require(mesh, keys::vertex_uv)).data_vector();
+  const auto& metric = mesh.property(require(mesh, keys::vertex_metric)).data_vector();
+  const PlacedPiece placed(piece);
+  placed.for_each_side([&](HalfedgeHandle heh) {
+    const std::size_t to = index(placed.place(heh)), tip = index(placed.tip(heh));
+    result.uv[to] = uv[tip];
+    result.metric[to] = metric[tip];
+  });
+  placed.for_each_loose_face([&](const LooseFace& face, std::span<const HalfedgeHandle> sides) {
+    for (std::size_t k = 0; k < face.count; ++k) {
+      const CornerValue& tip = face.corners[k + 1 == face.count ? 0 : k + 1].value;
+      result.uv[index(sides[k])] = tip.uv;
+      result.metric[index(sides[k])] = tip.metric;
     }
-  }
-
-  void copy_corners() const {
-    for (int h = 0; h < places_.row_end(); ++h) {
-      const HalfedgeHandle heh(h);
-      copy_corner(heh, places_.in_row(heh));
-    }
-    // Some of them fill places at which something else has been written now.
-    places_.for_each_moved([&](HalfedgeHandle heh) { copy_corner(heh, places_(heh)); });
-    places_.for_each_loose_face([&](const LooseFace& face, std::span<const HalfedgeHandle> sides) {
-      for (std::size_t k = 0; k < face.count; ++k) {
-        const CornerValue& tip = face.corners[k + 1 == face.count ? 0 : k + 1].value;
-        result_.uv[index(sides[k])] = tip.uv;
-        result_.metric[index(sides[k])] = tip.metric;
-      }
-    });
-  }
-
-  void write_patch() const {
-    const auto first = result_.patch.begin() + piece_.first_face;
-    std::fill(first, first + piece_.face_count(), piece_.source.boundary.patch);
-  }
-
- private:
-  void copy_corner(HalfedgeHandle heh, HalfedgeHandle to) const {
-    const std::size_t tip = index(places_.tip(heh));
-    result_.uv[index(to)] = uv_[tip];
-    result_.metric[index(to)] = metric_[tip];
-  }
-
-  const Piece& piece_;
-  const PolyMesh& mesh_;
-  PiecePlaces places_;
-  const std::vector<Uv>& uv_;          ///< by vertex of the piece's mesh
-  const std::vector<Metric>& metric_;  ///< likewise
-  const ResultArrays& result_;
-};
+  });
+}
 
 }  // namespace
 
 void copy_values(const Piece& piece, const CommonVertices& common, const ResultArrays& result) {
-  const ValueCopy copy(piece, result);
-  copy.copy_points(common);
-  copy.copy_corners();
-  copy.write_patch();
+  copy_points(piece, common, result);
+  copy_corners(piece, result);
+  const auto first_face = result.patch.begin() + piece.first_face;
+  std::fill(first_face, first_face + piece.face_count, piece.source.boundary.patch);
 }
 
 void release_values(PolyMesh& mesh) {
@@ -78,8 +54,7 @@ void release_values(PolyMesh& mesh) {
   detach(mesh, keys::vertex_metric);
   detach(mesh, keys::edge_contour);
   detach(mesh, keys::edge_constrained);
-  auto& points = mesh.property(mesh.points_property_handle()).data_vector();
-  std::remove_reference_t<decltype(points)>().swap(points);
+  mesh.property(mesh.points_property_handle()).data_vector() = std::vector<PolyMesh::Point>();
 }
 
 }  // namespace surfmesh::detail

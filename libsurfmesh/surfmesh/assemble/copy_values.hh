@@ -13,6 +13,7 @@ namespace surfmesh::detail {
 /// Different pieces write to different elements, so that all may be written at once.
 ///
 /// Cost     O(n)
+/// Pre      place_edges has been called
 void copy_values(const Piece& piece, const CommonVertices& common, const ResultArrays& result);
 
 /// Free the points and properties of a piece's mesh; its links stay.

@@ -27,7 +27,7 @@ ElementCounts number_elements(std::vector<Piece>& pieces) {
     piece.first_edge = static_cast<int>(counts.edges);
     piece.first_face = static_cast<int>(counts.faces);
     counts.edges += static_cast<std::size_t>(piece.copied_edge_count());
-    counts.faces += static_cast<std::size_t>(piece.face_count());
+    counts.faces += static_cast<std::size_t>(piece.face_count);
   }
   if (!pieces.empty()) {
     counts.vertices = static_cast<std::size_t>(pieces.back().vertices.end_of_own());

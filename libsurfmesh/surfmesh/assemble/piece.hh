@@ -35,6 +35,13 @@ struct LooseFace {
   int number = -1;  ///< among the faces of its piece
 };
 
+/// A face of a piece's mesh that is not copied, for two of its corners are one vertex of the
+/// result.
+struct CollapsedFace {
+  FaceHandle face;
+  bool is_dropped = false;  ///< less than a triangle is left
+};
+
 /// An edge of a piece's mesh that is not copied with its two sides.
 struct BorderEdge {
   EdgeHandle edge;
@@ -96,7 +103,7 @@ struct ElementCounts {
 };
 
 /// A patch, or a part of one, on its way into the result: its mesh, and how its faces are to be
-/// joined to others. What lies inside has no entry here, and is a copy of the mesh.
+/// joined to others. What lies inside is a copy of the mesh, with edges at other places.
 struct Piece {
   int number = 0;  ///< among all pieces
   PatchMesh source;
@@ -105,9 +112,9 @@ struct Piece {
 
   // By survey_border
   std::vector<BorderEdge> border_edges = {};  ///< ascending
-  std::vector<FaceHandle> dropped = {};       ///< faces of which nothing is left, ascending
+  std::vector<CollapsedFace> collapsed = {};  ///< ascending
   std::vector<LooseFace> loose_faces = {};
-  int fan_face_count = 0;  ///< loose faces around poles, the last ones
+  int face_count = 0;  ///< in the result
   /// Those of the border edges, in their order, then those of the loose faces.
   std::vector<BorderSide> sides = {};
 
@@ -118,12 +125,11 @@ struct Piece {
   // By give_halfedges
   std::span<const HalfedgeHandle> halfedges = {};  ///< of the result, by side
 
+  // By place_edges
+  std::vector<int> edge_places = {};  ///< by edge, the number that its halfedge 0 gets
+
   int copied_edge_count() const {
     return static_cast<int>(source.mesh->n_edges() - border_edges.size());
-  }
-
-  int face_count() const {
-    return static_cast<int>(source.mesh->n_faces() - dropped.size()) + fan_face_count;
   }
 };
 
