@@ -36,6 +36,8 @@ constexpr double kMostTriangles = 3;
 /// by itself: between near sides of many nodes there is next to no area.
 constexpr double kMostForBoundary = 2;
 
+bool is_finite(Uv p) { return std::isfinite(p.u) && std::isfinite(p.v); }
+
 /// Inserts nodes into the triangles of the front.
 class Refinement {
  public:
@@ -140,7 +142,7 @@ class Refinement {
   /// The point before its correction is asked for the metric only if it lies inside.
   bool try_frontal(FaceHandle fh, const BaseTriangle& triangle) {
     const std::optional<Uv> uv = frontal_point(triangle);
-    if (!uv) return false;
+    if (!uv || !is_finite(*uv)) return false;
     const Location location = delaunay_.locate(*uv, fh);
     if (!is_insertable(location)) return false;
     const MetricCorner point{*uv, field_.at(*uv, hint_)};
@@ -148,7 +150,7 @@ class Refinement {
   }
 
   bool try_insert(Uv p, FaceHandle fh, const BaseTriangle& triangle, bool must_conform) {
-    if (!std::isfinite(p.u) || !std::isfinite(p.v)) return false;
+    if (!is_finite(p)) return false;
     const Location location = delaunay_.locate(p, fh);
     if (!is_insertable(location)) return false;
     const Metric metric = field_.at(p, hint_);
@@ -178,12 +180,16 @@ class Refinement {
     return metric_conformity(of_triangle, metric) <= options_.conformity;
   }
 
-  /// Far enough from all nodes around, and not facing a boundary edge under more than 90°.
-  bool keeps_its_distance(const MetricCorner& p) const {
+  /// Far enough from all nodes around, and not facing a boundary edge under more than 90°. Collects
+  /// the fan that replaces the cavity.
+  bool keeps_its_distance(const MetricCorner& p) {
     const PolyMesh& mesh = delaunay_.mesh();
+    fan_.clear();
     for (const HalfedgeHandle heh : cavity_.rim) {
       const MetricCorner a = corner(delaunay_, mesh.from_vertex_handle(heh));
-      if (fast_edge_length(a.uv, a.metric, p.uv, p.metric) < least_distance_) return false;
+      const double spoke = fast_edge_length(a.uv, a.metric, p.uv, p.metric);
+      if (spoke < least_distance_) return false;
+      fan_.push_back({heh, spoke});
       if (!delaunay_.is_constrained(mesh.edge_handle(heh))) continue;
       const Uv to_a = a.uv - p.uv, to_b = delaunay_.uv(mesh.to_vertex_handle(heh)) - p.uv;
       if (inner_product(p.metric, to_a, to_b) < 0) return false;
@@ -202,8 +208,10 @@ class Refinement {
     delaunay_.metric(vh) = metric;
     ++report_.counts.inserted;
     if (delaunay_.n_faces() > most_faces_) context_.throw_too_many_elements();
-    states_.measure_fan(vh);
-    front_.add_fan(vh);
+    // Swaps do not end at the cavity.
+    if (options_.kernel == Kernel::Swap) collect_fan(delaunay_, vh, fan_);
+    states_.measure_fan(vh, fan_);
+    front_.add(fan_);
   }
 
   DelaunayMesh& delaunay_;
@@ -220,6 +228,7 @@ class Refinement {
   Front front_;
   QueryHint hint_;
   Cavity cavity_;
+  Fan fan_;  ///< of the point that is tried
   RefineReport report_;
 };
 
