@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "surfmesh/core/option_range.hh"
 #include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/delaunay/metric_swaps.hh"
+#include "surfmesh/delaunay/spatial_order.hh"
 #include "surfmesh/metric/conformity.hh"
 #include "surfmesh/refine/face_states.hh"
 #include "surfmesh/refine/front.hh"
@@ -106,23 +109,47 @@ class Refinement {
   /// the vertices of a triangle alone is never asked for.
   bool insert_required_points() {
     bool is_any = false;
-    FaceHandle near(0);
-    for (const MetricCorner& point : field_.required_points()) {
+    for (const auto& [point, face] : missed_points()) {
       if (exceeds_prediction()) {
         report_.is_stopped = true;
         return false;
       }
-      const Location location = delaunay_.locate(point.uv, near);
-      near = location.face;
+      const Location location = delaunay_.locate(point.uv, face);
       if (!is_insertable(location) || !is_missed(point, location.face)) continue;
       delaunay_.find_cavity(point.uv, location, rule_, cavity_);
       if (!keeps_its_distance(point)) continue;
       insert(point.uv, point.metric, location);
-      near = delaunay_.mesh().face_handle(delaunay_.mesh().halfedge_handle(
-          VertexHandle(static_cast<int>(delaunay_.n_vertices()) - 1)));
       is_any = true;
     }
     return is_any;
+  }
+
+  /// A point that the field requires, and the triangle that it lies in.
+  struct RequiredPoint {
+    MetricCorner point;
+    FaceHandle face;
+  };
+
+  /// The required points in triangles that are too large for them, in the order of the field. They
+  /// are looked for along a curve: the walk from each to the next one is short.
+  std::vector<RequiredPoint> missed_points() {
+    const std::span<const MetricCorner> points = field_.required_points();
+    std::vector<Uv> uvs;
+    uvs.reserve(points.size());
+    for (const MetricCorner& point : points) uvs.push_back(point.uv);
+    std::vector<FaceHandle> faces(points.size());  // invalid where none is too large
+    FaceHandle near(0);
+    for (const int i : cell_order(uvs)) {
+      const auto at = static_cast<std::size_t>(i);
+      const Location location = delaunay_.locate(uvs[at], near);
+      near = location.face;
+      if (is_insertable(location) && is_missed(points[at], near)) faces[at] = near;
+    }
+    std::vector<RequiredPoint> missed;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      if (faces[i].is_valid()) missed.push_back({points[i], faces[i]});
+    }
+    return missed;
   }
 
   bool is_missed(const MetricCorner& point, FaceHandle fh) const {
