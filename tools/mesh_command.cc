@@ -96,7 +96,19 @@ class MeshRun {
              const std::string& report_path) const {
     result.report.output = mesh_path;
     Outputs outputs;
-    const double start = processor_seconds();
+    {
+      const StageClock clock(result.report.seconds[Stage::Write]);
+      const SerialClock serial_clock(result.report.serial_seconds);
+      write_files(result, mesh_path, outputs);
+    }
+    result.report.wall_seconds = seconds_so_far();
+    if (!report_path.empty()) outputs.add(report_path).write(to_json(result.report));
+    outputs.commit(status_of(result.report));
+  }
+
+ private:
+  /// Write the mesh and the file that belongs beside it.
+  void write_files(MeshResult& result, const std::string& mesh_path, Outputs& outputs) const {
     tell_rounding(result, mesh_path);
     append(unused_options(result.mesh, mesh_path, result.report.options.output),
            result.report.notices);
@@ -111,13 +123,8 @@ class MeshRun {
       write_companion(result.mesh, mesh_path, companion);
       companion.finish();
     }
-    result.report.seconds[Stage::Write] = processor_seconds() - start;
-    result.report.wall_seconds = seconds_so_far();
-    if (!report_path.empty()) outputs.add(report_path).write(to_json(result.report));
-    outputs.commit(status_of(result.report));
   }
 
- private:
   static void tell_rounding(MeshResult& result, const std::string& path) {
     const Rounding rounding = rounding_of(result.mesh, path);
     if (!(rounding.share > kToldRounding)) return;

@@ -115,5 +115,71 @@ TEST(ProcessorSeconds, CountsTheTimeOfAllThreads) {
   }
 }
 
+/// The serial seconds of work of 0.02 s outside of calls that share, of which `work` has more.
+template <class Work>
+double serial_seconds_of(int threads, Work work) {
+  double seconds = 0;
+  with_threads(threads, [&] {
+    const SerialClock clock(seconds);
+    spend(0.02);
+    work();
+  });
+  return seconds;
+}
+
+TEST(SerialClock, LeavesOutWhatIsShared) {
+  for (const int threads : {1, 4}) {
+    const double seconds =
+        serial_seconds_of(threads, [] { share_indices(8, [](std::size_t) { spend(0.02); }); });
+    EXPECT_GE(seconds, 0.02);
+    EXPECT_LT(seconds, 0.04);
+  }
+}
+
+TEST(SerialClock, LeavesOutCallsWithinSharedCalls) {
+  for (const int threads : {1, 4}) {
+    const double seconds = serial_seconds_of(threads, [] {
+      share_indices(4, [](std::size_t) {
+        share_indices(2, [](std::size_t) { spend(0.01); });
+        spend(0.01);
+      });
+    });
+    EXPECT_GE(seconds, 0.02);
+    EXPECT_LT(seconds, 0.04);
+  }
+}
+
+TEST(SerialClock, LeavesOutScopesAndWhatFails) {
+  const double seconds = serial_seconds_of(1, [] {
+    {
+      const LeftOutOfSerial left_out;
+      spend(0.02);
+      share_indices(1, [](std::size_t) { spend(0.01); });
+    }
+    const auto fail = [](std::size_t) {
+      spend(0.02);
+      throw std::runtime_error("");
+    };
+    EXPECT_THROW(share_indices(1, fail), std::runtime_error);
+    spend(0.02);
+  });
+  EXPECT_GE(seconds, 0.04);
+  EXPECT_LT(seconds, 0.06);
+}
+
+TEST(SerialClock, CountsWithinASharedCallAsOutsideOfIt) {
+  double outer = 0;
+  {
+    const SerialClock clock(outer);
+    share_indices(1, [](std::size_t) {
+      const double inner =
+          serial_seconds_of(1, [] { share_indices(1, [](std::size_t) { spend(0.04); }); });
+      EXPECT_GE(inner, 0.02);
+      EXPECT_LT(inner, 0.04);
+    });
+  }
+  EXPECT_LT(outer, 0.02);
+}
+
 }  // namespace
 }  // namespace surfmesh

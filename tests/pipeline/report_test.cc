@@ -100,7 +100,7 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
             (Keys{"inserted", "left_too_large", "circumcentres_given_up"}));
   EXPECT_EQ(keys_of(json["seconds"]),
             (Keys{"read", "control", "boundary", "triangulate", "refine", "improve", "quad",
-                  "assemble", "across", "write", "total", "wall"}));
+                  "assemble", "across", "write", "total", "serial", "wall"}));
 }
 
 TEST(ReportJson, CountsQuestionsByStageAndAnswersByKind) {

@@ -43,6 +43,7 @@ std::string output_of(const Case& example, int threads) {
   MeshResult result = mesh_model(input.model, input.sources, input.options);
   write_mesh(result.mesh, path);
   result.report.seconds = {};
+  result.report.serial_seconds = 0;
   result.report.wall_seconds = 0;
   result.report.options.threads = 0;
   return read_text(path) + to_json(result.report);

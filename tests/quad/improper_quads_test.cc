@@ -55,7 +55,7 @@ TEST(MendImproperQuads, PutsRingsAroundEdgesThatTwoPatchesWouldHaveTwice) {
   EXPECT_GE(lens_of_four.mend(), 1u);
   PolyMesh mesh;
   assemble(mesh, lens_of_four.model, lens_of_four.nodes, lens_of_four.numbers,
-           lens_of_four.patches);
+           std::move(lens_of_four.patches));
   testing::expect_valid(mesh);
   EXPECT_EQ(measure_topology(mesh).euler, 2);
   EXPECT_TRUE(measure_topology(mesh).is_closed);

@@ -63,7 +63,7 @@ inline Assembled assemble_with_size(const Model& model, double size) {
   result.chords = chords.nodes;
   for (const auto& [p, changed] : chords.turned) turned[p] = changed.count;
   for (const auto& [p, count] : turned) result.turned += count;
-  result.report = assemble(result.mesh, model, result.nodes, numbers, patches);
+  result.report = assemble(result.mesh, model, result.nodes, numbers, std::move(patches));
   return result;
 }
 

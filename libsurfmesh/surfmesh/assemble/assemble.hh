@@ -15,7 +15,8 @@ struct AssembleReport {
   Notices notices;  ///< what the mesh is other than the model
 };
 
-/// Join the meshes of all patches into one, in a mesh that has no elements yet.
+/// Join the meshes of all patches into one, in a mesh that has no elements yet. A patch may have
+/// several meshes, in a row, with numbers for the nodes that they share (NodeNumbers::add).
 ///
 /// Vertices on contours are identified by the numbers of their nodes, never by distance. Several
 /// vertices of a domain may become one (seams, poles), and a triangle that collapses is left out.
@@ -26,11 +27,14 @@ struct AssembleReport {
 ///
 /// Writes   point(); surf:patch (face), surf:contour (edge), surf:uv and surf:metric (halfedge, at
 ///          its tip)
-/// Cost     O(n); O(n log n) for the sides at contours
+/// Each of the meshes is freed as soon as it is copied; give them up, or they are copied before.
+///
+/// Cost     O(n), shared by piece; for m sides at contours and between pieces O(m log m) more,
+///          which is not shared
 /// Pre      split_improper_chords has been called
 /// Throws   Cancelled
 AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<ContourNodes>& nodes,
-                        const NodeNumbers& numbers, const std::vector<PatchMesh>& patches,
+                        const NodeNumbers& numbers, std::vector<PatchMesh> patches,
                         const RunContext& context = RunContext());
 
 }  // namespace surfmesh

@@ -10,9 +10,10 @@
 #include <utility>
 
 #include "surfmesh/assemble/orientation.hh"
+#include "surfmesh/core/buckets.hh"
 #include "surfmesh/core/disjoint_sets.hh"
 #include "surfmesh/core/properties.hh"
-#include "surfmesh/core/validate.hh"
+#include "surfmesh/core/range_sums.hh"
 #include "surfmesh/model/joined_uses.hh"
 #include "surfmesh/model/touching_loops.hh"
 
@@ -149,45 +150,103 @@ class Gluing {
   DisjointSets fans_, sheets_;
 };
 
-/// Finds vertices with equal coordinates.
+/// A vertex and an earlier one in the same place.
+struct SamePlace {
+  VertexHandle vertex;
+  VertexHandle earlier;
+};
+
+std::uint64_t key_of(const PolyMesh::Point& point) {
+  std::uint64_t key = 0;
+  for (unsigned int axis = 0; axis < 3; ++axis) {
+    // + 0 makes one zero of both.
+    key = Buckets::hash(key ^ std::bit_cast<std::uint64_t>(point[axis] + 0.0));
+  }
+  return key;
+}
+
+/// Finds vertices with equal coordinates, among those whose keys are in one bucket.
 class PositionTable {
  public:
-  explicit PositionTable(const PolyMesh& mesh)
-      : mesh_(mesh), slots_(std::bit_ceil(2 * mesh.n_vertices() + 1)) {}
+  PositionTable(const PolyMesh& mesh, const std::vector<std::uint64_t>& keys, std::size_t count)
+      : mesh_(mesh), keys_(keys), slots_(std::bit_ceil(2 * count + 1)) {}
 
-  /// An earlier vertex in the same place and component; invalid if there is none.
-  VertexHandle add(VertexHandle vh, std::size_t component) {
-    const PolyMesh::Point& point = mesh_.point(vh);
-    for (std::size_t slot = hash(point);; ++slot) {
+  /// An earlier vertex in the same place for which `is_like` holds; invalid if there is none.
+  template <class IsLike>
+  VertexHandle add(VertexHandle vh, IsLike is_like) {
+    const std::uint64_t key = keys_[index(vh)];
+    for (std::size_t slot = key;; ++slot) {
       Slot& there = slots_[slot & (slots_.size() - 1)];
       if (there.vertex < 0) {
-        there = {vh.idx(), component};
+        there = {vh.idx(), static_cast<std::uint32_t>(key >> 32)};
         return VertexHandle();
       }
       const VertexHandle other(there.vertex);
-      if (there.component == component && mesh_.point(other) == point) return other;
+      if (there.high_bits == key >> 32 && mesh_.point(other) == mesh_.point(vh) && is_like(other)) {
+        return other;
+      }
     }
   }
 
  private:
-  static std::size_t hash(const PolyMesh::Point& point) {
-    constexpr std::uint64_t odd = 0x9e3779b97f4a7c15;  // 2^64 / golden ratio
-    std::uint64_t mixed = 0;
-    for (unsigned int axis = 0; axis < 3; ++axis) {
-      // + 0 makes one zero of both.
-      mixed = (mixed ^ std::bit_cast<std::uint64_t>(point[axis] + 0.0)) * odd;
-      mixed ^= mixed >> 32;
-    }
-    return mixed;
-  }
-
   struct Slot {
     int vertex = -1;
-    std::size_t component = 0;
+    std::uint32_t high_bits = 0;  ///< of its key: most others are seen to differ by them
   };
 
   const PolyMesh& mesh_;
+  const std::vector<std::uint64_t>& keys_;
   std::vector<Slot> slots_;
+};
+
+/// Vertices for each of which there is an earlier one in the same place, by their numbers.
+/// `are_alike` says which two may count as one.
+template <class AreAlike>
+std::vector<SamePlace> find_same_places(const PolyMesh& mesh, AreAlike are_alike) {
+  std::vector<std::uint64_t> keys(mesh.n_vertices());
+  share_ranges(keys.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t v = first; v < end; ++v) {
+      keys[v] = key_of(mesh.point(VertexHandle(static_cast<int>(v))));
+    }
+  });
+  const Buckets buckets(keys);
+  std::vector<std::vector<SamePlace>> found(Buckets::kCount);
+  share_indices(found.size(), [&](std::size_t bucket) {
+    PositionTable table(mesh, keys, buckets[bucket].size());
+    for (const std::uint32_t v : buckets[bucket]) {
+      const VertexHandle vh(static_cast<int>(v));
+      const VertexHandle earlier =
+          table.add(vh, [&](VertexHandle other) { return are_alike(vh, other); });
+      if (earlier.is_valid()) found[bucket].push_back({vh, earlier});
+    }
+  });
+  std::vector<SamePlace> all;
+  for (const auto& places : found) all.insert(all.end(), places.begin(), places.end());
+  std::sort(all.begin(), all.end(),
+            [](const SamePlace& a, const SamePlace& b) { return a.vertex < b.vertex; });
+  return all;
+}
+
+/// Add the faults of later elements, of the same kind.
+void append(const MeshFault& more, MeshFault& fault) {
+  fault.count += more.count;
+  for (const std::string& place : more.places) {
+    if (fault.places.size() < MeshFault::kMostPlaces) fault.places.push_back(place);
+  }
+}
+
+/// What a range of the edges shows.
+struct EdgeFindings {
+  MeshFault open{"open_edge", 0, {}};
+  MeshFault closed{"closed_edge", 0, {}};
+  std::vector<VertexHandle> at_openings;  ///< that may have others in the same places
+
+  EdgeFindings& operator+=(const EdgeFindings& other) {
+    append(other.open, open);
+    append(other.closed, closed);
+    at_openings.insert(at_openings.end(), other.at_openings.begin(), other.at_openings.end());
+    return *this;
+  }
 };
 
 /// Compares a mesh with the promise of its model.
@@ -215,15 +274,15 @@ class Comparison {
     }
   }
 
-  std::vector<MeshFault> run() {
-    for (const EdgeHandle eh : mesh_.edges()) look_at(eh);
+  std::vector<MeshFault> run(const MeshTopology& topology) {
+    EdgeFindings edges = look_at_edges();
+    for (const VertexHandle vh : edges.at_openings) is_at_opening_[index(vh)] = 1;
     look_at_vertices();
-    const MeshTopology topology = measure_topology(mesh_);
     compare(components_, static_cast<long>(topology.components),
             static_cast<long>(promise_.components));
     compare(euler_, topology.euler, promise_.euler);
     std::vector<MeshFault> faults;
-    for (MeshFault* fault : {&open_, &closed_, &duplicate_, &components_, &euler_}) {
+    for (MeshFault* fault : {&edges.open, &edges.closed, &duplicate_, &components_, &euler_}) {
       if (fault->count > 0) faults.push_back(std::move(*fault));
     }
     return faults;
@@ -250,23 +309,25 @@ class Comparison {
     return contour >= 0 && promise_.is_open[static_cast<std::size_t>(contour)] != 0;
   }
 
-  void look_at(EdgeHandle eh) {
-    const bool is_open = mesh_.is_boundary(eh), may_be = may_be_open(eh);
-    if (is_touched(eh)) mark_ends(eh);
-    if (is_open && may_be) {
-      mark_ends(eh);
-    } else if (is_open) {
-      open_.add([&] { return location_of(eh); });
-    } else if (may_be && contour_of_.is_valid()) {
-      closed_.add([&] { return location_of(eh); });
-    }
+  EdgeFindings look_at_edges() const {
+    return sum_of_ranges(mesh_.n_edges(), [&](std::size_t first, std::size_t end) {
+      EdgeFindings findings;
+      for (std::size_t e = first; e < end; ++e) look_at(EdgeHandle(static_cast<int>(e)), findings);
+      return findings;
+    });
   }
 
-  /// Note that the vertices of an edge may have others in the same places.
-  void mark_ends(EdgeHandle eh) {
-    const HalfedgeHandle heh = inner_halfedge(eh);
-    for (const VertexHandle vh : {mesh_.from_vertex_handle(heh), mesh_.to_vertex_handle(heh)}) {
-      is_at_opening_[index(vh)] = 1;
+  void look_at(EdgeHandle eh, EdgeFindings& findings) const {
+    const bool is_open = mesh_.is_boundary(eh), may_be = may_be_open(eh);
+    if ((is_open && may_be) || is_touched(eh)) {
+      const HalfedgeHandle heh = inner_halfedge(eh);
+      findings.at_openings.push_back(mesh_.from_vertex_handle(heh));
+      findings.at_openings.push_back(mesh_.to_vertex_handle(heh));
+    }
+    if (is_open && !may_be) {
+      findings.open.add([&] { return location_of(eh); });
+    } else if (!is_open && may_be && contour_of_.is_valid()) {
+      findings.closed.add([&] { return location_of(eh); });
     }
   }
 
@@ -289,10 +350,12 @@ class Comparison {
   }
 
   void look_at_vertices() {
-    PositionTable table(mesh_);
-    for (const VertexHandle vh : mesh_.vertices()) {
-      const VertexHandle earlier = table.add(vh, component_of(vh));
-      if (!earlier.is_valid() || (is_at_opening(vh) && is_at_opening(earlier))) continue;
+    const auto are_of_one_component = [&](VertexHandle a, VertexHandle b) {
+      return component_of(a) == component_of(b);
+    };
+    for (const SamePlace& place : find_same_places(mesh_, are_of_one_component)) {
+      const VertexHandle vh = place.vertex;
+      if (is_at_opening(vh) && is_at_opening(place.earlier)) continue;
       if (!is_split(to_eigen(mesh_.point(vh)))) duplicate_.add([&] { return location_of(vh); });
     }
   }
@@ -338,8 +401,6 @@ class Comparison {
   std::vector<char> is_patch_open_;
   std::vector<char> is_patch_touched_;  ///< 1 at a contour of three and more uses
   bool has_touched_ = false;
-  MeshFault open_{"open_edge", 0, {}};
-  MeshFault closed_{"closed_edge", 0, {}};
   MeshFault duplicate_{"duplicate_vertex", 0, {}};
   MeshFault components_{"components", 0, {}};
   MeshFault euler_{"euler", 0, {}};
@@ -369,7 +430,12 @@ PromisedTopology promised_topology(const Model& model) {
 }
 
 std::vector<MeshFault> compare_with_promise(const PolyMesh& mesh, const Model& model) {
-  return Comparison(mesh, model).run();
+  return compare_with_promise(mesh, measure_topology(mesh), model);
+}
+
+std::vector<MeshFault> compare_with_promise(const PolyMesh& mesh, const MeshTopology& topology,
+                                            const Model& model) {
+  return Comparison(mesh, model).run(topology);
 }
 
 }  // namespace surfmesh

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "surfmesh/core/mesh.hh"
+#include "surfmesh/core/validate.hh"
 #include "surfmesh/model/model.hh"
 #include "surfmesh/quality/face_set_check.hh"
 
@@ -41,7 +42,11 @@ PromisedTopology promised_topology(const Model& model);
 ///
 /// Reads    surf:patch (face), surf:contour (edge; optional: without it open edges pass on every
 ///          patch that is open anywhere, and closed_edge is not found)
-/// Cost     O(n), about 30 ns per triangle
+/// Cost     O(n), about 30 ns per triangle, shared among threads
 std::vector<MeshFault> compare_with_promise(const PolyMesh& mesh, const Model& model);
+
+/// The same where measure_topology(mesh) is known.
+std::vector<MeshFault> compare_with_promise(const PolyMesh& mesh, const MeshTopology& topology,
+                                            const Model& model);
 
 }  // namespace surfmesh

@@ -27,6 +27,12 @@ constexpr std::size_t kRange = 4096;
 /// Of calls that this thread has shared with others, what they spent on them.
 thread_local double seconds_of_others = 0;
 
+/// Of the time of this thread and of seconds_of_others, what was spent in calls that share.
+thread_local double seconds_left_out = 0;
+
+/// True in a call that shares, with one thread, too.
+thread_local bool is_left_out = false;
+
 /// True in a call that is shared.
 thread_local bool is_in_shared_call = false;
 
@@ -56,6 +62,13 @@ class SharedIndices {
       : indices_(indices), body_(body), first_failed_(indices.size()) {}
 
   void run(int threads) {
+    share(threads);
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  void share(int threads) {
+    const LeftOutOfSerial loop;
     if (threads == 1) {
       run_remaining();
     } else {
@@ -66,14 +79,13 @@ class SharedIndices {
       });
     }
     seconds_of_others += seconds_;
-    if (error_) std::rethrow_exception(error_);
   }
 
- private:
   void work() {
     const double start = seconds_of_this_thread();
     {
       const SharedCall shared;
+      const LeftOutOfSerial loop;
       run_remaining();
     }
     if (std::this_thread::get_id() == caller_) return;
@@ -157,5 +169,29 @@ std::vector<std::size_t> heaviest_first(const std::vector<std::size_t>& weights)
 }
 
 double processor_seconds() { return seconds_of_this_thread() + seconds_of_others; }
+
+double serial_seconds() { return processor_seconds() - seconds_left_out; }
+
+LeftOutOfSerial::LeftOutOfSerial()
+    : was_left_out_(std::exchange(is_left_out, true)),
+      before_(seconds_left_out),
+      start_(was_left_out_ ? 0 : processor_seconds()) {}
+
+LeftOutOfSerial::~LeftOutOfSerial() {
+  if (was_left_out_) return;
+  is_left_out = false;
+  // Not added: a SerialClock within has counted a part of it already.
+  seconds_left_out = before_ + (processor_seconds() - start_);
+}
+
+SerialClock::SerialClock(double& seconds)
+    : was_left_out_(std::exchange(is_left_out, false)),
+      seconds_(seconds),
+      start_(serial_seconds()) {}
+
+SerialClock::~SerialClock() {
+  seconds_ += serial_seconds() - start_;
+  is_left_out = was_left_out_;
+}
 
 }  // namespace surfmesh

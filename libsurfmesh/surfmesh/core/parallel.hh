@@ -42,6 +42,38 @@ std::vector<std::size_t> heaviest_first(const std::vector<std::size_t>& weights)
 /// shared.
 double processor_seconds();
 
+/// Of processor_seconds(), what this thread has spent outside of calls that share, and of scopes
+/// that are left out: what more threads do not make shorter.
+double serial_seconds();
+
+/// Leaves a scope out of serial_seconds().
+class LeftOutOfSerial {
+ public:
+  LeftOutOfSerial();
+  ~LeftOutOfSerial();
+  LeftOutOfSerial(const LeftOutOfSerial&) = delete;
+  LeftOutOfSerial& operator=(const LeftOutOfSerial&) = delete;
+
+ private:
+  bool was_left_out_;
+  double before_, start_;  ///< read by the outermost scope only
+};
+
+/// Adds the serial_seconds() of a scope to a number of seconds. Within a call that is shared, it
+/// counts as if it were outside.
+class SerialClock {
+ public:
+  explicit SerialClock(double& seconds);
+  ~SerialClock();
+  SerialClock(const SerialClock&) = delete;
+  SerialClock& operator=(const SerialClock&) = delete;
+
+ private:
+  bool was_left_out_;
+  double& seconds_;
+  double start_;
+};
+
 /// Adds the processor time of a scope to a number of seconds.
 class StageClock {
  public:

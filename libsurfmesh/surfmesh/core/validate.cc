@@ -7,7 +7,8 @@
 #include <array>
 #include <utility>
 
-#include "surfmesh/core/disjoint_sets.hh"
+#include "surfmesh/core/range_sums.hh"
+#include "surfmesh/core/shared_sets.hh"
 
 namespace surfmesh {
 namespace {
@@ -171,27 +172,49 @@ class FaultFinder {
   std::size_t count_ = 0;  // of the current kind
 };
 
-/// Number of sets of vertices that edges connect.
-std::size_t count_components(const PolyMesh& mesh) {
-  DisjointSets sets(mesh.n_vertices());
-  std::size_t count = mesh.n_vertices();
-  for (int i = 0; i < static_cast<int>(mesh.n_edges()); ++i) {
-    const HalfedgeHandle heh = mesh.halfedge_handle(EdgeHandle(i), 0);
-    const bool were_apart =
-        sets.unite(index(mesh.from_vertex_handle(heh)), index(mesh.to_vertex_handle(heh)));
-    if (were_apart) --count;
+/// What a range of the edges adds.
+struct EdgeCounts {
+  std::size_t boundary_edges = 0;
+  std::size_t joined = 0;                  ///< sets of vertices that were apart
+  std::vector<std::size_t> boundary_tips;  ///< vertices at the ends of boundary halfedges
+
+  EdgeCounts& operator+=(const EdgeCounts& other) {
+    boundary_edges += other.boundary_edges;
+    joined += other.joined;
+    boundary_tips.insert(boundary_tips.end(), other.boundary_tips.begin(),
+                         other.boundary_tips.end());
+    return *this;
   }
-  return count;
+};
+
+EdgeCounts count_edges(const PolyMesh& mesh) {
+  SharedSets sets(mesh.n_vertices());
+  return sum_of_ranges(mesh.n_edges(), [&](std::size_t first, std::size_t end) {
+    EdgeCounts counts;
+    for (std::size_t e = first; e < end; ++e) {
+      const EdgeHandle eh(static_cast<int>(e));
+      const HalfedgeHandle heh = mesh.halfedge_handle(eh, 0);
+      const std::size_t from = index(mesh.from_vertex_handle(heh));
+      const std::size_t to = index(mesh.to_vertex_handle(heh));
+      if (sets.unite(from, to)) ++counts.joined;
+      if (mesh.is_boundary(eh)) ++counts.boundary_edges;
+      if (mesh.is_boundary(heh)) counts.boundary_tips.push_back(to);
+      if (mesh.is_boundary(mesh.opposite_halfedge_handle(heh)))
+        counts.boundary_tips.push_back(from);
+    }
+    return counts;
+  });
 }
 
-std::size_t count_split_vertices(const PolyMesh& mesh) {
-  std::vector<int> gaps(mesh.n_vertices(), 0);
-  for (int i = 0; i < static_cast<int>(mesh.n_halfedges()); ++i) {
-    const HalfedgeHandle heh(i);
-    if (mesh.is_boundary(heh)) ++gaps[index(mesh.to_vertex_handle(heh))];
+/// The vertices that come up more than once.
+std::size_t count_repeated(std::vector<std::size_t> vertices) {
+  std::sort(vertices.begin(), vertices.end());
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < vertices.size(); ++i) {
+    const bool is_second = i < 2 || vertices[i - 2] != vertices[i];
+    if (vertices[i - 1] == vertices[i] && is_second) ++count;
   }
-  return static_cast<std::size_t>(
-      std::count_if(gaps.begin(), gaps.end(), [](int count) { return count > 1; }));
+  return count;
 }
 
 }  // namespace
@@ -201,11 +224,10 @@ MeshTopology measure_topology(const PolyMesh& mesh) {
   result.vertices = mesh.n_vertices();
   result.edges = mesh.n_edges();
   result.faces = mesh.n_faces();
-  for (int i = 0; i < static_cast<int>(mesh.n_edges()); ++i) {
-    if (mesh.is_boundary(EdgeHandle(i))) ++result.boundary_edges;
-  }
-  result.split_vertices = count_split_vertices(mesh);
-  result.components = count_components(mesh);
+  EdgeCounts counts = count_edges(mesh);
+  result.boundary_edges = counts.boundary_edges;
+  result.components = result.vertices - counts.joined;
+  result.split_vertices = count_repeated(std::move(counts.boundary_tips));
   result.euler = static_cast<long>(result.vertices) - static_cast<long>(result.edges) +
                  static_cast<long>(result.faces);
   result.is_closed = result.faces > 0 && result.boundary_edges == 0;

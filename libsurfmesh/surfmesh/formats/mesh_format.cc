@@ -9,6 +9,7 @@
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/core/range_sums.hh"
 #include "surfmesh/formats/bdf_file.hh"
 #include "surfmesh/formats/glb_file.hh"
 #include "surfmesh/formats/inp_file.hh"
@@ -39,6 +40,29 @@ double rounding_of(const OpenMesh::Vec3d& point) {
   // Not in OpenMesh's vectors: GCC 12 takes a conversion to float and back for nothing there.
   const Vec3 exact = to_eigen(point);
   return (exact.cast<float>().cast<double>() - exact).norm();
+}
+
+struct Greatest {
+  double value = 0;
+
+  Greatest& operator+=(const Greatest& other) {
+    if (other.value > value) value = other.value;
+    return *this;
+  }
+};
+
+/// The greatest value of the indices below `count`, at least 0; NaN counts as nothing.
+template <class ValueOf>
+double greatest_of(std::size_t count, ValueOf value_of) {
+  return sum_of_ranges(count,
+                       [&](std::size_t first, std::size_t end) {
+                         Greatest own;
+                         for (std::size_t i = first; i < end; ++i) {
+                           own += {value_of(static_cast<int>(i))};
+                         }
+                         return own;
+                       })
+      .value;
 }
 
 bool has_contours(const PolyMesh& mesh) {
@@ -159,17 +183,15 @@ std::vector<std::string> lost_patches_and_properties(const PolyMesh& mesh, const
 
 Rounding rounding_to_single(const PolyMesh& mesh) {
   Rounding result;
-  for (const VertexHandle vh : mesh.vertices()) {
-    result.greatest_move = std::max(result.greatest_move, rounding_of(mesh.point(vh)));
-  }
-  for (const EdgeHandle eh : mesh.edges()) {
-    const HalfedgeHandle heh = mesh.halfedge_handle(eh, 0);
+  result.greatest_move = greatest_of(
+      mesh.n_vertices(), [&](int vertex) { return rounding_of(mesh.point(VertexHandle(vertex))); });
+  result.share = greatest_of(mesh.n_edges(), [&](int edge) {
+    const HalfedgeHandle heh = mesh.halfedge_handle(EdgeHandle(edge), 0);
     const OpenMesh::Vec3d& a = mesh.point(mesh.from_vertex_handle(heh));
     const OpenMesh::Vec3d& b = mesh.point(mesh.to_vertex_handle(heh));
-    const double move = std::max(rounding_of(a), rounding_of(b));
     const double length = (b - a).norm();
-    if (length > 0 && move > result.share * length) result.share = move / length;
-  }
+    return length > 0 ? std::max(rounding_of(a), rounding_of(b)) / length : 0;
+  });
   return result;
 }
 
@@ -188,14 +210,17 @@ void add_split_faces(const PolyMesh& mesh, std::size_t corners, std::vector<std:
 }
 
 void check_single_precision(const PolyMesh& mesh, std::string_view ending) {
-  for (const VertexHandle vh : mesh.vertices()) {
-    const OpenMesh::Vec3d& point = mesh.point(vh);
-    check_finite(point, vh);
-    if (point.max_abs() <= static_cast<double>(std::numeric_limits<float>::max())) continue;
-    throw Error(ErrorCode::Geometry,
-                fmt::format("the position of vertex {} is ({}, {}, {}), too large for {}", vh.idx(),
-                            point[0], point[1], point[2], ending));
-  }
+  share_ranges(mesh.n_vertices(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t v = first; v < end; ++v) {
+      const VertexHandle vh(static_cast<int>(v));
+      const OpenMesh::Vec3d& point = mesh.point(vh);
+      check_finite(point, vh);
+      if (point.max_abs() <= static_cast<double>(std::numeric_limits<float>::max())) continue;
+      throw Error(ErrorCode::Geometry,
+                  fmt::format("the position of vertex {} is ({}, {}, {}), too large for {}", v,
+                              point[0], point[1], point[2], ending));
+    }
+  });
 }
 
 }  // namespace surfmesh

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 #include <vector>
 
@@ -41,52 +42,61 @@ class CornerWriter {
   /// Throws   Geometry for a value that is not finite, unless it may be unset
   void write_values(std::string_view keyword, FileWriter& writer) {
     if (!has_values()) return;
-    for (const VertexHandle vh : mesh_.vertices()) {
-      const int before = count_;
-      for (const HalfedgeHandle heh : mesh_.vih_range(vh)) {
-        if (mesh_.is_boundary(heh)) continue;
-        const Value& value = mesh_.property(values_, heh);
-        if (unset_ == Unset::HasNoNumber && is_unset(value)) continue;
-        const int number = number_among(before, value);
-        numbers_[index(heh)] = number > 0 ? number : write_value(heh, keyword, writer);
+    const std::size_t count = mesh_.n_vertices();
+    std::vector<int> counts(count / FileWriter::kPiece + 1, 0);
+    writer.pieces(count, [&](std::size_t first, std::size_t end, TextBuffer& buffer) {
+      std::vector<Value> values;
+      int& of_piece = counts[first / FileWriter::kPiece];
+      for (std::size_t v = first; v < end; ++v) {
+        write_values_at(VertexHandle(static_cast<int>(v)), of_piece, keyword, values, buffer);
+        of_piece += static_cast<int>(values.size());
       }
-      of_vertex_.clear();
-    }
+    });
+    before_.assign(counts.size(), 0);
+    std::exclusive_scan(counts.begin(), counts.end(), before_.begin(), 0);
   }
 
   /// The number at a corner, from 1; 0 if there is none.
-  int number(HalfedgeHandle heh) const { return has_values() ? numbers_[index(heh)] : 0; }
-
- private:
-  /// The number of a value among those of this vertex, which come after `before`; 0 if it is new.
-  int number_among(int before, const Value& value) const {
-    const auto found = std::find(of_vertex_.begin(), of_vertex_.end(), value);
-    return found == of_vertex_.end() ? 0
-                                     : before + 1 + static_cast<int>(found - of_vertex_.begin());
+  int number(HalfedgeHandle heh) const {
+    if (!has_values() || numbers_[index(heh)] == 0) return 0;
+    return numbers_[index(heh)] + before_[index(mesh_.to_vertex_handle(heh)) / FileWriter::kPiece];
   }
 
-  int write_value(HalfedgeHandle heh, std::string_view keyword, FileWriter& writer) {
-    const Value& value = mesh_.property(values_, heh);
-    const auto numbers = numbers_of(value);
+ private:
+  /// Write the values that differ at a vertex, and keep them. Those of its piece are `before`.
+  void write_values_at(VertexHandle vh, int before, std::string_view keyword,
+                       std::vector<Value>& values, TextBuffer& buffer) {
+    values.clear();
+    for (const HalfedgeHandle heh : mesh_.vih_range(vh)) {
+      if (mesh_.is_boundary(heh)) continue;
+      const Value& value = mesh_.property(values_, heh);
+      if (unset_ == Unset::HasNoNumber && is_unset(value)) continue;
+      const auto found = std::find(values.begin(), values.end(), value);
+      numbers_[index(heh)] = before + 1 + static_cast<int>(found - values.begin());
+      if (found != values.end()) continue;
+      write_value(heh, keyword, buffer);
+      values.push_back(value);
+    }
+  }
+
+  void write_value(HalfedgeHandle heh, std::string_view keyword, TextBuffer& buffer) const {
+    const auto numbers = numbers_of(mesh_.property(values_, heh));
     if (!numbers.allFinite()) {
       throw Error(
           ErrorCode::Geometry,
           fmt::format("a corner of face {} at vertex {} has no finite {}",
                       mesh_.face_handle(heh).idx(), mesh_.to_vertex_handle(heh).idx(), key_.name));
     }
-    writer.text(keyword);
-    for (const double x : numbers) writer.number(' ', x);
-    of_vertex_.push_back(value);
-    return ++count_;
+    buffer.text(keyword);
+    for (const double x : numbers) buffer.number(' ', x);
   }
 
   const PolyMesh& mesh_;
   const PropertyKey<HalfedgeHandle, Value>& key_;
   Unset unset_;
   typename PropertyKey<HalfedgeHandle, Value>::Handle values_;
-  std::vector<int> numbers_;      ///< by halfedge; empty if none are written
-  std::vector<Value> of_vertex_;  ///< those of the vertex that is being written
-  int count_ = 0;
+  std::vector<int> numbers_;  ///< by halfedge, within the piece of its tip; empty for none
+  std::vector<int> before_;   ///< by piece of the vertices, how many values come before it
 };
 
 }  // namespace surfmesh

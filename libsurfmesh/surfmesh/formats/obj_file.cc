@@ -242,11 +242,11 @@ bool are_in_order(const std::vector<int>& patches, std::size_t count) {
   return seen == static_cast<int>(count);
 }
 
-/// Writes the groups of an OBJ file, which change between the faces.
-class GroupWriter {
+/// The lines of the groups of an OBJ file, which change between the faces.
+class GroupLines {
  public:
-  GroupWriter(const PolyMesh& mesh, const MeshNames& names, FileWriter& writer)
-      : mesh_(mesh), patch_of_(find(mesh, keys::face_patch)), writer_(writer) {
+  GroupLines(const PolyMesh& mesh, const MeshNames& names, FileWriter& writer)
+      : mesh_(mesh), patch_of_(find(mesh, keys::face_patch)) {
     if (!patch_of_.is_valid()) return;
     const std::vector<int>& patches = mesh.property(patch_of_).data_vector();
     const int most = patches.empty() ? -1 : *std::max_element(patches.begin(), patches.end());
@@ -257,16 +257,16 @@ class GroupWriter {
     }
     make_lines(names, std::max(names.patches.size(), static_cast<std::size_t>(most + 1)));
     if (are_in_order(patches, lines_.size())) return;
-    for (const std::string& line : lines_) writer_.text(line);
+    for (const std::string& line : lines_) writer.text(line);
   }
 
-  void begin_face(FaceHandle fh) {
-    if (!patch_of_.is_valid()) return;
+  /// The lines between a face and the one before it.
+  std::string_view before(FaceHandle fh) const {
+    if (!patch_of_.is_valid()) return {};
     const int patch = mesh_.property(patch_of_, fh);
-    if (has_faces_ && patch == patch_) return;
-    patch_ = patch;
-    has_faces_ = true;
-    writer_.text(patch < 0 ? "\ng" : std::string_view(lines_[static_cast<std::size_t>(patch)]));
+    const bool is_first = fh.idx() == 0;
+    if (!is_first && patch == mesh_.property(patch_of_, FaceHandle(fh.idx() - 1))) return {};
+    return patch < 0 ? "\ng" : std::string_view(lines_[static_cast<std::size_t>(patch)]);
   }
 
  private:
@@ -298,10 +298,7 @@ class GroupWriter {
 
   const PolyMesh& mesh_;
   decltype(keys::face_patch)::Handle patch_of_;
-  FileWriter& writer_;
   std::vector<std::string> lines_;  ///< by patch
-  int patch_ = -1;
-  bool has_faces_ = false;
 };
 
 void write_obj(const PolyMesh& mesh, const MeshNames& names, const OutputOptions& options,
@@ -316,19 +313,22 @@ void write_obj(const PolyMesh& mesh, const MeshNames& names, const OutputOptions
   CornerWriter normals(mesh, keys::corner_normal, options.normals);
   uvs.write_values("\nvt", writer);
   normals.write_values("\nvn", writer);
-  GroupWriter groups(mesh, names, writer);
-  for (const FaceHandle fh : mesh.faces()) {
-    groups.begin_face(fh);
-    writer.text("\nf");
-    for_each_corner(mesh, fh, [&](HalfedgeHandle heh) {
-      writer.number(' ', vertices.number(mesh.to_vertex_handle(heh).idx()) + 1);
-      const int uv = uvs.number(heh);
-      if (uv > 0) writer.number('/', uv);
-      if (!normals.has_values()) return;
-      if (uv == 0) writer.text("/");
-      writer.number('/', normals.number(heh));
-    });
-  }
+  const GroupLines groups(mesh, names, writer);
+  writer.pieces(mesh.n_faces(), [&](std::size_t first, std::size_t end, TextBuffer& buffer) {
+    for (std::size_t f = first; f < end; ++f) {
+      const FaceHandle fh(static_cast<int>(f));
+      buffer.text(groups.before(fh));
+      buffer.text("\nf");
+      for_each_corner(mesh, fh, [&](HalfedgeHandle heh) {
+        buffer.number(' ', vertices.number(mesh.to_vertex_handle(heh).idx()) + 1);
+        const int uv = uvs.number(heh);
+        if (uv > 0) buffer.number('/', uv);
+        if (!normals.has_values()) return;
+        if (uv == 0) buffer.text("/");
+        buffer.number('/', normals.number(heh));
+      });
+    }
+  });
   writer.text("\n");
   writer.flush();
 }

@@ -212,10 +212,14 @@ void write_off(const PolyMesh& mesh, const MeshNames&, const OutputOptions&, Out
   writer.number(' ', mesh.n_faces());
   writer.text(" 0");
   write_points(mesh, "", writer);
-  for (const FaceHandle fh : mesh.faces()) {
-    writer.number('\n', mesh.valence(fh));
-    for_each_vertex_of(mesh, fh, [&](int vertex) { writer.number(' ', vertices.number(vertex)); });
-  }
+  writer.pieces(mesh.n_faces(), [&](std::size_t first, std::size_t end, TextBuffer& buffer) {
+    for (std::size_t f = first; f < end; ++f) {
+      const FaceHandle fh(static_cast<int>(f));
+      buffer.number('\n', mesh.valence(fh));
+      for_each_vertex_of(mesh, fh,
+                         [&](int vertex) { buffer.number(' ', vertices.number(vertex)); });
+    }
+  });
   writer.text("\n");
   writer.flush();
 }

@@ -12,6 +12,7 @@
 
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/core/range_sums.hh"
 #include "surfmesh/core/shared_vertices.hh"
 #include "surfmesh/formats/cage_of_arrays.hh"
 #include "surfmesh/formats/cage_text.hh"
@@ -327,16 +328,23 @@ std::vector<int> patches_of_runs(const std::vector<PatchRun>& runs, std::size_t 
 struct FaceSizes {
   std::size_t least = std::numeric_limits<std::size_t>::max();
   std::size_t most = 0;
+
+  FaceSizes& operator+=(const FaceSizes& other) {
+    least = std::min(least, other.least);
+    most = std::max(most, other.most);
+    return *this;
+  }
 };
 
 FaceSizes face_sizes(const PolyMesh& mesh) {
-  FaceSizes sizes;
-  for (const FaceHandle fh : mesh.faces()) {
-    const std::size_t size = mesh.valence(fh);
-    sizes.least = std::min(sizes.least, size);
-    sizes.most = std::max(sizes.most, size);
-  }
-  return sizes;
+  return sum_of_ranges(mesh.n_faces(), [&](std::size_t first, std::size_t end) {
+    FaceSizes own;
+    for (std::size_t f = first; f < end; ++f) {
+      const std::size_t size = mesh.valence(FaceHandle(static_cast<int>(f)));
+      own += {size, size};
+    }
+    return own;
+  });
 }
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }
@@ -413,11 +421,15 @@ void write_ply(const PolyMesh& mesh, const MeshNames& names, const OutputOptions
   if (are_patches_values) writer.text("\nproperty int patch");
   writer.text("\nend_header");
   write_points(mesh, "", writer);
-  for (const FaceHandle fh : mesh.faces()) {
-    writer.number('\n', mesh.valence(fh));
-    for_each_vertex_of(mesh, fh, [&](int vertex) { writer.number(' ', vertices.number(vertex)); });
-    if (are_patches_values) writer.number(' ', mesh.property(patch_of, fh));
-  }
+  writer.pieces(mesh.n_faces(), [&](std::size_t first, std::size_t end, TextBuffer& buffer) {
+    for (std::size_t f = first; f < end; ++f) {
+      const FaceHandle fh(static_cast<int>(f));
+      buffer.number('\n', mesh.valence(fh));
+      for_each_vertex_of(mesh, fh,
+                         [&](int vertex) { buffer.number(' ', vertices.number(vertex)); });
+      if (are_patches_values) buffer.number(' ', mesh.property(patch_of, fh));
+    }
+  });
   writer.text("\n");
   writer.flush();
 }

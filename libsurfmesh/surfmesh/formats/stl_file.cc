@@ -12,6 +12,7 @@
 
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/core/range_sums.hh"
 #include "surfmesh/formats/cage_of_arrays.hh"
 #include "surfmesh/formats/split_face.hh"
 #include "surfmesh/formats/write_mesh.hh"
@@ -221,46 +222,56 @@ bool is_binary(std::string_view bytes) {
 
 using Triangles = std::vector<std::array<int, 3>>;
 
-Triangles triangles_of(const PolyMesh& mesh) {
-  Triangles triangles;
-  triangles.reserve(mesh.n_faces());
-  std::vector<int> face;
-  for (const FaceHandle fh : mesh.faces()) {
-    face.clear();
-    for_each_vertex_of(mesh, fh, [&face](int vertex) { face.push_back(vertex); });
-    split_face(mesh, face, triangles);
-  }
-  return triangles;
+std::size_t count_triangles(const PolyMesh& mesh) {
+  return sum_of_ranges(mesh.n_faces(), [&](std::size_t first, std::size_t end) {
+    std::size_t count = 0;
+    for (std::size_t f = first; f < end; ++f) {
+      count += mesh.valence(FaceHandle(static_cast<int>(f))) - 2;
+    }
+    return count;
+  });
 }
 
-void write_vector(const OpenMesh::Vec3d& vector, FileWriter& writer) {
-  for (std::size_t k = 0; k < 3; ++k) writer.bytes(static_cast<float>(vector[k]));
+void write_vector(const OpenMesh::Vec3d& vector, TextBuffer& buffer) {
+  for (std::size_t k = 0; k < 3; ++k) buffer.bytes(static_cast<float>(vector[k]));
+}
+
+void write_triangle(const PolyMesh& mesh, const std::array<int, 3>& t, TextBuffer& buffer) {
+  const auto& a = mesh.point(VertexHandle(t[0]));
+  const auto& b = mesh.point(VertexHandle(t[1]));
+  const auto& c = mesh.point(VertexHandle(t[2]));
+  OpenMesh::Vec3d normal = OpenMesh::cross(b - a, c - a);
+  const double length = normal.norm();
+  if (length > 0 && std::isfinite(length)) {
+    normal /= length;
+  } else {
+    normal = {0, 0, 0};
+  }
+  for (const auto& vector : {normal, a, b, c}) write_vector(vector, buffer);
+  buffer.bytes(std::uint16_t{0});
 }
 
 /// Faces of more than three corners are split: quads at their shorter diagonal, others into the fan
 /// of their first corner.
 void write_stl(const PolyMesh& mesh, const MeshNames&, const OutputOptions&, OutputFile& file) {
   check_single_precision(mesh, ".stl");
-  const Triangles triangles = triangles_of(mesh);
   FileWriter writer(file);
   std::string header = "surfmesh";
   header.resize(kHeaderSize, ' ');
   writer.text(header);
-  writer.bytes(static_cast<std::uint32_t>(triangles.size()));
-  for (const auto& t : triangles) {
-    const auto& a = mesh.point(VertexHandle(t[0]));
-    const auto& b = mesh.point(VertexHandle(t[1]));
-    const auto& c = mesh.point(VertexHandle(t[2]));
-    OpenMesh::Vec3d normal = OpenMesh::cross(b - a, c - a);
-    const double length = normal.norm();
-    if (length > 0 && std::isfinite(length)) {
-      normal /= length;
-    } else {
-      normal = {0, 0, 0};
+  writer.bytes(static_cast<std::uint32_t>(count_triangles(mesh)));
+  writer.pieces(mesh.n_faces(), [&](std::size_t first, std::size_t end, TextBuffer& buffer) {
+    std::vector<int> face;
+    Triangles triangles;
+    for (std::size_t f = first; f < end; ++f) {
+      face.clear();
+      triangles.clear();
+      for_each_vertex_of(mesh, FaceHandle(static_cast<int>(f)),
+                         [&face](int vertex) { face.push_back(vertex); });
+      split_face(mesh, face, triangles);
+      for (const auto& triangle : triangles) write_triangle(mesh, triangle, buffer);
     }
-    for (const auto& vector : {normal, a, b, c}) write_vector(vector, writer);
-    writer.bytes(std::uint16_t{0});
-  }
+  });
   writer.flush();
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <span>
 #include <string_view>
 
 #include "surfmesh/core/error.hh"
@@ -33,9 +34,8 @@ class VtkWriter {
         "DATASET UNSTRUCTURED_GRID\n");
     write_fields(grid_.whole);
     writer_.text(fmt::format("POINTS {} double\n", grid_.points.size()));
-    for (const Vec3& point : grid_.points) {
-      for (const double x : point) writer_.big_endian(x);
-    }
+    const double* first = grid_.points.empty() ? nullptr : grid_.points.front().data();
+    write_numbers(std::span(first, 3 * grid_.points.size()));
     write_cells();
     write_values("CELL_DATA", grid_.cells.size(), grid_.at_cells);
     write_values("POINT_DATA", grid_.points.size(), grid_.at_points);
@@ -46,14 +46,18 @@ class VtkWriter {
   void write_cells() {
     const FaceList& cells = grid_.cells;
     writer_.text(fmt::format("\nCELLS {} {}\n", cells.size(), cells.size() + cells.corner_count()));
-    for (std::size_t f = 0; f < cells.size(); ++f) {
-      writer_.big_endian(static_cast<int>(cells[f].size()));
-      for (const int vertex : cells[f]) writer_.big_endian(vertex);
-    }
+    writer_.pieces(cells.size(), [&](std::size_t first, std::size_t end, TextBuffer& buffer) {
+      for (std::size_t f = first; f < end; ++f) {
+        buffer.big_endian(static_cast<int>(cells[f].size()));
+        for (const int vertex : cells[f]) buffer.big_endian(vertex);
+      }
+    });
     writer_.text(fmt::format("\nCELL_TYPES {}\n", cells.size()));
-    for (std::size_t f = 0; f < cells.size(); ++f) {
-      writer_.big_endian(int{vtk_cell_type(cells[f].size())});
-    }
+    writer_.pieces(cells.size(), [&](std::size_t first, std::size_t end, TextBuffer& buffer) {
+      for (std::size_t f = first; f < end; ++f) {
+        buffer.big_endian(int{vtk_cell_type(cells[f].size())});
+      }
+    });
     writer_.text("\n");
   }
 
@@ -77,8 +81,15 @@ class VtkWriter {
     writer_.text(fmt::format("{} {} {} {}\n", encoded(values.name), values.components,
                              numbers.size() / static_cast<std::size_t>(values.components),
                              sizeof(Number) == sizeof(double) ? "double" : "int"));
-    for (const Number number : numbers) writer_.big_endian(number);
+    write_numbers(std::span(numbers));
     writer_.text("\n");
+  }
+
+  template <class Number>
+  void write_numbers(std::span<const Number> numbers) {
+    writer_.pieces(numbers.size(), [&](std::size_t first, std::size_t end, TextBuffer& buffer) {
+      for (std::size_t i = first; i < end; ++i) buffer.big_endian(numbers[i]);
+    });
   }
 
   const VtkGrid& grid_;

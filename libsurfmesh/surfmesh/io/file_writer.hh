@@ -1,72 +1,74 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <charconv>
 #include <cstddef>
-#include <memory>
+#include <functional>
 #include <string_view>
 
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/io/output_file.hh"
+#include "surfmesh/io/text_buffer.hh"
 
 namespace surfmesh {
 
 /// Collects text and numbers and writes them to a file in large blocks.
 class FileWriter {
  public:
+  /// Indices of a piece of pieces(), but for the last one.
+  static constexpr std::size_t kPiece = 4096;
+
   explicit FileWriter(OutputFile& file) : file_(file) {}
 
   void text(std::string_view text) {
-    if (text.size() > kBufferSize - size_) flush();
-    if (text.size() > kBufferSize) return file_.write(text);
-    std::copy(text.begin(), text.end(), buffer_.get() + size_);
-    size_ += text.size();
+    if (text.size() > kBlock) {
+      flush();
+      return file_.write(text);
+    }
+    buffer_.text(text);
+    flush_block();
   }
 
-  /// The shortest digits that read back as the same number, with a character before them.
+  /// As those of TextBuffer.
   template <class Number>
   void number(char before, Number value) {
-    if (kBufferSize - size_ < kLongestNumber) flush();
-    buffer_[size_++] = before;
-    char* begin = buffer_.get() + size_;
-    size_ +=
-        static_cast<std::size_t>(std::to_chars(begin, begin + kLongestNumber, value).ptr - begin);
+    buffer_.number(before, value);
+    flush_block();
   }
 
-  /// The bytes of a number, the least significant first.
   template <class Number>
   void bytes(Number value) {
-    auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(value);
-    if constexpr (std::endian::native != std::endian::little) std::reverse(raw.begin(), raw.end());
-    text({raw.data(), raw.size()});
+    buffer_.bytes(value);
+    flush_block();
   }
 
-  /// The bytes of a number, the most significant first.
   template <class Number>
   void big_endian(Number value) {
-    auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(value);
-    if constexpr (std::endian::native == std::endian::little) std::reverse(raw.begin(), raw.end());
-    text({raw.data(), raw.size()});
+    buffer_.big_endian(value);
+    flush_block();
   }
 
+  /// Write what `format(first, end, buffer)` adds to a buffer for pieces of the indices below
+  /// `count`, piece after piece. Threads share the pieces, some of which are held in memory at a
+  /// time.
+  ///
+  /// Throws   the error of the first piece that fails
+  void pieces(std::size_t count,
+              const std::function<void(std::size_t, std::size_t, TextBuffer&)>& format);
+
   void flush() {
-    file_.write({buffer_.get(), size_});
-    size_ = 0;
+    file_.write(buffer_.text());
+    buffer_.clear();
   }
 
  private:
-  /// More than the 24 characters of -2.2250738585072014e-308.
-  static constexpr std::size_t kLongestNumber = 32;
+  static constexpr std::size_t kBlock = std::size_t{1} << 18;
 
-  static constexpr std::size_t kBufferSize = std::size_t{1} << 18;
+  void flush_block() {
+    if (buffer_.size() >= kBlock) flush();
+  }
 
   OutputFile& file_;
-  /// Not initialised: small files do not touch all of it.
-  std::unique_ptr<char[]> buffer_ = std::make_unique_for_overwrite<char[]>(kBufferSize);
-  std::size_t size_ = 0;
+  TextBuffer buffer_;
 };
 
 /// Throws   Geometry, naming the vertex, if its position is not finite

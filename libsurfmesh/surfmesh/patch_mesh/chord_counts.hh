@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
+#include "surfmesh/core/buckets.hh"
 #include "surfmesh/patch_mesh/patch_mesh.hh"
 
 namespace surfmesh::detail {
@@ -29,10 +30,12 @@ inline bool is_loop(std::uint64_t ends) { return (ends >> 32) == (ends & 0xfffff
 class VertexNumbers {
  public:
   explicit VertexNumbers(const std::vector<PatchMesh>& patches) {
+    boundary_.resize(patches.size());
+    share_indices(patches.size(),
+                  [&](std::size_t p) { boundary_[p] = boundary_vertices(patches[p].boundary); });
     int next = 0;
-    for (const PatchMesh& patch : patches) {
-      boundary_.push_back(boundary_vertices(patch.boundary));
-      for (const int v : boundary_.back()) next = std::max(next, v + 1);
+    for (const std::vector<int>& vertices : boundary_) {
+      for (const int v : vertices) next = std::max(next, v + 1);
     }
     for (const PatchMesh& patch : patches) {
       first_own_.push_back(next);
@@ -53,42 +56,85 @@ class VertexNumbers {
   std::vector<int> first_own_;
 };
 
-/// How often each pair of vertices is joined: once by a segment of a contour, however many patches
-/// see it, and once by each chord.
-class ChordCounts {
- public:
-  /// List the edges at boundary nodes of all patches and count the segments of contours.
-  std::vector<Chord> collect(const std::vector<PatchMesh>& patches) {
-    const VertexNumbers number(patches);
-    std::vector<Chord> chords;
-    for (std::size_t p = 0; p < patches.size(); ++p) {
-      const PolyMesh& mesh = *patches[p].mesh;
-      const auto boundary_count = static_cast<int>(number.boundary_count(p));
-      for (int v = 0; v < boundary_count; ++v) {
-        for (const HalfedgeHandle heh : mesh.voh_range(VertexHandle(v))) {
-          const VertexHandle other = mesh.to_vertex_handle(heh);
-          if (other.idx() < v) continue;  // seen from its other end
-          const std::uint64_t ends = ends_of(number(p, VertexHandle(v)), number(p, other));
-          const EdgeHandle eh = mesh.edge_handle(heh);
-          if (mesh.is_boundary(eh)) {
-            count_[ends] = 1;
-          } else {
-            chords.push_back({p, eh, ends});
-          }
-        }
+/// The edges at boundary nodes of a patch.
+struct BoundaryEdges {
+  std::vector<Chord> chords;
+  std::vector<std::uint64_t> segments;  ///< of contours, by their ends
+};
+
+inline BoundaryEdges boundary_edges(const PatchMesh& patch, std::size_t p,
+                                    const VertexNumbers& number) {
+  BoundaryEdges edges;
+  const PolyMesh& mesh = *patch.mesh;
+  const auto boundary_count = static_cast<int>(number.boundary_count(p));
+  for (int v = 0; v < boundary_count; ++v) {
+    for (const HalfedgeHandle heh : mesh.voh_range(VertexHandle(v))) {
+      const VertexHandle other = mesh.to_vertex_handle(heh);
+      if (other.idx() < v) continue;  // seen from its other end
+      const std::uint64_t ends = ends_of(number(p, VertexHandle(v)), number(p, other));
+      const EdgeHandle eh = mesh.edge_handle(heh);
+      if (mesh.is_boundary(eh)) {
+        edges.segments.push_back(ends);
+      } else {
+        edges.chords.push_back({p, eh, ends});
       }
     }
-    return chords;
+  }
+  return edges;
+}
+
+/// The chords between nodes of boundaries, and which of them make a mesh improper. Each pair of
+/// vertices may be joined once: by a segment of a contour, however many patches see it, or by a
+/// chord.
+class ImproperChords {
+ public:
+  explicit ImproperChords(const std::vector<PatchMesh>& patches) {
+    const VertexNumbers number(patches);
+    std::vector<BoundaryEdges> of_patches(patches.size());
+    share_indices(patches.size(),
+                  [&](std::size_t p) { of_patches[p] = boundary_edges(patches[p], p, number); });
+    std::vector<std::uint64_t> segments;
+    for (const BoundaryEdges& edges : of_patches) {
+      all_.insert(all_.end(), edges.chords.begin(), edges.chords.end());
+      segments.insert(segments.end(), edges.segments.begin(), edges.segments.end());
+    }
+    mark(segments);
   }
 
-  /// True for every chord that another edge, or an earlier chord, makes improper.
-  bool is_offending(const Chord& chord) {
-    if (is_loop(chord.ends)) return true;
-    return count_[chord.ends]++ > 0;
+  /// All chords, by patch.
+  const std::vector<Chord>& all() const { return all_; }
+
+  /// Those that another edge, or an earlier chord, makes improper.
+  std::vector<Chord> offending() const {
+    std::vector<Chord> offending;
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      if (is_offending_[i] != 0) offending.push_back(all_[i]);
+    }
+    return offending;
   }
 
  private:
-  std::unordered_map<std::uint64_t, int> count_;
+  /// Segments come first, so that chords are compared with them, too.
+  void mark(const std::vector<std::uint64_t>& segments) {
+    is_offending_.assign(all_.size(), 0);
+    const std::size_t count = segments.size();
+    const auto ends = [&](std::size_t i) { return i < count ? segments[i] : all_[i - count].ends; };
+    std::vector<std::uint64_t> keys(count + all_.size());
+    share_ranges(keys.size(), [&](std::size_t first, std::size_t end) {
+      for (std::size_t i = first; i < end; ++i) keys[i] = Buckets::hash(ends(i));
+    });
+    const Buckets buckets(keys);
+    share_indices(Buckets::kCount, [&](std::size_t bucket) {
+      std::unordered_set<std::uint64_t> joined;
+      for (const std::uint32_t i : buckets[bucket]) {
+        const bool is_new = joined.insert(ends(i)).second;
+        if (i >= count && (!is_new || is_loop(ends(i)))) is_offending_[i - count] = 1;
+      }
+    });
+  }
+
+  std::vector<Chord> all_;
+  std::vector<char> is_offending_;
 };
 
 }  // namespace surfmesh::detail

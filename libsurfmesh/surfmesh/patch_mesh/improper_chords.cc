@@ -67,12 +67,11 @@ ChordReport split_improper_chords(std::vector<PatchMesh>& patches, const Model& 
                                   const std::vector<const MetricField*>& fields) {
   ChordReport report;
   for (int round = 0; round < kMaxRounds; ++round) {
-    detail::ChordCounts edges;
-    const std::vector<Chord> chords = edges.collect(patches);
+    const detail::ImproperChords chords(patches);
     const std::size_t before = report.nodes;
     ChordSplitter splitter(patches, model, fields);
-    for (const Chord& chord : chords) {
-      if (edges.is_offending(chord)) report.nodes += splitter.split_one_of(chords, chord);
+    for (const Chord& chord : chords.offending()) {
+      report.nodes += splitter.split_one_of(chords.all(), chord);
     }
     splitter.close(report.turned);
     if (report.nodes == before) return report;

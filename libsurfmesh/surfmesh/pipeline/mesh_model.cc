@@ -22,6 +22,7 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/core/parallel.hh"
+#include "surfmesh/core/range_sums.hh"
 #include "surfmesh/core/validate.hh"
 #include "surfmesh/patch/mesh_patch.hh"
 #include "surfmesh/patch_mesh/improper_chords.hh"
@@ -44,6 +45,21 @@ namespace {
 
 /// Meshes of up to so many quads are made in two ways.
 constexpr std::size_t kMostQuadsMadeTwice = 1000;
+
+struct EdgeLengths {
+  double min = std::numeric_limits<double>::infinity();
+  double max = 0;
+  double sum = 0;
+
+  void add(double length) { *this += {length, length, length}; }
+
+  EdgeLengths& operator+=(const EdgeLengths& other) {
+    min = std::min(min, other.min);
+    max = std::max(max, other.max);
+    sum += other.sum;
+    return *this;
+  }
+};
 
 class Run {
  public:
@@ -109,8 +125,9 @@ class Run {
     assemble_patches(result.mesh);
     improve_smooth_parts(result.mesh);
     mark_copies(result.mesh, model_);
-    compare(result.mesh);
-    measure(result.mesh);
+    const MeshTopology topology = measure_topology(result.mesh);
+    compare(result.mesh, topology);
+    measure(result.mesh, topology);
     result.report = std::move(report_);
   }
 
@@ -204,7 +221,7 @@ class Run {
     const StageClock clock(report_.seconds[Stage::Assemble]);
     context_.tell("assemble", 0, 1);
     AssembleReport report =
-        assemble(mesh, model_, plan_.nodes(), plan_.numbers(), patches_, context_);
+        assemble(mesh, model_, plan_.nodes(), plan_.numbers(), std::move(patches_), context_);
     append(std::move(report.notices), report_.notices);
     context_.tell("assemble", 1, 1);
   }
@@ -219,8 +236,8 @@ class Run {
     context_.tell("across", 1, 1);
   }
 
-  void compare(const PolyMesh& mesh) {
-    for (const MeshFault& fault : compare_with_promise(mesh, model_)) {
+  void compare(const PolyMesh& mesh, const MeshTopology& topology) {
+    for (const MeshFault& fault : compare_with_promise(mesh, topology, model_)) {
       report_.notices.push_back(
           shortfall(NoticeKind::BrokenPromise,
                     fmt::format("the mesh is not as the model promises: {}: {}, the first: {}",
@@ -228,8 +245,7 @@ class Run {
     }
   }
 
-  void measure(const PolyMesh& mesh) {
-    const MeshTopology topology = measure_topology(mesh);
+  void measure(const PolyMesh& mesh, const MeshTopology& topology) {
     const std::size_t corners = 2 * topology.edges - topology.boundary_edges;
     const std::size_t quads = corners - 3 * topology.faces;  // there are triangles and quads only
     report_.mesh = {topology.vertices,     topology.faces - quads, quads,
@@ -247,18 +263,15 @@ class Run {
   }
 
   static Report::Lengths measure_lengths(const PolyMesh& mesh) {
-    Report::Lengths lengths;
-    if (mesh.n_edges() == 0) return lengths;
-    lengths.min = std::numeric_limits<double>::infinity();
-    double sum = 0;
-    for (const EdgeHandle eh : mesh.edges()) {
-      const double length = mesh.calc_edge_length(eh);
-      lengths.min = std::min(lengths.min, length);
-      lengths.max = std::max(lengths.max, length);
-      sum += length;
-    }
-    lengths.mean = sum / static_cast<double>(mesh.n_edges());
-    return lengths;
+    const auto sums = sum_of_ranges(mesh.n_edges(), [&](std::size_t first, std::size_t end) {
+      EdgeLengths own;
+      for (std::size_t e = first; e < end; ++e) {
+        own.add(mesh.calc_edge_length(EdgeHandle(static_cast<int>(e))));
+      }
+      return own;
+    });
+    if (mesh.n_edges() == 0) return {};
+    return {sums.min, sums.sum / static_cast<double>(mesh.n_edges()), sums.max};
   }
 
   void locate_worst(const PolyMesh& mesh) {
@@ -394,6 +407,16 @@ void add_qualities(Report& report) {
   }
 }
 
+/// The names of parts, and what is told of each patch and source.
+void describe(const Model& model, const Sources& sources, const PipelineOptions& options,
+              MeshResult& result) {
+  result.names = mesh_names(model);
+  result.report.patches = measure_patches(result.mesh, result.names);
+  add_qualities(result.report);
+  append(detail::unused_sources(result.mesh, model, sources, resolve(options.sizing, model)),
+         result.report.notices);
+}
+
 /// Throws   MissingProperty for normals that are asked for after the mesh was made
 void check_output(const MeshResult& result) {
   const bool has_normals = find(result.mesh, keys::corner_normal).is_valid();
@@ -426,20 +449,19 @@ MeshResult mesh_model(const Model& model, const Sources& sources, const Pipeline
   check(model);
   const RunContext context(observer, options.max_elements, element_kind(options));
   MeshResult result;  // OpenMesh's meshes cannot be moved, only copied
+  double serial_seconds = 0;
   with_threads(options.threads, [&] {
+    const SerialClock clock(serial_seconds);
     do_or_cancel(context, [&] {
       mesh_as_asked(model, sources, options, context, result);
       add_normals(model, options, context, result);
       add_texture(model, options, result);
       result.report.facets =
           measure_facet_distance(result.mesh, model, FacetsOf::InterpolatedCages, context);
+      describe(model, sources, options, result);
     });
   });
-  result.names = mesh_names(model);
-  result.report.patches = measure_patches(result.mesh, result.names);
-  add_qualities(result.report);
-  append(detail::unused_sources(result.mesh, model, sources, resolve(options.sizing, model)),
-         result.report.notices);
+  result.report.serial_seconds = serial_seconds;
   return result;
 }
 
@@ -453,11 +475,14 @@ Report estimate_mesh(const Model& model, const Sources& sources, const PipelineO
   const auto estimate = [&](ControlSpaces control) {
     report = Run(model, sizing, options, context).estimate_only(std::move(control));
   };
+  double serial_seconds = 0;
   with_threads(options.threads, [&] {
+    const SerialClock clock(serial_seconds);
     do_or_cancel(context, [&] {
       work_with_control(model, sources, sizing, options, context, report, estimate);
     });
   });
+  report.serial_seconds = serial_seconds;
   tell_raised_sag(model, options.sizing, report);
   report.mesh.patches = model.patches.size();
   report.patches = measure_patches(PolyMesh(), mesh_names(model));

@@ -236,6 +236,7 @@ Json seconds_json(const Report& report) {
   Json json = Json::object();
   for (const Stage stage : kStages) json[std::string(name(stage))] = report.seconds[stage];
   json["total"] = report.seconds.sum();
+  json["serial"] = report.serial_seconds;
   json["wall"] = report.wall_seconds;
   return json;
 }

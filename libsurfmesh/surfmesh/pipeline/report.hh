@@ -101,7 +101,10 @@ struct Report {
   RefineCounts refine;  ///< of triangles in all patches; zeros where quads are made without them
   Control control;
   PerStage<double> seconds;  ///< processor time of all threads
-  double wall_seconds = 0;   ///< elapsed time
+  /// Of these, what more threads do not make shorter: outside of calls that share work among
+  /// threads, without reading and gradation across contours.
+  double serial_seconds = 0;
+  double wall_seconds = 0;  ///< elapsed time
 
   /// Triangles, or quads, per second of processor time, without reading, control space, report and
   /// writing: the NT/s of the paper. 0 if no time has passed.

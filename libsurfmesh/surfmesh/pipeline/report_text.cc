@@ -143,6 +143,9 @@ void add_stages(const Report& report, TextTable& table) {
                     fmt::format("{:.1f} %", total > 0 ? 100 * seconds / total : 0.0),
                     queries > 0 ? fmt::format("{}", queries) : std::string("-")});
   }
+  rows.push_back({"(serial)", fmt::format("{:.3f}", report.serial_seconds),
+                  fmt::format("{:.1f} %", total > 0 ? 100 * report.serial_seconds / total : 0.0),
+                  "-"});
   table.add_blank();
   table.add_rows({"stage", "seconds", "share", "questions for sizes"}, rows);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -13,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/geometry/box_tree.hh"
 #include "surfmesh/quality/face_corners.hh"
@@ -65,6 +67,7 @@ class Places {
 
   bool is_empty() const { return places_.empty(); }
 
+  /// May be called by many threads at once.
   void meet(int patch, const Triangle& triangle) {
     Box box;
     for (const Vec3& corner : triangle) box.extend(corner);
@@ -74,9 +77,12 @@ class Places {
     tree_->visit(box, [&](std::size_t i) {
       const Place& place = places_[i];
       Source& source = sources_[place.source];
-      if (source.is_met || !applies(source, patch)) return;
-      source.is_met = place.radius < 0 ||
-                      triangle_distance(place.centre, triangle).distance <= place.radius + bulge;
+      const std::atomic_ref<bool> is_met(source.is_met);
+      if (is_met || !applies(source, patch)) return;
+      if (place.radius < 0 ||
+          triangle_distance(place.centre, triangle).distance <= place.radius + bulge) {
+        is_met = true;
+      }
     });
   }
 
@@ -308,7 +314,7 @@ Notices unused_sources(const PolyMesh& mesh, const Model& model, const Sources& 
   if (in_space.is_empty() && in_domains.is_empty()) return notices;
   const auto patch_of = require(mesh, keys::face_patch);
   const auto uv_of = require(mesh, keys::corner_uv);
-  for (const auto face : mesh.faces()) {
+  const auto meet = [&](FaceHandle face) {
     const int patch = mesh.property(patch_of, face);
     visit_triangles(corners_of(mesh, face), [&](const std::array<HalfedgeHandle, 3>& corners) {
       if (!in_space.is_empty()) in_space.meet(patch, points_of(mesh, corners));
@@ -319,7 +325,10 @@ Notices unused_sources(const PolyMesh& mesh, const Model& model, const Sources& 
       }
       in_domains.meet(patch, in_domain);
     });
-  }
+  };
+  share_ranges(mesh.n_faces(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t f = first; f < end; ++f) meet(FaceHandle(static_cast<int>(f)));
+  });
   in_space.tell(notices);
   in_domains.tell(notices);
   return notices;

@@ -109,11 +109,7 @@ class Mending {
 
   Count run() {
     // All places are found before any patch changes. A face goes only once.
-    detail::ChordCounts counts;
-    std::vector<detail::Chord> chords;
-    for (const detail::Chord& chord : counts.collect(patches_)) {
-      if (counts.is_offending(chord)) chords.push_back(chord);
-    }
+    const std::vector<detail::Chord> chords = detail::ImproperChords(patches_).offending();
     const std::vector<Place> places = doubled_corners();
     Count count{chords.size() + places.size(), 0};
     for (const detail::Chord& chord : chords) {

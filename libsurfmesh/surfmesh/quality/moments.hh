@@ -6,7 +6,8 @@
 
 namespace surfmesh::detail {
 
-/// Mean and variance in one pass, without the cancellation of Σx² − (Σx)²/n (Welford).
+/// Mean and variance in one pass, without the cancellation of Σx² − (Σx)²/n (Welford;
+/// Chan, Golub, LeVeque for the sum of two).
 class Moments {
  public:
   void add(double x) {
@@ -14,6 +15,17 @@ class Moments {
     const double before = x - mean_;
     mean_ += before / static_cast<double>(count_);
     squares_ += before * (x - mean_);
+  }
+
+  /// Add the numbers that another one has got.
+  Moments& operator+=(const Moments& other) {
+    if (other.count_ == 0) return *this;
+    const auto own = static_cast<double>(count_), more = static_cast<double>(other.count_);
+    const double step = other.mean_ - mean_;
+    count_ += other.count_;
+    mean_ += step * (more / (own + more));
+    squares_ += other.squares_ + step * step * (own * more / (own + more));
+    return *this;
   }
 
   double mean() const { return mean_; }

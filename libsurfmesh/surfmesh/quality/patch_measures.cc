@@ -5,11 +5,20 @@
 
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/core/range_sums.hh"
+#include "surfmesh/quality/patch_runs.hh"
 
 namespace surfmesh {
 namespace {
 
-void add_face(const PolyMesh& mesh, FaceHandle fh, PatchMeasure& patch) {
+struct FaceSums {
+  std::size_t triangles = 0;
+  std::size_t quads = 0;
+  std::size_t polygons = 0;
+  double area = 0;
+};
+
+void add_face(const PolyMesh& mesh, FaceHandle fh, FaceSums& patch) {
   const HalfedgeHandle start = mesh.halfedge_handle(fh);
   const OpenMesh::Vec3d& origin = mesh.point(mesh.to_vertex_handle(start));
   OpenMesh::Vec3d doubled(0, 0, 0);
@@ -24,6 +33,17 @@ void add_face(const PolyMesh& mesh, FaceHandle fh, PatchMeasure& patch) {
   }
   ++(corners == 3 ? patch.triangles : corners == 4 ? patch.quads : patch.polygons);
   patch.area += 0.5 * doubled.norm();
+}
+
+detail::PatchRuns<FaceSums> measure_runs(const PolyMesh& mesh,
+                                         const std::vector<int>& patch_of_faces) {
+  return sum_of_ranges(patch_of_faces.size(), [&](std::size_t first, std::size_t end) {
+    detail::PatchRuns<FaceSums> runs;
+    for (std::size_t f = first; f < end; ++f) {
+      add_face(mesh, FaceHandle(static_cast<int>(f)), runs.next(patch_of_faces[f]));
+    }
+    return runs;
+  });
 }
 
 }  // namespace
@@ -42,9 +62,13 @@ std::vector<PatchMeasure> measure_patches(const PolyMesh& mesh, const MeshNames&
       patches[p].groups.push_back(names.groups[static_cast<std::size_t>(group)].name);
     }
   }
-  for (const FaceHandle fh : mesh.faces()) {
-    const int patch = mesh.property(patch_of, fh);
-    if (patch >= 0) add_face(mesh, fh, patches[static_cast<std::size_t>(patch)]);
+  for (const auto& [patch, sums] : measure_runs(mesh, numbers)) {
+    if (patch < 0) continue;
+    PatchMeasure& measure = patches[static_cast<std::size_t>(patch)];
+    measure.triangles += sums.triangles;
+    measure.quads += sums.quads;
+    measure.polygons += sums.polygons;
+    measure.area += sums.area;
   }
   return patches;
 }

@@ -11,11 +11,12 @@
 #include <unordered_map>
 
 #include "surfmesh/core/error.hh"
-#include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/quad_topology.hh"
+#include "surfmesh/core/range_sums.hh"
 #include "surfmesh/metric/triangle.hh"
 #include "surfmesh/quality/face_corners.hh"
 #include "surfmesh/quality/moments.hh"
+#include "surfmesh/quality/patch_runs.hh"
 #include "surfmesh/quality/quality_histogram.hh"
 #include "surfmesh/quality/result_corners.hh"
 
@@ -23,8 +24,7 @@ namespace surfmesh {
 namespace {
 
 struct Quad {
-  int face = -1;
-  int patch = 0;
+  int face = -1;  ///< none for a face that is no quad
   double area_uv = 0;
   // The least and the greatest sine of a corner as seen in (u,v): the latter, negative, is what
   // counts in a patch that lies the other way round.
@@ -96,80 +96,150 @@ void measure(const detail::ResultCorners& values, const QuadCorners& corners, Qu
   }
 }
 
+/// By face.
 std::vector<Quad> measure_all(const PolyMesh& mesh) {
   const detail::ResultCorners values(mesh);
-  const auto patch = find(mesh, keys::face_patch);
-  std::vector<Quad> quads;
-  for (const FaceHandle fh : mesh.faces()) {
-    if (!is_quad(mesh, fh)) continue;
-    quads.push_back({.face = fh.idx(), .patch = patch.is_valid() ? mesh.property(patch, fh) : 0});
-  }
+  std::vector<Quad> quads(mesh.n_faces());
   share_ranges(quads.size(), [&](std::size_t first, std::size_t end) {
-    for (std::size_t i = first; i < end; ++i) {
-      const QuadCorners corners = quad_sides(mesh, mesh.halfedge_handle(FaceHandle(quads[i].face)));
-      measure(values, corners, quads[i]);
+    for (std::size_t f = first; f < end; ++f) {
+      const FaceHandle fh(static_cast<int>(f));
+      if (!is_quad(mesh, fh)) continue;
+      quads[f].face = fh.idx();
+      measure(values, quad_sides(mesh, mesh.halfedge_handle(fh)), quads[f]);
     }
   });
   return quads;
 }
 
-/// The scaled Jacobian in the metric, against the orientation of the patch.
-std::vector<double> jacobians_of(const std::vector<Quad>& quads) {
-  std::unordered_map<int, double> patch_area;
-  for (const Quad& quad : quads) patch_area[quad.patch] += quad.area_uv;
-  std::vector<double> jacobians;
-  jacobians.reserve(quads.size());
-  for (const Quad& quad : quads) {
-    jacobians.push_back(patch_area.at(quad.patch) < 0 ? -quad.greatest : quad.least);
-  }
+/// The areas of patches in (u,v).
+std::unordered_map<int, double> patch_areas(const PolyMesh& mesh, const std::vector<Quad>& quads) {
+  const detail::PatchOf patch_of(mesh);
+  const auto runs = sum_of_ranges(quads.size(), [&](std::size_t first, std::size_t end) {
+    detail::PatchRuns<double> own;
+    for (std::size_t f = first; f < end; ++f) {
+      if (quads[f].face >= 0) own.next(patch_of(f)) += quads[f].area_uv;
+    }
+    return own;
+  });
+  std::unordered_map<int, double> areas;
+  for (const auto& [patch, area] : runs) areas[patch] += area;
+  return areas;
+}
+
+/// The scaled Jacobians in the metric, against the orientation of the patch, by face; unset where
+/// it is no quad.
+std::vector<double> jacobians_of(const PolyMesh& mesh, const std::vector<Quad>& quads) {
+  const std::unordered_map<int, double> areas = patch_areas(mesh, quads);
+  const detail::PatchOf patch_of(mesh);
+  std::vector<double> jacobians(quads.size(), kUnset);
+  share_ranges(quads.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t f = first; f < end; ++f) {
+      if (quads[f].face < 0) continue;
+      jacobians[f] = areas.at(patch_of(f)) < 0 ? -quads[f].greatest : quads[f].least;
+    }
+  });
   return jacobians;
 }
 
-std::vector<double> least_of_patches(const std::vector<Quad>& quads,
-                                     const std::vector<double>& jacobians) {
-  int most = -1;
-  for (const Quad& quad : quads) most = std::max(most, quad.patch);
-  std::vector<double> least(static_cast<std::size_t>(most + 1),
-                            std::numeric_limits<double>::infinity());
-  for (std::size_t i = 0; i < quads.size(); ++i) {
-    if (quads[i].patch < 0) continue;
-    double& own = least[static_cast<std::size_t>(quads[i].patch)];
-    own = std::min(own, jacobians[i]);
+/// The least of values at faces, and the first face that has it.
+struct WorstQuad {
+  double value = std::numeric_limits<double>::infinity();
+  int face = -1;
+
+  void take(const WorstQuad& other) {
+    if (other.value < value) *this = other;
   }
-  return least;
+};
+
+struct QuadSums {
+  std::size_t count = 0;
+  detail::Moments in_metric, in_space;
+  WorstQuad worst, worst_in_space;
+  std::size_t inverted = 0;
+  std::size_t flat = 0;
+  std::size_t folded = 0;
+  detail::PatchRuns<detail::Least> of_patches;
+  std::vector<HistogramBin> histogram = detail::empty_quality_histogram();
+
+  void add(const Quad& quad, int patch, double jacobian) {
+    ++count;
+    in_metric.add(jacobian);
+    in_space.add(quad.in_space);
+    worst.take({jacobian, quad.face});
+    worst_in_space.take({quad.in_space, quad.face});
+    if (jacobian < 0) ++inverted;
+    if (jacobian < kFlatQuad) ++flat;
+    if (quad.in_space < 0) ++folded;
+    double& own = of_patches.next(patch).value;
+    own = std::min(own, jacobian);
+    detail::count_quality(jacobian, histogram);
+  }
+
+  QuadSums& operator+=(const QuadSums& other) {
+    count += other.count;
+    in_metric += other.in_metric;
+    in_space += other.in_space;
+    worst.take(other.worst);
+    worst_in_space.take(other.worst_in_space);
+    inverted += other.inverted;
+    flat += other.flat;
+    folded += other.folded;
+    of_patches += other.of_patches;
+    detail::add_counts(other.histogram, histogram);
+    return *this;
+  }
+};
+
+QuadSums sum_quads(const PolyMesh& mesh) {
+  const std::vector<Quad> quads = measure_all(mesh);
+  const std::vector<double> jacobians = jacobians_of(mesh, quads);
+  const detail::PatchOf patch_of(mesh);
+  return sum_of_ranges(quads.size(), [&](std::size_t first, std::size_t end) {
+    QuadSums own;
+    for (std::size_t f = first; f < end; ++f) {
+      if (quads[f].face >= 0) own.add(quads[f], patch_of(f), jacobians[f]);
+    }
+    return own;
+  });
 }
 
+/// Vertices within quads alone.
+struct InnerVertices {
+  std::size_t count = 0;
+  std::size_t irregular = 0;
+
+  void add(const PolyMesh& mesh, VertexHandle vh) {
+    if (mesh.is_isolated(vh) || mesh.is_boundary(vh)) return;
+    std::size_t faces = 0;
+    for (const FaceHandle fh : mesh.vf_range(vh)) {
+      if (!is_quad(mesh, fh)) return;
+      ++faces;
+    }
+    ++count;
+    if (faces != 4) ++irregular;
+  }
+
+  InnerVertices& operator+=(const InnerVertices& other) {
+    count += other.count;
+    irregular += other.irregular;
+    return *this;
+  }
+};
+
 double irregular_share(const PolyMesh& mesh) {
-  std::vector<int> count(mesh.n_vertices(), 0);
-  std::vector<char> is_counted(mesh.n_vertices(), 1);
-  for (const FaceHandle fh : mesh.faces()) {
-    const bool is_counted_face = is_quad(mesh, fh);
-    for (const VertexHandle vh : mesh.fv_range(fh)) {
-      ++count[index(vh)];
-      if (!is_counted_face) is_counted[index(vh)] = 0;
-    }
-  }
-  std::size_t inner = 0, irregular = 0;
-  for (std::size_t v = 0; v < count.size(); ++v) {
-    if (!is_counted[v] || count[v] == 0 || mesh.is_boundary(VertexHandle(static_cast<int>(v)))) {
-      continue;
-    }
-    ++inner;
-    if (count[v] != 4) ++irregular;
-  }
-  return inner == 0 ? 0 : static_cast<double>(irregular) / static_cast<double>(inner);
+  const auto inner = sum_of_ranges(mesh.n_vertices(), [&](std::size_t first, std::size_t end) {
+    InnerVertices own;
+    for (std::size_t v = first; v < end; ++v) own.add(mesh, VertexHandle(static_cast<int>(v)));
+    return own;
+  });
+  if (inner.count == 0) return 0;
+  return static_cast<double>(inner.irregular) / static_cast<double>(inner.count);
 }
 
 }  // namespace
 
 std::vector<double> quad_jacobians(const PolyMesh& mesh) {
-  const std::vector<Quad> quads = measure_all(mesh);
-  const std::vector<double> jacobians = jacobians_of(quads);
-  std::vector<double> of_faces(mesh.n_faces(), kUnset);
-  for (std::size_t i = 0; i < quads.size(); ++i) {
-    of_faces[static_cast<std::size_t>(quads[i].face)] = jacobians[i];
-  }
-  return of_faces;
+  return jacobians_of(mesh, measure_all(mesh));
 }
 
 double quad_space_jacobian(const PolyMesh& mesh, FaceHandle quad) {
@@ -177,36 +247,24 @@ double quad_space_jacobian(const PolyMesh& mesh, FaceHandle quad) {
 }
 
 QuadStatistics measure_quads(const PolyMesh& mesh) {
-  const std::vector<Quad> quads = measure_all(mesh);
+  const QuadSums sums = sum_quads(mesh);
   QuadStatistics result;
-  result.count = quads.size();
-  if (quads.empty()) return result;
-  result.fraction = static_cast<double>(quads.size()) / static_cast<double>(mesh.n_faces());
-  const std::vector<double> jacobians = jacobians_of(quads);
+  result.count = sums.count;
+  if (sums.count == 0) return result;
+  result.fraction = static_cast<double>(sums.count) / static_cast<double>(mesh.n_faces());
   if (find(mesh, keys::face_patch).is_valid()) {
-    result.min_of_patches = least_of_patches(quads, jacobians);
+    result.min_of_patches = detail::least_of_patches(sums.of_patches);
   }
-  detail::Moments in_metric, in_space;
-  result.histogram = detail::empty_quality_histogram();
-  result.min_jacobian = result.min_space_jacobian = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < quads.size(); ++i) {
-    in_metric.add(jacobians[i]);
-    detail::count_quality(jacobians[i], result.histogram);
-    in_space.add(quads[i].in_space);
-    if (jacobians[i] < 0) ++result.inverted;
-    if (jacobians[i] < kFlatQuad) ++result.flat;
-    if (jacobians[i] < result.min_jacobian) {
-      result.min_jacobian = jacobians[i];
-      result.worst_face = quads[i].face;
-    }
-    if (quads[i].in_space < 0) ++result.folded;
-    if (quads[i].in_space < result.min_space_jacobian) {
-      result.min_space_jacobian = quads[i].in_space;
-      result.worst_face_in_space = quads[i].face;
-    }
-  }
-  result.mean_jacobian = in_metric.mean();
-  result.mean_space_jacobian = in_space.mean();
+  result.histogram = sums.histogram;
+  result.inverted = sums.inverted;
+  result.flat = sums.flat;
+  result.folded = sums.folded;
+  result.min_jacobian = sums.worst.value;
+  result.worst_face = sums.worst.face;
+  result.min_space_jacobian = sums.worst_in_space.value;
+  result.worst_face_in_space = sums.worst_in_space.face;
+  result.mean_jacobian = sums.in_metric.mean();
+  result.mean_space_jacobian = sums.in_space.mean();
   result.irregular_share = irregular_share(mesh);
   return result;
 }

@@ -21,6 +21,11 @@ inline std::vector<HistogramBin> empty_quality_histogram() {
   return bins;
 }
 
+/// Add the counts of a histogram of the same bins.
+inline void add_counts(const std::vector<HistogramBin>& more, std::vector<HistogramBin>& bins) {
+  for (std::size_t i = 0; i < bins.size(); ++i) bins[i].count += more[i].count;
+}
+
 /// Count a quality, which by rounding may be a little beyond 1. The bins agree with comparisons to
 /// their limits: a quality is below 0.3 exactly if its bin is.
 inline void count_quality(double quality, std::vector<HistogramBin>& bins) {

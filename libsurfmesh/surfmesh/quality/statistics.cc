@@ -4,14 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
+#include <unordered_set>
+#include <vector>
 
 #include "surfmesh/core/error.hh"
-#include "surfmesh/core/parallel.hh"
+#include "surfmesh/core/range_sums.hh"
 #include "surfmesh/metric/triangle.hh"
 #include "surfmesh/quality/moments.hh"
+#include "surfmesh/quality/patch_runs.hh"
 #include "surfmesh/quality/quality_histogram.hh"
 #include "surfmesh/quality/result_corners.hh"
 
@@ -39,7 +43,6 @@ std::vector<HistogramBin> empty_histogram() {
   return bins;
 }
 
-using detail::Moments;
 using Corners = detail::ResultCorners;
 
 /// Length of a step, 0 where rounding has made a singular metric negative; NaN stays NaN.
@@ -61,14 +64,18 @@ double metric_length(const Corners& corners, EdgeHandle eh) {
   return length;
 }
 
+bool is_triangle(const PolyMesh& mesh, FaceHandle fh) {
+  const HalfedgeHandle heh = mesh.halfedge_handle(fh);
+  const HalfedgeHandle third = mesh.next_halfedge_handle(mesh.next_halfedge_handle(heh));
+  return third != heh && mesh.next_halfedge_handle(third) == heh;
+}
+
 struct Triangle {
-  int face;
-  int patch;
   double area_uv;
   double quality;  // as seen in (u,v)
 };
 
-Triangle measure_triangle(const Corners& corners, FaceHandle fh, int patch) {
+Triangle measure_triangle(const Corners& corners, FaceHandle fh) {
   const HalfedgeHandle h0 = corners.mesh.halfedge_handle(fh);
   const HalfedgeHandle h1 = corners.mesh.next_halfedge_handle(h0);
   const HalfedgeHandle h2 = corners.mesh.next_halfedge_handle(h1);
@@ -79,48 +86,113 @@ Triangle measure_triangle(const Corners& corners, FaceHandle fh, int patch) {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("face {}: (u,v) or the metric of a corner is not set", fh.idx()));
   }
-  return {fh.idx(), patch, 0.5 * cross(b - a, c - a), quality};
+  return {0.5 * cross(b - a, c - a), quality};
 }
 
-std::vector<Triangle> measure_triangles(const PolyMesh& mesh) {
+using PatchAreas = detail::PatchRuns<double>;
+
+/// Sets the qualities as seen in (u,v), by face, of triangles.
+/// Returns  the areas of patches in (u,v)
+PatchAreas measure_triangles(const PolyMesh& mesh, std::vector<double>& qualities) {
   const Corners corners(mesh);
-  const auto patch = find(mesh, keys::face_patch);
-  std::vector<FaceHandle> faces;
-  faces.reserve(mesh.n_faces());
-  for (const FaceHandle fh : mesh.faces()) {
-    if (mesh.valence(fh) == 3) faces.push_back(fh);
+  const detail::PatchOf patch_of(mesh);
+  return sum_of_ranges(qualities.size(), [&](std::size_t first, std::size_t end) {
+    PatchAreas areas;
+    for (std::size_t f = first; f < end; ++f) {
+      const FaceHandle fh(static_cast<int>(f));
+      if (!is_triangle(mesh, fh)) continue;
+      const Triangle triangle = measure_triangle(corners, fh);
+      qualities[f] = triangle.quality;
+      areas.next(patch_of(f)) += triangle.area_uv;
+    }
+    return areas;
+  });
+}
+
+/// Patches that lie the other way round.
+std::unordered_set<int> turned_patches(const PatchAreas& areas) {
+  std::unordered_map<int, double> sums;
+  for (const auto& [patch, area] : areas) sums[patch] += area;
+  std::unordered_set<int> turned;
+  for (const auto& [patch, area] : sums) {
+    if (area < 0) turned.insert(patch);
   }
-  std::vector<Triangle> triangles(faces.size());
-  share_ranges(faces.size(), [&](std::size_t first, std::size_t end) {
-    for (std::size_t i = first; i < end; ++i) {
-      const int own = patch.is_valid() ? mesh.property(patch, faces[i]) : 0;
-      triangles[i] = measure_triangle(corners, faces[i], own);
+  return turned;
+}
+
+struct LengthSums {
+  detail::Moments moments;
+  std::size_t unit = 0;
+  double min = std::numeric_limits<double>::infinity();
+  double max = 0;
+  std::vector<HistogramBin> histogram = empty_histogram();
+
+  void add(double length) {
+    moments.add(length);
+    min = std::min(min, length);
+    max = std::max(max, length);
+    if (length >= kShortestUnit && length <= kLongestUnit) ++unit;
+    ++histogram[bin_of(length, histogram.size())].count;
+  }
+
+  LengthSums& operator+=(const LengthSums& other) {
+    moments += other.moments;
+    unit += other.unit;
+    min = std::min(min, other.min);
+    max = std::max(max, other.max);
+    detail::add_counts(other.histogram, histogram);
+    return *this;
+  }
+};
+
+struct QualitySums {
+  detail::Moments moments;
+  std::size_t count = 0;
+  std::size_t poor = 0;
+  detail::Least least;
+  int worst_face = -1;
+  detail::PatchRuns<detail::Least> of_patches;
+  std::vector<HistogramBin> histogram = detail::empty_quality_histogram();
+
+  void add(std::size_t face, int patch, double quality) {
+    moments.add(quality);
+    ++count;
+    detail::count_quality(quality, histogram);
+    take_worst(quality, static_cast<int>(face));
+    if (quality < kPoorQuality) ++poor;
+    double& own = of_patches.next(patch).value;
+    own = std::min(own, quality);
+  }
+
+  QualitySums& operator+=(const QualitySums& other) {
+    moments += other.moments;
+    count += other.count;
+    poor += other.poor;
+    take_worst(other.least.value, other.worst_face);
+    of_patches += other.of_patches;
+    detail::add_counts(other.histogram, histogram);
+    return *this;
+  }
+
+ private:
+  void take_worst(double quality, int face) {
+    if (!(quality < least.value)) return;
+    least.value = quality;
+    worst_face = face;
+  }
+};
+
+/// A condition for all halfedges.
+template <class Condition>
+bool holds_for_corners(const PolyMesh& mesh, Condition holds) {
+  std::atomic<bool> all = true;
+  share_ranges(mesh.n_halfedges(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t h = first; h < end && all; ++h) {
+      const HalfedgeHandle heh(static_cast<int>(h));
+      if (!mesh.is_boundary(heh) && !holds(heh)) all = false;
     }
   });
-  return triangles;
-}
-
-/// By patch; empty where no face has one.
-std::vector<double> least_of_patches(const std::vector<Triangle>& triangles) {
-  int most = -1;
-  for (const Triangle& triangle : triangles) most = std::max(most, triangle.patch);
-  std::vector<double> least(static_cast<std::size_t>(most + 1),
-                            std::numeric_limits<double>::infinity());
-  for (const Triangle& triangle : triangles) {
-    if (triangle.patch < 0) continue;
-    double& own = least[static_cast<std::size_t>(triangle.patch)];
-    own = std::min(own, triangle.quality);
-  }
-  return least;
-}
-
-/// Triangles of patches that lie the other way round count as turned back.
-void turn_back(std::vector<Triangle>& triangles) {
-  std::unordered_map<int, double> patch_area;
-  for (const Triangle& triangle : triangles) patch_area[triangle.patch] += triangle.area_uv;
-  for (Triangle& triangle : triangles) {
-    if (patch_area.at(triangle.patch) < 0) triangle.quality = -triangle.quality;
-  }
+  return all;
 }
 
 }  // namespace
@@ -128,20 +200,17 @@ void turn_back(std::vector<Triangle>& triangles) {
 bool has_parameters(const PolyMesh& mesh) {
   const auto uv_of = find(mesh, keys::corner_uv);
   if (!uv_of.is_valid() || !find(mesh, keys::face_patch).is_valid()) return false;
-  const auto corners = mesh.halfedges();
-  return std::all_of(corners.begin(), corners.end(), [&](HalfedgeHandle heh) {
+  return holds_for_corners(mesh, [&](HalfedgeHandle heh) {
     const Uv uv = mesh.property(uv_of, heh);
-    return mesh.is_boundary(heh) || (std::isfinite(uv.u) && std::isfinite(uv.v));
+    return std::isfinite(uv.u) && std::isfinite(uv.v);
   });
 }
 
 bool has_metric(const PolyMesh& mesh) {
   const auto metric_of = find(mesh, keys::corner_metric);
   if (!metric_of.is_valid()) return false;
-  const auto corners = mesh.halfedges();
-  return std::all_of(corners.begin(), corners.end(), [&](HalfedgeHandle heh) {
-    return mesh.is_boundary(heh) || std::isfinite(mesh.property(metric_of, heh).m11);
-  });
+  return holds_for_corners(
+      mesh, [&](HalfedgeHandle heh) { return std::isfinite(mesh.property(metric_of, heh).m11); });
 }
 
 std::vector<double> metric_lengths(const PolyMesh& mesh) {
@@ -156,61 +225,59 @@ std::vector<double> metric_lengths(const PolyMesh& mesh) {
 }
 
 std::vector<double> triangle_qualities(const PolyMesh& mesh) {
-  std::vector<Triangle> triangles = measure_triangles(mesh);
-  turn_back(triangles);
-  std::vector<double> of_faces(mesh.n_faces(), kUnset);
-  for (const Triangle& triangle : triangles) {
-    of_faces[static_cast<std::size_t>(triangle.face)] = triangle.quality;
-  }
-  return of_faces;
+  std::vector<double> qualities(mesh.n_faces(), kUnset);
+  const std::unordered_set<int> turned = turned_patches(measure_triangles(mesh, qualities));
+  if (turned.empty()) return qualities;
+  const detail::PatchOf patch_of(mesh);
+  share_ranges(qualities.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t f = first; f < end; ++f) {
+      if (turned.contains(patch_of(f))) qualities[f] = -qualities[f];
+    }
+  });
+  return qualities;
 }
 
 EdgeStatistics measure_edges(const PolyMesh& mesh) {
   const std::vector<double> lengths = metric_lengths(mesh);
+  const LengthSums sums = sum_of_ranges(lengths.size(), [&](std::size_t first, std::size_t end) {
+    LengthSums own;
+    for (std::size_t e = first; e < end; ++e) own.add(lengths[e]);
+    return own;
+  });
   EdgeStatistics result;
-  result.histogram = empty_histogram();
+  result.histogram = sums.histogram;
   result.count = mesh.n_edges();
   if (result.count == 0) return result;
-  Moments moments;
-  std::size_t unit = 0;
-  result.min = std::numeric_limits<double>::infinity();
-  for (const double length : lengths) {
-    moments.add(length);
-    result.min = std::min(result.min, length);
-    result.max = std::max(result.max, length);
-    if (length >= kShortestUnit && length <= kLongestUnit) ++unit;
-    ++result.histogram[bin_of(length, result.histogram.size())].count;
-  }
-  result.mean = moments.mean();
-  result.stddev = moments.stddev();
-  result.unit_fraction = static_cast<double>(unit) / static_cast<double>(result.count);
+  result.min = sums.min;
+  result.max = sums.max;
+  result.mean = sums.moments.mean();
+  result.stddev = sums.moments.stddev();
+  result.unit_fraction = static_cast<double>(sums.unit) / static_cast<double>(result.count);
   result.histogram.back().to = std::max(result.histogram.back().to, result.max);
   return result;
 }
 
 QualityStatistics measure_quality(const PolyMesh& mesh) {
-  std::vector<Triangle> triangles = measure_triangles(mesh);
-  QualityStatistics result;
-  result.count = triangles.size();
-  if (triangles.empty()) return result;
-  turn_back(triangles);
-  if (find(mesh, keys::face_patch).is_valid()) result.min_of_patches = least_of_patches(triangles);
-  Moments moments;
-  result.histogram = detail::empty_quality_histogram();
-  std::size_t poor = 0;
-  result.min = std::numeric_limits<double>::infinity();
-  for (const Triangle& triangle : triangles) {
-    const double quality = triangle.quality;
-    moments.add(quality);
-    detail::count_quality(quality, result.histogram);
-    if (quality < result.min) {
-      result.min = quality;
-      result.worst_face = triangle.face;
+  const std::vector<double> qualities = triangle_qualities(mesh);
+  const detail::PatchOf patch_of(mesh);
+  const QualitySums sums = sum_of_ranges(qualities.size(), [&](std::size_t first, std::size_t end) {
+    QualitySums own;
+    for (std::size_t f = first; f < end; ++f) {
+      if (!std::isnan(qualities[f])) own.add(f, patch_of(f), qualities[f]);
     }
-    if (quality < kPoorQuality) ++poor;
+    return own;
+  });
+  QualityStatistics result;
+  result.count = sums.count;
+  if (sums.count == 0) return result;
+  if (find(mesh, keys::face_patch).is_valid()) {
+    result.min_of_patches = detail::least_of_patches(sums.of_patches);
   }
-  result.mean = moments.mean();
-  result.below_0_3 = static_cast<double>(poor) / static_cast<double>(result.count);
+  result.histogram = sums.histogram;
+  result.min = sums.least.value;
+  result.worst_face = sums.worst_face;
+  result.mean = sums.moments.mean();
+  result.below_0_3 = static_cast<double>(sums.poor) / static_cast<double>(result.count);
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/sampling/lattice_contour_gradation.hh"
 #include "surfmesh/sampling/mesh_contour_gradation.hh"
 
@@ -15,6 +16,7 @@ ContourGradationReport grade_across_contours(const Model& model, std::vector<Con
     return input.options.grade == 0;
   });
   if (is_off) return {};
+  const LeftOutOfSerial not_serial;  // each round needs the sizes of the one before
   if (inputs.front().kind == ControlKind::Mesh) {
     return detail::grade_meshes_across_contours(model, inputs, spaces, context);
   }

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/assemble/result_arrays.hh"
+
+#include <array>
+#include <functional>
+
+#include "surfmesh/core/parallel.hh"
+#include "surfmesh/core/properties.hh"
+
+namespace surfmesh::detail {
+namespace {
+
+/// The values of a property that is attached to a mesh without elements.
+template <class Key>
+auto& attached_values(PolyMesh& mesh, const Key& key) {
+  return mesh.property(attach(mesh, key)).data_vector();
+}
+
+}  // namespace
+
+ResultArrays make_room(PolyMesh& mesh, std::size_t vertices, std::size_t edges, std::size_t faces) {
+  ResultArrays result{
+      mesh, attached_values(mesh, keys::face_patch), attached_values(mesh, keys::edge_contour),
+      attached_values(mesh, keys::corner_uv), attached_values(mesh, keys::corner_metric)};
+  // The mesh would resize one after the other; it leaves those alone that have their size.
+  auto& points = mesh.property(mesh.points_property_handle()).data_vector();
+  const std::array<std::function<void()>, 5> resize = {
+      [&] { result.metric.resize(2 * edges); }, [&] { result.uv.resize(2 * edges); },
+      [&] { points.resize(vertices); }, [&] { result.contour.resize(edges, -1); },
+      [&] { result.patch.resize(faces); }};
+  share_indices(resize.size(), [&](std::size_t i) { resize[i](); });
+  mesh.resize(vertices, edges, faces);
+  return result;
+}
+
+}  // namespace surfmesh::detail
