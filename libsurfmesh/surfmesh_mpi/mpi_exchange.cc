@@ -27,9 +27,9 @@ MpiExchange::MpiExchange(MPI_Comm communicator, std::size_t most_bytes) : most_b
 std::vector<MpiExchange::Bytes> MpiExchange::gather(std::span<const std::byte> mine) {
   const std::uint64_t length = mine.size();
   std::vector<std::uint64_t> lengths(static_cast<std::size_t>(size_));
-  detail::check_mpi(MPI_Allgather(&length, 1, MPI_UINT64_T, lengths.data(), 1, MPI_UINT64_T,
-                                  communicator_),
-                    "MPI_Allgather");
+  detail::check_mpi(
+      MPI_Allgather(&length, 1, MPI_UINT64_T, lengths.data(), 1, MPI_UINT64_T, communicator_),
+      "MPI_Allgather");
   std::vector<Bytes> all(lengths.size());
   for (std::size_t rank = 0; rank < all.size(); ++rank) all[rank].reserve(lengths[rank]);
   const std::uint64_t longest = *std::max_element(lengths.begin(), lengths.end());
@@ -52,10 +52,10 @@ void MpiExchange::gather_part(std::span<const std::byte> mine, std::size_t first
   }
   Bytes part(static_cast<std::size_t>(total));
   const int count = counts[static_cast<std::size_t>(rank_)];
-  detail::check_mpi(MPI_Allgatherv(count > 0 ? mine.data() + first : nullptr, count, MPI_BYTE,
-                                   part.data(), counts.data(), starts.data(), MPI_BYTE,
-                                   communicator_),
-                    "MPI_Allgatherv");
+  detail::check_mpi(
+      MPI_Allgatherv(count > 0 ? mine.data() + first : nullptr, count, MPI_BYTE, part.data(),
+                     counts.data(), starts.data(), MPI_BYTE, communicator_),
+      "MPI_Allgatherv");
   for (std::size_t rank = 0; rank < all.size(); ++rank) {
     const auto begin = part.begin() + starts[rank];
     all[rank].insert(all[rank].end(), begin, begin + counts[rank]);

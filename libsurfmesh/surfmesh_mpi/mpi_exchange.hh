@@ -20,8 +20,7 @@ class MpiExchange final : public Exchange {
   /// ends: to give it back earlier would wait for ranks that may have given up.
   /// Pre      `most_bytes` is from the number of ranks to kMostBytes
   /// Throws   Io with MPI's reason
-  explicit MpiExchange(MPI_Comm communicator = MPI_COMM_WORLD,
-                       std::size_t most_bytes = kMostBytes);
+  explicit MpiExchange(MPI_Comm communicator = MPI_COMM_WORLD, std::size_t most_bytes = kMostBytes);
 
   int rank() const override { return rank_; }
   int size() const override { return size_; }

@@ -21,8 +21,8 @@ class MpiSession {
   MpiSession(const MpiSession&) = delete;
   MpiSession& operator=(const MpiSession&) = delete;
 
-  /// End all ranks, whatever they do: this one at once, the others by SIGTERM. Some of them may wait
-  /// for this one, which has an error that they do not know of.
+  /// End all ranks, whatever they do: this one at once, the others by SIGTERM. Some of them may
+  /// wait for this one, which has an error that they do not know of.
   [[noreturn]] static void abort(int status);
 };
 

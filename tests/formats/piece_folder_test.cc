@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 /// Give a folder all pieces of a strip, each from the rank of its number modulo the size.
 void fill(PieceFolder& folder, Exchange& exchange, int count) {
   const std::vector<MeshPiece> pieces = testing::strip_in_pieces(12, count);
-  folder.begin({count, {}});
+  folder.begin({.pieces = count, .patches = 2});
   for (int p = exchange.rank(); p < count; p += exchange.size()) {
     folder.write(p, pieces[static_cast<std::size_t>(p)]);
   }
@@ -33,7 +33,7 @@ void write_strip(const fs::path& path, int count) {
   SerialExchange exchange;
   PieceFolder folder(path, exchange);
   fill(folder, exchange, count);
-  folder.commit();
+  folder.commit(nullptr);
 }
 
 std::set<std::string> files_of(const fs::path& folder) {
@@ -49,7 +49,7 @@ TEST(PieceFolder, HoldsPiecesOfAllRanks) {
   testing::run_ranks(3, [&](Exchange& exchange) {
     PieceFolder pieces(folder / "mesh", exchange);
     fill(pieces, exchange, 4);
-    pieces.commit();
+    pieces.commit(nullptr);
   });
   EXPECT_EQ(files_of(folder.path()), std::set<std::string>{"mesh"});
   EXPECT_EQ(files_of(folder / "mesh"),
@@ -85,16 +85,31 @@ TEST(PieceFolder, LeavesNothingWithoutACommitAndKeepsAnOlderOutput) {
   EXPECT_EQ(read_text(folder / "mesh/mesh_0000.vtu"), before);
 }
 
-TEST(PieceFolder, TakesACommitBack) {
+TEST(PieceFolder, AppearsWithAnotherFile) {
   const TestFolder folder;
-  write_strip(folder / "mesh", 2);
   testing::run_ranks(2, [&](Exchange& exchange) {
     PieceFolder pieces(folder / "mesh", exchange);
-    fill(pieces, exchange, 6);
-    pieces.commit();
-    pieces.take_back();
+    fill(pieces, exchange, 2);
+    if (exchange.rank() != 0) return pieces.commit(nullptr);
+    OutputFile report(folder / "report");
+    report.write("all is well");
+    pieces.commit(&report);
   });
-  EXPECT_EQ(files_of(folder.path()), std::set<std::string>{"mesh"});
+  EXPECT_EQ(files_of(folder.path()), (std::set<std::string>{"mesh", "report"}));
+}
+
+TEST(PieceFolder, ComesBackWhereTheOtherFileCannotBeWritten) {
+  const TestFolder folder;
+  write_strip(folder / "mesh", 2);
+  SerialExchange exchange;
+  {
+    PieceFolder pieces(folder / "mesh", exchange);
+    fill(pieces, exchange, 6);
+    OutputFile report(folder / "report");
+    fs::create_directory(folder / "report");
+    EXPECT_THROW(pieces.commit(&report), AgreedError);
+  }
+  EXPECT_EQ(files_of(folder.path()), (std::set<std::string>{"mesh", "report"}));
   EXPECT_EQ(files_of(folder / "mesh").size(), 3u);
 }
 

@@ -8,10 +8,10 @@
 #include <numeric>
 #include <optional>
 
+#include "support/errors.hh"
 #include "surfmesh/exchange/agree_on_error.hh"
 #include "surfmesh_mpi/mpi_check.hh"
 #include "surfmesh_mpi/mpi_session.hh"
-#include "support/errors.hh"
 
 namespace surfmesh {
 namespace {
@@ -46,8 +46,7 @@ TEST(MpiExchange, GathersInSeveralCalls) {
 TEST(MpiExchange, GathersNothing) {
   MpiExchange exchange;
   const auto gathered = gather_all(exchange, std::vector<double>());
-  EXPECT_EQ(gathered,
-            std::vector<std::vector<double>>(static_cast<std::size_t>(exchange.size())));
+  EXPECT_EQ(gathered, std::vector<std::vector<double>>(static_cast<std::size_t>(exchange.size())));
 }
 
 TEST(MpiExchange, AgreesOnTheErrorOfTheLeastPatch) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -118,9 +117,7 @@ void PieceFolder::begin(const PieceIndex& index) {
   agree_on_errors_of(exchange_, [&] {
     if (exchange_.rank() == 0) make_temporary();
   });
-  const std::string mine = temporary_.string();
-  const std::vector<char> of_first = gather_all(exchange_, std::span(mine)).front();
-  temporary_ = std::string(of_first.begin(), of_first.end());
+  temporary_ = text_of_rank_0(exchange_, temporary_.string());
   agree_on_errors_of(exchange_, [&] {
     std::error_code ignored;
     if (fs::is_directory(temporary_, ignored)) return;
@@ -166,21 +163,25 @@ void PieceFolder::publish() {
   }
 }
 
-void PieceFolder::commit() {
-  agree_on_errors_of(exchange_, [this] {
-    if (exchange_.rank() == 0) publish();
+void PieceFolder::take_back() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+  if (!old_.empty()) rename(std::exchange(old_, fs::path()), folder_, given_);
+}
+
+void PieceFolder::commit(OutputFile* with) {
+  agree_on_errors_of(exchange_, [&] {
+    if (exchange_.rank() != 0) return;
+    publish();
+    try {
+      if (with) with->commit();
+    } catch (const Error&) {
+      take_back();
+      throw;
+    }
   });
   // Its name is free for others.
   temporary_.clear();
-}
-
-void PieceFolder::take_back() {
-  agree_on_errors_of(exchange_, [this] {
-    if (exchange_.rank() != 0) return;
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-    if (!old_.empty()) rename(std::exchange(old_, fs::path()), folder_, given_);
-  });
 }
 
 }  // namespace surfmesh

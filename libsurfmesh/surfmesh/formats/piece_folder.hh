@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "surfmesh/exchange/exchange.hh"
-#include "surfmesh/pieces/piece_sink.hh"
+#include "surfmesh/formats/piece_output.hh"
 
 namespace surfmesh {
 
@@ -17,7 +17,7 @@ namespace surfmesh {
 /// that takes its place in the end. All ranks have to see the same file system. What was in the
 /// folder, if anything, must be such an output; it is replaced. Without a commit the temporary
 /// folder is removed, by whichever rank comes last, and the old one stays as it was.
-class PieceFolder final : public PieceSink {
+class PieceFolder final : public PieceOutput {
  public:
   /// Called by all ranks, as all functions but write(). The exchange must outlive this.
   PieceFolder(std::filesystem::path folder, Exchange& exchange);
@@ -34,22 +34,15 @@ class PieceFolder final : public PieceSink {
   /// Throws   AgreedError of code Io
   void finish() override;
 
-  /// Put the folder in its place.
-  /// Throws   AgreedError of code Io; the old folder then stays
-  void commit();
-
-  /// Undo commit().
-  /// Throws   AgreedError of code Io if the file system does not let us
-  void take_back();
-
-  /// Where all is written before the commit; empty before begin() and after the commit.
-  const std::filesystem::path& temporary() const { return temporary_; }
+  void commit(OutputFile* with) override;
+  std::filesystem::path temporary() const override { return temporary_; }
 
  private:
   std::string piece_name(int piece) const;
   void check_old() const;
   void make_temporary();
   void publish();
+  void take_back();
 
   std::filesystem::path given_;   ///< for messages
   std::filesystem::path folder_;  ///< absolute, with links followed

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "surfmesh/core/error.hh"
+#include "surfmesh/formats/piece_points.hh"
 #include "surfmesh/formats/vtk_grid.hh"
 #include "surfmesh/formats/vtu_text.hh"
 #include "surfmesh/io/file_writer.hh"
@@ -25,15 +25,6 @@ constexpr std::string_view kIds = "GlobalNodeIds";
 
 /// Without the last attribute, VTK does not take numbers for ids.
 constexpr std::string_view kIdAttribute = " IdType=\"1\"";
-
-void check_points(const MeshPiece& piece) {
-  for (std::size_t i = 0; i < piece.points.size(); ++i) {
-    const Vec3& p = piece.points[i];
-    if (p.allFinite()) continue;
-    throw Error(ErrorCode::Geometry, fmt::format("the position of vertex {} is ({}, {}, {})",
-                                                 piece.ids[i], p.x(), p.y(), p.z()));
-  }
-}
 
 /// The first group of each patch, -1 for none.
 std::vector<int> first_groups(const MeshNames& names, const std::vector<int>& patches) {
