@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -76,6 +78,13 @@ std::vector<Value> gather_one(Exchange& exchange, const Value& mine) {
     values.push_back(of_rank.front());
   }
   return values;
+}
+
+/// The text that rank 0 gives; those of others are not used.
+inline std::string text_of_rank_0(Exchange& exchange, std::string_view mine) {
+  if (exchange.rank() != 0) mine = {};
+  const std::vector<char> text = gather_all(exchange, std::span<const char>(mine)).front();
+  return {text.begin(), text.end()};
 }
 
 /// The sum over all ranks, added in their order. A sum of floating-point numbers depends on how

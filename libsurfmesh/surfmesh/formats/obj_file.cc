@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "surfmesh/core/error.hh"
@@ -13,6 +14,7 @@
 #include "surfmesh/core/shared_vertices.hh"
 #include "surfmesh/formats/cage_text.hh"
 #include "surfmesh/formats/obj_corners.hh"
+#include "surfmesh/formats/obj_groups.hh"
 #include "surfmesh/formats/obj_labels.hh"
 #include "surfmesh/formats/obj_tags.hh"
 #include "surfmesh/formats/obj_texture.hh"
@@ -196,109 +198,30 @@ MeshArraysFile parse_obj_mesh(std::string text, const std::string& name) {
   return file;
 }
 
-/// A name as one word of an OBJ file, where blanks part the names of several groups.
-std::string word_of(std::string name) {
-  for (char& c : name) {
-    if (static_cast<unsigned char>(c) <= ' ' || c == '\x7f') c = '_';
-  }
-  if (name.empty()) return name;
-  if (name.front() == '#') name.front() = '_';
-  if (name.back() == '\\') name.back() = '_';
-  return name;
-}
-
-/// The names of patches and of groups as words of an OBJ file: those of patches differ among each
-/// other, and those of groups.
-struct ObjWords {
-  ObjWords(const MeshNames& names, std::size_t patch_count) {
-    DifferentNames different;
-    different.add(kNoGroup);  // means faces without a patch
-    for (std::size_t p = 0; p < patch_count; ++p) {
-      const bool has_name = p < names.patches.size() && !names.patches[p].empty();
-      patches.push_back(
-          different.add(has_name ? word_of(names.patches[p]) : fmt::format("patch{}", p)));
-    }
-    DifferentNames different_groups;
-    for (const Group& group : names.groups) {
-      const std::string word = word_of(group.name);
-      groups.push_back(different_groups.add(word.empty() ? "group" : word));
-    }
-  }
-
-  std::vector<std::string> patches;
-  std::vector<std::string> groups;
-};
-
-/// A file names all patches up to the greatest, so that they keep their numbers.
-constexpr int kMostPatches = 10'000'000;
-
-/// True if patches come up in the order of their numbers, without gaps, in the faces.
-bool are_in_order(const std::vector<int>& patches, std::size_t count) {
-  int seen = 0;
-  for (const int patch : patches) {
-    if (patch > seen) return false;
-    if (patch == seen) ++seen;
-  }
-  return seen == static_cast<int>(count);
-}
-
-/// The lines of the groups of an OBJ file, which change between the faces.
+/// The lines of groups between the faces of a mesh.
 class GroupLines {
  public:
   GroupLines(const PolyMesh& mesh, const MeshNames& names, FileWriter& writer)
       : mesh_(mesh), patch_of_(find(mesh, keys::face_patch)) {
     if (!patch_of_.is_valid()) return;
     const std::vector<int>& patches = mesh.property(patch_of_).data_vector();
-    const int most = patches.empty() ? -1 : *std::max_element(patches.begin(), patches.end());
-    if (most > kMostPatches) {
-      throw Error(ErrorCode::InvalidInput, fmt::format("a face is of patch {}, but OBJ files hold "
-                                                       "patches up to {}",
-                                                       most, kMostPatches));
-    }
-    make_lines(names, std::max(names.patches.size(), static_cast<std::size_t>(most + 1)));
-    if (are_in_order(patches, lines_.size())) return;
-    for (const std::string& line : lines_) writer.text(line);
+    groups_.emplace(patches, names);
+    writer.text(groups_->before_faces(patches));
   }
 
   /// The lines between a face and the one before it.
   std::string_view before(FaceHandle fh) const {
-    if (!patch_of_.is_valid()) return {};
+    if (!groups_) return {};
     const int patch = mesh_.property(patch_of_, fh);
     const bool is_first = fh.idx() == 0;
     if (!is_first && patch == mesh_.property(patch_of_, FaceHandle(fh.idx() - 1))) return {};
-    return patch < 0 ? "\ng" : std::string_view(lines_[static_cast<std::size_t>(patch)]);
+    return groups_->of_patch(patch);
   }
 
  private:
-  /// The material of each patch, if all have one, its groups, then the patch itself.
-  void make_lines(const MeshNames& names, std::size_t count) {
-    const ObjWords words(names, count);
-    const auto groups = groups_by_patch(names, count);
-    const auto is_material = [&](int group) {
-      return names.groups[static_cast<std::size_t>(group)].is_material;
-    };
-    const bool has_materials =
-        std::all_of(groups.begin(), groups.end(), [&](const std::vector<int>& of_patch) {
-          return std::count_if(of_patch.begin(), of_patch.end(), is_material) == 1;
-        });
-    for (std::size_t p = 0; p < count; ++p) {
-      std::string& line = lines_.emplace_back();
-      if (has_materials) {
-        const int group = *std::find_if(groups[p].begin(), groups[p].end(), is_material);
-        line.append("\nusemtl ").append(words.groups[static_cast<std::size_t>(group)]);
-      }
-      line += "\ng ";
-      for (const int group : groups[p]) {
-        if (has_materials && is_material(group)) continue;
-        line.append(words.groups[static_cast<std::size_t>(group)]).append(" ");
-      }
-      line += words.patches[p];
-    }
-  }
-
   const PolyMesh& mesh_;
   decltype(keys::face_patch)::Handle patch_of_;
-  std::vector<std::string> lines_;  ///< by patch
+  std::optional<ObjGroups> groups_;
 };
 
 void write_obj(const PolyMesh& mesh, const MeshNames& names, const OutputOptions& options,

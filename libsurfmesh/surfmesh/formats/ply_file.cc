@@ -16,6 +16,7 @@
 #include "surfmesh/core/shared_vertices.hh"
 #include "surfmesh/formats/cage_of_arrays.hh"
 #include "surfmesh/formats/cage_text.hh"
+#include "surfmesh/formats/ply_head.hh"
 #include "surfmesh/formats/ply_header.hh"
 #include "surfmesh/io/byte_scanner.hh"
 #include "surfmesh/io/file_writer.hh"
@@ -29,12 +30,6 @@ using ply::Header;
 using ply::PatchRun;
 using ply::Property;
 using ply::Type;
-
-/// Gmsh takes 255 bytes for a line, VTK 4095: longer names go on in the next comment.
-constexpr std::size_t kLongestName = 200;
-
-/// Patches of a group in one comment, likewise.
-constexpr std::size_t kPatchesPerLine = 20;
 
 /// Values of a binary body.
 class BinaryValues {
@@ -347,58 +342,6 @@ FaceSizes face_sizes(const PolyMesh& mesh) {
   });
 }
 
-bool is_control(char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }
-
-bool can_be_held(const std::string& name) {
-  return std::none_of(name.begin(), name.end(), is_control);
-}
-
-/// Write a name in comments of one line each, cut between letters.
-void write_name(std::string_view before, std::size_t number, std::string name, FileWriter& writer) {
-  std::replace_if(name.begin(), name.end(), is_control, ' ');
-  std::string_view rest = name;
-  do {
-    std::size_t size = std::min(rest.size(), kLongestName);
-    const auto is_inside_letter = [&] {
-      return size < rest.size() && (static_cast<unsigned char>(rest[size]) & 0xC0) == 0x80;
-    };
-    while (size > kLongestName / 2 && is_inside_letter()) --size;
-    writer.text(before);
-    writer.number(' ', number);
-    writer.text(" ");
-    writer.text(rest.substr(0, size));
-    rest.remove_prefix(size);
-  } while (!rest.empty());
-}
-
-void write_names(const MeshNames& names, FileWriter& writer) {
-  for (std::size_t p = 0; p < names.patches.size(); ++p) {
-    write_name("\ncomment patch", p, names.patches[p], writer);
-  }
-  for (std::size_t g = 0; g < names.groups.size(); ++g) {
-    write_name("\ncomment group", g, names.groups[g].name, writer);
-  }
-  for (std::size_t g = 0; g < names.groups.size(); ++g) {
-    const std::vector<int>& patches = names.groups[g].patches;
-    for (std::size_t i = 0; i < patches.size(); ++i) {
-      if (i % kPatchesPerLine == 0) {
-        writer.text("\ncomment patches");
-        writer.number(' ', g);
-      }
-      writer.number(' ', patches[i]);
-    }
-  }
-}
-
-void write_runs(const std::vector<int>& patches, FileWriter& writer) {
-  for (std::size_t begin = 0, end = 0; begin < patches.size(); begin = end) {
-    while (end < patches.size() && patches[end] == patches[begin]) ++end;
-    writer.text("\ncomment faces");
-    writer.number(' ', end - begin);
-    writer.number(' ', patches[begin]);
-  }
-}
-
 /// ASCII, for Gmsh reads binary files with positions in single precision only.
 void write_ply(const PolyMesh& mesh, const MeshNames& names, const OutputOptions&,
                OutputFile& file) {
@@ -406,20 +349,16 @@ void write_ply(const PolyMesh& mesh, const MeshNames& names, const OutputOptions
   const FaceSizes sizes = face_sizes(mesh);
   const bool are_patches_values = patch_of.is_valid() && sizes.least >= sizes.most;
   FileWriter writer(file);
-  writer.text("ply\nformat ascii 1.0\ncomment surfmesh");
-  if (patch_of.is_valid()) write_names(names, writer);
-  if (patch_of.is_valid() && !are_patches_values) {
-    write_runs(mesh.property(patch_of).data_vector(), writer);
-  }
-  writer.text("\nelement vertex");
   const SharedVertices vertices(mesh);
-  writer.number(' ', vertices.count());
-  writer.text("\nproperty double x\nproperty double y\nproperty double z\nelement face");
-  writer.number(' ', mesh.n_faces());
-  const bool is_small = sizes.most <= std::numeric_limits<std::uint8_t>::max();
-  writer.text(fmt::format("\nproperty list {} int vertex_indices", is_small ? "uchar" : "int"));
-  if (are_patches_values) writer.text("\nproperty int patch");
-  writer.text("\nend_header");
+  PlyHead head{.vertices = vertices.count(),
+               .faces = mesh.n_faces(),
+               .most_corners = sizes.most,
+               .has_patch_values = are_patches_values};
+  if (patch_of.is_valid()) head.names = &names;
+  if (patch_of.is_valid() && !are_patches_values) {
+    head.runs = mesh.property(patch_of).data_vector();
+  }
+  writer.text(ply_head(head));
   write_points(mesh, "", writer);
   writer.pieces(mesh.n_faces(), [&](std::size_t first, std::size_t end, TextBuffer& buffer) {
     for (std::size_t f = first; f < end; ++f) {
@@ -438,7 +377,7 @@ std::vector<std::string> lost_in_ply(const PolyMesh& mesh, const MeshNames& name
                                      const OutputOptions&) {
   std::vector<std::string> lost = lost_properties(mesh);
   if (!find(mesh, keys::face_patch).is_valid()) return lost;
-  const auto is_changed = [](const std::string& name) { return !can_be_held(name); };
+  const auto is_changed = [](const std::string& name) { return !can_be_in_ply(name); };
   auto count = std::count_if(names.patches.begin(), names.patches.end(), is_changed);
   for (const Group& group : names.groups) count += is_changed(group.name) ? 1 : 0;
   if (count > 0) {

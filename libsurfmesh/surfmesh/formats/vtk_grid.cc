@@ -126,18 +126,22 @@ std::vector<int> contours_of_points(const MeshArrays& arrays) {
 }
 
 /// Arrays of the indices that have each name.
-void add_indices(std::string_view kind, const std::vector<std::string>& names, VtkGrid& grid) {
+void add_indices(std::string_view kind, const std::vector<std::string>& names,
+                 std::vector<VtkValues>& whole) {
   std::map<std::string, std::vector<int>> indices_of;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!names[i].empty()) indices_of[names[i]].push_back(static_cast<int>(i));
   }
   for (auto& [name, indices] : indices_of) {
-    grid.whole.push_back({fmt::format("{}:{}", kind, name), 1, std::move(indices)});
+    whole.push_back({fmt::format("{}:{}", kind, name), 1, std::move(indices)});
   }
 }
 
-void add_names(const MeshNames& names, VtkGrid& grid) {
-  add_indices("patch", names.patches, grid);
+}  // namespace
+
+std::vector<VtkValues> vtk_names(const MeshNames& names) {
+  std::vector<VtkValues> whole;
+  add_indices("patch", names.patches, whole);
   std::map<std::string, std::vector<int>> patches_of;
   for (const Group& group : names.groups) {
     std::vector<int>& patches = patches_of[group.name];
@@ -146,12 +150,11 @@ void add_names(const MeshNames& names, VtkGrid& grid) {
   for (auto& [name, patches] : patches_of) {
     if (patches.empty()) continue;
     std::sort(patches.begin(), patches.end());
-    grid.whole.push_back({fmt::format("group:{}", name), 1, std::move(patches)});
+    whole.push_back({fmt::format("group:{}", name), 1, std::move(patches)});
   }
-  add_indices("contour", names.contours, grid);
+  add_indices("contour", names.contours, whole);
+  return whole;
 }
-
-}  // namespace
 
 VtkGrid vtk_grid(const PolyMesh& mesh, const MeshNames& names) {
   const bool has_corners =
@@ -167,7 +170,7 @@ VtkGrid vtk_grid(const PolyMesh& mesh, const MeshNames& names) {
   if (!arrays.contours.empty()) {
     grid.at_points.push_back({"contour", 1, contours_of_points(arrays)});
   }
-  add_names(names, grid);
+  grid.whole = vtk_names(names);
   grid.points = std::move(arrays.points);
   grid.cells = std::move(arrays.faces);
   return grid;

@@ -50,6 +50,9 @@ struct VtkGrid {
 /// Cost     0.1 µs a triangle, and 0.2 µs where it has a metric
 VtkGrid vtk_grid(const PolyMesh& mesh, const MeshNames& names);
 
+/// The arrays of a grid as a whole that hold the names of patches, groups and contours.
+std::vector<VtkValues> vtk_names(const MeshNames& names);
+
 /// What of a mesh the grid does not hold, as what_is_lost of write_mesh.hh.
 std::vector<std::string> lost_in_grid(const PolyMesh& mesh);
 

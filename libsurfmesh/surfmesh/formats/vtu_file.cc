@@ -10,6 +10,7 @@
 
 #include "surfmesh/formats/mesh_format.hh"
 #include "surfmesh/formats/vtu_reader.hh"
+#include "surfmesh/formats/vtu_text.hh"
 #include "surfmesh/io/base64.hh"
 #include "surfmesh/io/file_writer.hh"
 
@@ -19,33 +20,8 @@ namespace {
 /// Cells with one value each that stand in one line.
 constexpr std::size_t kCellsPerLine = 20;
 
-template <class Number>
-constexpr std::string_view kType = "";
-template <>
-constexpr std::string_view kType<double> = "Float64";
-template <>
-constexpr std::string_view kType<int> = "Int32";
-template <>
-constexpr std::string_view kType<std::size_t> = "UInt64";
-template <>
-constexpr std::string_view kType<std::uint8_t> = "UInt8";
-
-/// A name as the value of an XML attribute.
-std::string escaped(std::string_view name) {
-  std::string text;
-  for (const char c : name) {
-    if (c == '&') {
-      text += "&amp;";
-    } else if (c == '<') {
-      text += "&lt;";
-    } else if (c == '"') {
-      text += "&quot;";
-    } else {
-      text += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-  }
-  return text;
-}
+using vtu::escaped;
+using vtu::kType;
 
 class VtuWriter {
  public:

@@ -8,8 +8,10 @@ namespace surfmesh {
 
 /// What is known of a mesh before its pieces come.
 struct PieceIndex {
-  int pieces = 0;   ///< of the whole mesh, on all ranks
-  MeshNames names;  ///< of the patches and contours of the model, and groups of patches
+  int pieces = 0;          ///< of the whole mesh, on all ranks
+  int patches = 0;         ///< of the model
+  bool has_quads = false;  ///< perhaps with triangles among them; else triangles only
+  MeshNames names = {};    ///< of the patches and contours of the model, and groups of patches
 };
 
 /// Takes the pieces of a mesh, each on the rank that makes it.

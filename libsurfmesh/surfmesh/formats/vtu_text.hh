@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+/// The words of VTK's XML files.
+namespace surfmesh::vtu {
+
+/// What the type of a number is called.
+template <class Number>
+constexpr std::string_view kType = "";
+template <>
+inline constexpr std::string_view kType<double> = "Float64";
+template <>
+inline constexpr std::string_view kType<int> = "Int32";
+template <>
+inline constexpr std::string_view kType<std::int64_t> = "Int64";
+template <>
+inline constexpr std::string_view kType<std::size_t> = "UInt64";
+template <>
+inline constexpr std::string_view kType<std::uint8_t> = "UInt8";
+
+/// A name as the value of an XML attribute.
+inline std::string escaped(std::string_view name) {
+  std::string text;
+  for (const char c : name) {
+    if (c == '&') {
+      text += "&amp;";
+    } else if (c == '<') {
+      text += "&lt;";
+    } else if (c == '"') {
+      text += "&quot;";
+    } else {
+      text += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
+  }
+  return text;
+}
+
+}  // namespace surfmesh::vtu
