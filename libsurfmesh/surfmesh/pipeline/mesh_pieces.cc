@@ -188,7 +188,10 @@ class PiecesRun {
   const SharedNumbers& shared() const { return *shared_; }
 
   PiecesReport make(Exchange& exchange, PieceSink& sink) {
-    sink.begin({deal_.pieces, mesh_names(model_)});
+    sink.begin({.pieces = deal_.pieces,
+                .patches = static_cast<int>(model_.patches.size()),
+                .has_quads = options_.quads.is_on,
+                .names = mesh_names(model_)});
     own_.resize(tiles().size());
     mesh_tiles(exchange);
     mend_edges(exchange);
@@ -264,13 +267,17 @@ class PiecesRun {
     const detail::Piece piece = surveyed(std::move(result.mesh), plan_.numbers(), is_turned);
     own.part = part_of(piece, plan_.numbers().count());
     own.summary.own_vertices = static_cast<std::int64_t>(own.part.own_count());
-    add_fans(piece, own.summary);
+    count_loose(piece, own.summary);
     own_[t] = std::move(own);
   }
 
-  static void add_fans(const detail::Piece& piece, TileSummary& summary) {
+  /// Count what is left of faces that collapse, and those of fans.
+  static void count_loose(const detail::Piece& piece, TileSummary& summary) {
+    const PolyMesh& mesh = *piece.source.mesh;
+    for (const detail::CollapsedFace& collapsed : piece.collapsed) {
+      --(mesh.valence(collapsed.face) == 3 ? summary.triangles : summary.quads);
+    }
     for (const detail::LooseFace& face : piece.loose_faces) {
-      if (face.number < piece.copied_face_end()) continue;
       ++(face.count == 3 ? summary.triangles : summary.quads);
     }
   }
