@@ -59,6 +59,16 @@ TEST_P(MetricSwaps, LeaveNothingToSwap) {
   EXPECT_EQ(swap_edges(*delaunay), 0u);
 }
 
+/// Edges that are passed over would not have been swapped.
+TEST_P(MetricSwaps, AreThoseOfAListOfAllEdges) {
+  const auto delaunay = random_mesh(1000, field()), reference = random_mesh(1000, field());
+  std::vector<EdgeHandle> edges;  // taken from the end
+  for (std::size_t i = reference->n_edges(); i > 0; --i)
+    edges.emplace_back(static_cast<int>(i - 1));
+  EXPECT_EQ(swap_edges(*delaunay), swap_edges(*reference, edges));
+  EXPECT_EQ(testing::connectivity(*delaunay), testing::connectivity(*reference));
+}
+
 TEST_P(MetricSwaps, KeepConstrainedEdges) {
   const auto delaunay = random_mesh(300, field());
   for (std::size_t i = 0; i < delaunay->n_edges(); ++i) {

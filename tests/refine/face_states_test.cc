@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/domain_meshes.hh"
+#include "surfmesh/refine/fan.hh"
 
 namespace surfmesh {
 namespace {
@@ -38,7 +39,9 @@ TEST(FaceStates, MeasureAFanAsItsTriangles) {
   const TriangleMetricRule rule{delaunay->uv_handle(), delaunay->metric_handle()};
   const VertexHandle vh = delaunay->insert(p, FaceHandle(0), rule);
   delaunay->metric(vh) = field(p);
-  states.measure_fan(vh);
+  Fan fan;
+  collect_fan(*delaunay, vh, fan);
+  states.measure_fan(vh, fan);
   const FaceStates fresh(*delaunay, kAccepted);
   constexpr double rounding = 1e-6;  // of float
   EXPECT_NEAR(states.predicted_count(), fresh.predicted_count(),
@@ -59,7 +62,9 @@ TEST(FaceStates, StampTrianglesThatAreMeasuredAnew) {
   delaunay->metric(vh) = field({0.4, 0.3});
   std::vector<std::uint32_t> before;
   for (const FaceHandle fh : faces_of(*delaunay)) before.push_back(states[fh].stamp);
-  states.measure_fan(vh);
+  Fan fan;
+  collect_fan(*delaunay, vh, fan);
+  states.measure_fan(vh, fan);
   for (const FaceHandle fh : delaunay->mesh().vf_range(vh)) {
     EXPECT_NE(states[fh].stamp, before[index(fh)]);
   }

@@ -27,7 +27,7 @@ struct AssembleReport {
 ///
 /// Writes   point(); surf:patch (face), surf:contour (edge), surf:uv and surf:metric (halfedge, at
 ///          its tip)
-/// Each of the meshes is freed as soon as it is copied; give them up, or they are copied before.
+/// Each of the meshes is freed as soon as it is copied.
 ///
 /// Cost     O(n), shared by piece; for m sides at contours and between pieces O(m log m) more,
 ///          which is not shared

@@ -56,21 +56,23 @@ void CommonVertices::drop_unused(std::vector<Piece>& pieces) {
 }
 
 void CommonVertices::set_points(const Model& model, const std::vector<ContourNodes>& nodes,
-                                const NodeNumbers& numbers, PolyMesh& mesh) const {
+                                const NodeNumbers& numbers,
+                                std::vector<PolyMesh::Point>& points) const {
   for (std::size_t v = 0; v < model.vertices.size(); ++v) {
-    set_point(static_cast<int>(v), model.vertices[v].position, mesh);
+    set_point(static_cast<int>(v), model.vertices[v].position, points);
   }
   share_indices(nodes.size(), [&](std::size_t c) {
     for (int i = 1; i < nodes[c].segment_count(); ++i) {
       set_point(numbers(static_cast<int>(c), i), nodes[c].points[static_cast<std::size_t>(i)],
-                mesh);
+                points);
     }
   });
 }
 
-void CommonVertices::set_point(int node, const Vec3& point, PolyMesh& mesh) const {
+void CommonVertices::set_point(int node, const Vec3& point,
+                               std::vector<PolyMesh::Point>& points) const {
   const int vertex = number_.empty() ? node : number_[static_cast<std::size_t>(node)];
-  if (vertex != kNone) mesh.set_point(VertexHandle(vertex), to_openmesh(point));
+  if (vertex != kNone) points[static_cast<std::size_t>(vertex)] = to_openmesh(point);
 }
 
 }  // namespace surfmesh::detail

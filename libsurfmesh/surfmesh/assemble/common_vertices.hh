@@ -31,11 +31,11 @@ class CommonVertices {
 
   /// Give those on contours their points.
   void set_points(const Model& model, const std::vector<ContourNodes>& nodes,
-                  const NodeNumbers& numbers, PolyMesh& mesh) const;
+                  const NodeNumbers& numbers, std::vector<PolyMesh::Point>& points) const;
 
  private:
   void drop_unused(std::vector<Piece>& pieces);
-  void set_point(int node, const Vec3& point, PolyMesh& mesh) const;
+  void set_point(int node, const Vec3& point, std::vector<PolyMesh::Point>& points) const;
 
   std::vector<int> owner_;   ///< by vertex, a piece
   std::vector<int> number_;  ///< by the number of NodeNumbers, -1 if dropped; empty if none is

@@ -58,7 +58,9 @@ class Gluing {
  public:
   Gluing(const std::vector<BorderSide>& sides, const Model& model,
          const std::vector<int>& cut_contours)
-      : sides_(sides), joined_(joined_patches(model, cut_contours)) {}
+      : sides_(sides), joined_(joined_patches(model, cut_contours)) {
+    result_.side_count = sides.size();
+  }
 
   /// Glue what it can of the sides between the same two vertices.
   void glue(std::span<const FiledSide> filed) {

@@ -14,6 +14,7 @@ namespace surfmesh::detail {
 struct GluedSides {
   /// The sides of each edge; the second one is -1 where it is left open.
   std::vector<std::array<int, 2>> edges;
+  std::size_t side_count = 0;
   std::size_t cut = 0;  ///< sides left open although others have their vertices
 };
 

@@ -38,26 +38,29 @@ class LooseFaceMaker {
         contour_(require(mesh_, keys::edge_contour)) {}
 
   void add_collapsed(FaceHandle fh) {
-    LooseFace face = copy_of(fh);
-    face.number = fh.idx() - static_cast<int>(piece_.dropped.size());
-    if (!add(face)) piece_.dropped.push_back(fh);
+    const bool is_kept = add(copy_of(fh), fh.idx() - dropped_);
+    piece_.collapsed.push_back({fh, !is_kept});
+    if (!is_kept) ++dropped_;
   }
 
-  void add_fan(const PoleFan& fan) {
-    const auto step = static_cast<std::size_t>(fan.segments_per_face);
-    for (std::size_t i = 0; i + step < fan.ring.size(); i += step) {
-      LooseFace face = face_of_fan(fan, i);
-      face.number = piece_.face_count();
-      if (add(face)) ++piece_.fan_face_count;
+  /// After all that collapse.
+  void add_fans() {
+    piece_.face_count = static_cast<int>(mesh_.n_faces()) - dropped_;
+    for (const PoleFan& fan : piece_.source.boundary.fans) {
+      const auto step = static_cast<std::size_t>(fan.segments_per_face);
+      for (std::size_t i = 0; i + step < fan.ring.size(); i += step) {
+        if (add(face_of_fan(fan, i), piece_.face_count)) ++piece_.face_count;
+      }
     }
   }
 
  private:
   /// Returns  false if less than a triangle is left
-  bool add(LooseFace& face) {
+  bool add(LooseFace face, int number) {
     drop_collapsed_corners(face);
     if (face.count < 3) return false;
     if (piece_.is_turned) turn(face);
+    face.number = number;
     piece_.loose_faces.push_back(face);
     return true;
   }
@@ -96,6 +99,7 @@ class LooseFaceMaker {
   }
 
   Piece& piece_;
+  int dropped_ = 0;  ///< faces of which nothing is left
   const PolyMesh& mesh_;
   decltype(keys::vertex_uv)::Handle uv_;
   decltype(keys::vertex_metric)::Handle metric_;
@@ -107,7 +111,7 @@ class LooseFaceMaker {
 void make_loose_faces(Piece& piece, const std::vector<FaceHandle>& collapsed) {
   LooseFaceMaker maker(piece);
   for (const FaceHandle fh : collapsed) maker.add_collapsed(fh);
-  for (const PoleFan& fan : piece.source.boundary.fans) maker.add_fan(fan);
+  maker.add_fans();
 }
 
 }  // namespace surfmesh::detail

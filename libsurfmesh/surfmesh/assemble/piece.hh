@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "surfmesh/core/mesh.hh"
@@ -32,6 +33,13 @@ struct LooseFace {
   std::array<LooseCorner, kMostCorners> corners;
   std::size_t count = 0;
   int number = -1;  ///< among the faces of its piece
+};
+
+/// A face of a piece's mesh that is not copied, for two of its corners are one vertex of the
+/// result.
+struct CollapsedFace {
+  FaceHandle face;
+  bool is_dropped = false;  ///< less than a triangle is left
 };
 
 /// An edge of a piece's mesh that is not copied with its two sides.
@@ -87,31 +95,42 @@ class PieceVertices {
   int end_of_own_ = 0;
 };
 
+/// How many elements a result has, or a part of it.
+struct ElementCounts {
+  std::size_t vertices = 0;
+  std::size_t edges = 0;
+  std::size_t faces = 0;
+};
+
 /// A patch, or a part of one, on its way into the result: its mesh, and how its faces are to be
-/// joined to others. What lies inside has no entry here, and is a copy of the mesh.
+/// joined to others. What lies inside is a copy of the mesh, with edges at other places.
 struct Piece {
+  int number = 0;  ///< among all pieces
   PatchMesh source;
   bool is_turned = false;  ///< its faces go around the other way in the result
   PieceVertices vertices;
+
+  // By survey_border
   std::vector<BorderEdge> border_edges = {};  ///< ascending
-  std::vector<FaceHandle> dropped = {};       ///< faces of which nothing is left, ascending
+  std::vector<CollapsedFace> collapsed = {};  ///< ascending
   std::vector<LooseFace> loose_faces = {};
+  int face_count = 0;  ///< in the result
   /// Those of the border edges, in their order, then those of the loose faces.
   std::vector<BorderSide> sides = {};
-  int first_edge = 0;          ///< of the copied ones in the result
-  int first_face = 0;          ///< in the result
-  std::size_t first_side = 0;  ///< among those of all pieces
+
+  // By number_elements
+  int first_edge = 0;  ///< of the copied ones in the result
+  int first_face = 0;  ///< in the result
+
+  // By give_halfedges
+  std::span<const HalfedgeHandle> halfedges = {};  ///< of the result, by side
+
+  // By place_edges
+  std::vector<int> edge_places = {};  ///< by edge, the number that its halfedge 0 gets
 
   int copied_edge_count() const {
     return static_cast<int>(source.mesh->n_edges() - border_edges.size());
   }
-
-  int face_count() const { return copied_face_end() + fan_face_count; }
-
-  /// The number among the piece's faces that follows those of its mesh.
-  int copied_face_end() const { return static_cast<int>(source.mesh->n_faces() - dropped.size()); }
-
-  int fan_face_count = 0;
 };
 
 }  // namespace surfmesh::detail

@@ -7,7 +7,7 @@ namespace surfmesh::detail {
 
 /// Find what of a piece is not a copy of its mesh, and which of its sides are glued to others.
 ///
-/// Writes   border_edges, dropped, loose_faces, fan_face_count and sides of the piece
+/// Writes   border_edges, collapsed, loose_faces, face_count and sides of the piece
 /// Cost     O(m log m) of m elements at its border; none for those inside
 void survey_border(Piece& piece);
 

@@ -18,18 +18,17 @@ auto& attached_values(PolyMesh& mesh, const Key& key) {
 
 }  // namespace
 
-ResultArrays make_room(PolyMesh& mesh, std::size_t vertices, std::size_t edges, std::size_t faces) {
+ResultArrays make_result_arrays(PolyMesh& mesh, const ElementCounts& counts) {
   ResultArrays result{
-      mesh, attached_values(mesh, keys::face_patch), attached_values(mesh, keys::edge_contour),
+      mesh.property(mesh.points_property_handle()).data_vector(),
+      attached_values(mesh, keys::face_patch), attached_values(mesh, keys::edge_contour),
       attached_values(mesh, keys::corner_uv), attached_values(mesh, keys::corner_metric)};
-  // The mesh would resize one after the other; it leaves those alone that have their size.
-  auto& points = mesh.property(mesh.points_property_handle()).data_vector();
+  // The mesh itself would resize one after the other.
   const std::array<std::function<void()>, 5> resize = {
-      [&] { result.metric.resize(2 * edges); }, [&] { result.uv.resize(2 * edges); },
-      [&] { points.resize(vertices); }, [&] { result.contour.resize(edges, -1); },
-      [&] { result.patch.resize(faces); }};
+      [&] { result.metric.resize(2 * counts.edges); }, [&] { result.uv.resize(2 * counts.edges); },
+      [&] { result.point.resize(counts.vertices); },
+      [&] { result.contour.resize(counts.edges, -1); }, [&] { result.patch.resize(counts.faces); }};
   share_indices(resize.size(), [&](std::size_t i) { resize[i](); });
-  mesh.resize(vertices, edges, faces);
   return result;
 }
 

@@ -17,7 +17,8 @@ struct CageSide {
 /// The sides of faces, sorted by their vertices and then by the face. Those that are points are
 /// left out.
 ///
-/// Cost     O(n log n) for n sides
+/// Pre      vertices are not negative
+/// Cost     O(n) for n sides, and for the greatest vertex
 std::vector<CageSide> sorted_sides(const std::vector<std::vector<int>>& faces);
 
 /// Call `visit` for each edge with its sides, at least one.

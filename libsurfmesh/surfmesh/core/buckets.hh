@@ -48,6 +48,8 @@ class Buckets {
     return {indices_.data() + first_[bucket], first_[bucket + 1] - first_[bucket]};
   }
 
+  static std::size_t bucket_of(std::uint64_t key) { return key >> 58; }
+
   /// A key of which all bits depend on all of those of `bits`.
   static std::uint64_t hash(std::uint64_t bits) {
     constexpr std::uint64_t odd = 0x9e3779b97f4a7c15;  // 2^64 / golden ratio
@@ -58,8 +60,6 @@ class Buckets {
 
  private:
   static constexpr std::size_t kPiece = std::size_t{1} << 14;
-
-  static std::size_t bucket_of(std::uint64_t key) { return key >> 58; }
 
   template <class Visit>
   static void for_each(const std::vector<std::uint64_t>& keys, std::size_t piece, Visit visit) {

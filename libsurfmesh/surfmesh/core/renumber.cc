@@ -2,6 +2,7 @@
 #include "surfmesh/core/renumber.hh"
 
 #include <algorithm>
+#include <limits>
 
 namespace surfmesh {
 namespace {
@@ -23,18 +24,13 @@ HalfedgeHandle renumbered_halfedge(HalfedgeHandle heh, const std::vector<int>& n
   return HalfedgeHandle(2 * new_edge[static_cast<std::size_t>(heh.idx() / 2)] + heh.idx() % 2);
 }
 
-/// Numbers of elements in the order of a key each, those of equal keys in the order they had: a
-/// sort by counting.
-template <class Key>
-std::vector<int> number_by(std::size_t count, std::size_t key_count, Key key) {
-  std::vector<int> next(key_count + 1, 0), keys(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    keys[i] = key(static_cast<int>(i));
-    ++next[static_cast<std::size_t>(keys[i]) + 1];
-  }
+/// Turn a key of each element into its number in the order of the keys, where those of equal keys
+/// keep their order: a sort by counting.
+void number_by(std::vector<int>& keys, std::size_t key_count) {
+  std::vector<int> next(key_count + 1, 0);
+  for (const int key : keys) ++next[static_cast<std::size_t>(key) + 1];
   for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
-  for (std::size_t i = 0; i < count; ++i) keys[i] = next[static_cast<std::size_t>(keys[i])]++;
-  return keys;
+  for (int& key : keys) key = next[static_cast<std::size_t>(key)]++;
 }
 
 }  // namespace
@@ -45,17 +41,23 @@ Numbering number_along(const PolyMesh& mesh, const std::vector<int>& vertex_orde
   for (std::size_t i = 0; i < vertex_order.size(); ++i) {
     numbering.vertex[static_cast<std::size_t>(vertex_order[i])] = static_cast<int>(i);
   }
-  const auto tip = [&](HalfedgeHandle heh) {
-    return numbering.vertex[index(mesh.to_vertex_handle(heh))];
-  };
-  numbering.edge = number_by(mesh.n_edges(), mesh.n_vertices(), [&](int e) {
-    return std::min(tip(HalfedgeHandle(2 * e)), tip(HalfedgeHandle(2 * e + 1)));
-  });
-  numbering.face = number_by(mesh.n_faces(), mesh.n_vertices(), [&](int f) {
-    const HalfedgeHandle heh = mesh.halfedge_handle(FaceHandle(f));
-    const HalfedgeHandle next = mesh.next_halfedge_handle(heh);
-    return std::min({tip(heh), tip(next), tip(mesh.next_halfedge_handle(next))});
-  });
+  // Edges lie in memory one after the other, so that faces take their least vertex from them, too.
+  numbering.edge.resize(mesh.n_edges());
+  numbering.face.assign(mesh.n_faces(), std::numeric_limits<int>::max());
+  for (std::size_t e = 0; e < numbering.edge.size(); ++e) {
+    const HalfedgeHandle one(static_cast<int>(2 * e)), other(static_cast<int>(2 * e + 1));
+    const int key = std::min(numbering.vertex[index(mesh.to_vertex_handle(one))],
+                             numbering.vertex[index(mesh.to_vertex_handle(other))]);
+    numbering.edge[e] = key;
+    for (const HalfedgeHandle heh : {one, other}) {
+      const FaceHandle fh = mesh.face_handle(heh);
+      if (!fh.is_valid()) continue;
+      int& face_key = numbering.face[index(fh)];
+      face_key = std::min(face_key, key);
+    }
+  }
+  number_by(numbering.edge, mesh.n_vertices());
+  number_by(numbering.face, mesh.n_vertices());
   return numbering;
 }
 

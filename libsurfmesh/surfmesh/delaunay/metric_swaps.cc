@@ -13,6 +13,10 @@ constexpr double kLeastGain = 1e-6;
 /// Swaps an edge of the list may cause in all, in the mean; a few tenths are usual.
 constexpr std::size_t kSwapsPerEdge = 10;
 
+/// Triangles of this quality or better never gain by a swap: of two that are halves of a square, in
+/// which neither diagonal is better, each has the quality 0.866.
+constexpr double kBeyondSwaps = 0.9;
+
 struct Quadrilateral {
   HalfedgeHandle halfedge, opposite;
   MetricCorner origin, tip, left, right;
@@ -35,6 +39,13 @@ bool is_worth_swapping(const Quadrilateral& q) {
   const double after = std::min(triangle_quality(q.right, q.tip, q.left),
                                 triangle_quality(q.left, q.origin, q.right));
   return after > before + kLeastGain;
+}
+
+void add_sides(const PolyMesh& mesh, FaceHandle fh, std::vector<EdgeHandle>& edges) {
+  HalfedgeHandle heh = mesh.halfedge_handle(fh);
+  for (int k = 0; k < 3; ++k, heh = mesh.next_halfedge_handle(heh)) {
+    edges.push_back(mesh.edge_handle(heh));
+  }
 }
 
 }  // namespace
@@ -78,10 +89,14 @@ std::size_t swap_edges(DelaunayMesh& delaunay, std::vector<EdgeHandle> edges,
 
 std::size_t swap_edges(DelaunayMesh& delaunay, const RunContext& context) {
   std::vector<EdgeHandle> edges;
-  edges.reserve(delaunay.n_edges());
-  for (std::size_t i = delaunay.n_edges(); i > 0; --i) {
-    edges.push_back(EdgeHandle(static_cast<int>(i - 1)));
+  for (std::size_t i = 0; i < delaunay.n_faces(); ++i) {
+    if (i % kStepsBetweenCancellation == 0) context.throw_if_cancelled();
+    const FaceHandle fh(static_cast<int>(i));
+    if (quality(delaunay, fh) < kBeyondSwaps) add_sides(delaunay.mesh(), fh, edges);
   }
+  // The least edge first, which is taken from the end.
+  std::sort(edges.rbegin(), edges.rend());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return swap_edges(delaunay, std::move(edges), context);
 }
 

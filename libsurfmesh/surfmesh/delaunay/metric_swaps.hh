@@ -30,7 +30,10 @@ double quality(const DelaunayMesh& delaunay, FaceHandle fh);
 std::size_t swap_edges(DelaunayMesh& delaunay, std::vector<EdgeHandle> edges,
                        const RunContext& context = RunContext());
 
-/// The same for all edges of the mesh.
+/// The same for all edges of the mesh. Those between two good triangles, which a swap never makes
+/// better, are not tried.
+///
+/// Cost     about 30 ns per triangle, and those edges
 std::size_t swap_edges(DelaunayMesh& delaunay, const RunContext& context = RunContext());
 
 }  // namespace surfmesh

@@ -7,6 +7,7 @@
 
 #include "surfmesh/core/option_range.hh"
 #include "surfmesh/improve/fit_lengths.hh"
+#include "surfmesh/improve/smooth_sweeps.hh"
 #include "surfmesh/improve/vertex_moves.hh"
 
 namespace surfmesh {
@@ -27,11 +28,8 @@ class Improvement {
   Improvement(DelaunayMesh& delaunay, const MetricField& field, const RunContext& context)
       : delaunay_(delaunay), moves_(delaunay, field), context_(context) {}
 
-  void smooth(Smoothing kind) {
-    for (std::size_t i = 0; i < delaunay_.n_vertices(); ++i) {
-      if (i % kStepsBetweenCancellation == 0) context_.throw_if_cancelled();
-      moves_.smooth(VertexHandle(static_cast<int>(i)), kind);
-    }
+  void smooth(Smoothing kind, int sweeps) {
+    smooth_sweeps(delaunay_, moves_, kind, sweeps, context_);
   }
 
   void swap() { report_.swapped += swap_edges(delaunay_, context_); }
@@ -125,7 +123,7 @@ ImproveReport improve(DelaunayMesh& delaunay, const MetricField& field,
     const int count = static_cast<int>(options.smoothing);
     const Smoothing kind = count > 0 ? Smoothing::Best : options.smoothing;
     const int sweeps = count > 0 ? count : options.sweeps;
-    for (int i = 0; i < sweeps; ++i) improvement.smooth(kind);
+    improvement.smooth(kind, sweeps);
     improvement.swap();
   }
   if (options.repairs > 0) {

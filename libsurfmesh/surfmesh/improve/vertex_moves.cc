@@ -95,12 +95,12 @@ Uv VertexMoves::smoothing_step(const MetricCorner& centre, Smoothing kind) {
   }
 }
 
-void VertexMoves::smooth(VertexHandle vh, Smoothing kind) {
-  if (!star_.collect(delaunay_, vh)) return;
+bool VertexMoves::smooth(VertexHandle vh, Smoothing kind) {
+  if (!star_.collect(delaunay_, vh)) return false;
   const MetricCorner old = corner(delaunay_, vh);
   Uv step = smoothing_step(old, kind);
   const double length = std::sqrt(squared_length(old.metric, step));
-  if (!(length >= kLeastMove && length < INFINITY)) return;
+  if (!(length >= kLeastMove && length < INFINITY)) return false;
   for (int attempt = 0; attempt < 2; ++attempt) {
     const Uv uv = old.uv + step;
     // Far moves that invert a triangle are not worth a query.
@@ -109,11 +109,12 @@ void VertexMoves::smooth(VertexHandle vh, Smoothing kind) {
       const double reached = star_.quality(p);
       if (reached >= kGoodQuality || reached >= star_.quality(old)) {
         move(vh, p);
-        return;
+        return true;
       }
     }
     step = 0.5 * step;
   }
+  return false;
 }
 
 /// Least quality around the vertex less half the excess of its edges over the unit range. If that

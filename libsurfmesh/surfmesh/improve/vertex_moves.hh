@@ -26,8 +26,9 @@ class VertexMoves {
   /// neighbours, weighted by their lengths l in the metric at the vertex; without weights, no
   /// metric would matter. Element: to the mean of the apexes that the triangles around would have
   /// if their other sides were of unit length, each in the metric at the middle of the triangle.
+  /// Returns  whether it was moved
   /// Pre      the kind is not Off
-  void smooth(VertexHandle vh, Smoothing kind);
+  bool smooth(VertexHandle vh, Smoothing kind);
 
   /// Search for a better position for the vertex of a bad triangle, in eight directions, with steps
   /// from 0.2 to 0.02 units. The best one has the greatest score: the least quality minus half the

@@ -81,4 +81,23 @@ ChordReport split_improper_chords(std::vector<PatchMesh>& patches, const Model& 
       "the boundary is too coarse: chords between its nodes keep joining the same vertices");
 }
 
+EdgeEnds edge_ends(int from, int to) { return detail::ends_of(from, to); }
+
+SharedEdges shared_edges(const PatchMesh& tile) {
+  SharedEdges shared;
+  const std::vector<int> vertices = boundary_vertices(tile.boundary);
+  const PolyMesh& mesh = *tile.mesh;
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    if (vertices[v] < 0) continue;
+    for (const HalfedgeHandle heh : mesh.voh_range(VertexHandle(static_cast<int>(v)))) {
+      const std::size_t other = index(mesh.to_vertex_handle(heh));
+      if (other < v || other >= vertices.size() || vertices[other] < 0) continue;
+      const bool is_segment = mesh.is_boundary(mesh.edge_handle(heh));
+      (is_segment ? shared.segments : shared.chords)
+          .push_back(detail::ends_of(vertices[v], vertices[other]));
+    }
+  }
+  return shared;
+}
+
 }  // namespace surfmesh

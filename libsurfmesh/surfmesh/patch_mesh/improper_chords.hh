@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <vector>
 
@@ -31,5 +32,22 @@ struct ChordReport {
 /// Throws   Geometry if rounds do not end
 ChordReport split_improper_chords(std::vector<PatchMesh>& patches, const Model& model,
                                   const std::vector<const MetricField*>& fields);
+
+/// The two vertices that an edge joins, by their numbers in the result: the smaller one in the
+/// upper half.
+using EdgeEnds = std::uint64_t;
+
+EdgeEnds edge_ends(int from, int to);
+
+/// The edges between vertices that other tiles may have, too.
+struct SharedEdges {
+  std::vector<EdgeEnds> chords;    ///< inner edges of the tile
+  std::vector<EdgeEnds> segments;  ///< of its boundary
+};
+
+/// Find the edges of a tile that those of another tile may make improper: where none of all tiles
+/// joins what another one joins, but for a segment that two have, there is nothing to split.
+/// Cost     O(boundary nodes)
+SharedEdges shared_edges(const PatchMesh& tile);
 
 }  // namespace surfmesh

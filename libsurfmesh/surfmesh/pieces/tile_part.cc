@@ -22,7 +22,7 @@ class PartMaker {
   TilePart run() {
     collect_shared();
     collect_points();
-    part_.faces.reserve(static_cast<std::size_t>(piece_.face_count()), corner_count());
+    part_.faces.reserve(static_cast<std::size_t>(piece_.face_count), corner_count());
     add_faces();
     return std::move(part_);
   }
@@ -49,8 +49,7 @@ class PartMaker {
   }
 
   std::size_t corner_count() const {
-    return mesh_.n_halfedges() +
-           detail::kMostCorners * static_cast<std::size_t>(piece_.fan_face_count);
+    return mesh_.n_halfedges() + detail::kMostCorners * piece_.loose_faces.size();
   }
 
   std::vector<VertexHandle> border() const {
@@ -72,19 +71,13 @@ class PartMaker {
   /// Loose faces stand among the copied ones by their numbers, those of fans behind them.
   void add_faces() {
     auto loose = piece_.loose_faces.begin();
-    auto dropped = piece_.dropped.begin();
-    int face = 0;
+    auto collapsed = piece_.collapsed.begin();
     for (const FaceHandle fh : mesh_.faces()) {
-      if (dropped != piece_.dropped.end() && *dropped == fh) {
-        ++dropped;
-        continue;
-      }
-      if (loose != piece_.loose_faces.end() && loose->number == face) {
-        add(*loose++);
-      } else {
+      if (collapsed == piece_.collapsed.end() || collapsed->face != fh) {
         add(fh);
+      } else if (!(collapsed++)->is_dropped) {
+        add(*loose++);
       }
-      ++face;
     }
     for (; loose != piece_.loose_faces.end(); ++loose) add(*loose);
   }
@@ -125,7 +118,7 @@ class PartMaker {
 
 detail::Piece surveyed(PatchMesh tile, const NodeNumbers& numbers, bool is_turned) {
   const detail::PieceVertices vertices(tile.boundary, tile.mesh->n_vertices(), numbers.count());
-  detail::Piece piece{std::move(tile), is_turned, vertices};
+  detail::Piece piece{0, std::move(tile), is_turned, vertices};
   detail::survey_border(piece);
   return piece;
 }

@@ -25,7 +25,6 @@
 #include "surfmesh/core/range_sums.hh"
 #include "surfmesh/core/validate.hh"
 #include "surfmesh/patch/mesh_patch.hh"
-#include "surfmesh/patch_mesh/improper_chords.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/counted_surfaces.hh"
 #include "surfmesh/pipeline/face_notices.hh"
@@ -33,11 +32,10 @@
 #include "surfmesh/pipeline/mesh_plan.hh"
 #include "surfmesh/pipeline/options_of_model.hh"
 #include "surfmesh/pipeline/patch_cache.hh"
-#include "surfmesh/pipeline/patch_names.hh"
 #include "surfmesh/pipeline/reach_sag.hh"
+#include "surfmesh/pipeline/tile_notices.hh"
 #include "surfmesh/pipeline/unused_options.hh"
 #include "surfmesh/pipeline/unused_sources.hh"
-#include "surfmesh/quad/improper_quads.hh"
 #include "surfmesh/quality/patch_measures.hh"
 
 namespace surfmesh {
@@ -162,14 +160,8 @@ class Run {
     }
     tell_given_up(results);
     const StageClock clock(report_.seconds[Stage::Assemble]);
-    if (options_.quads.is_on) {
-      mend_improper_quads(patches_, model_, plan_.fields());
-      return;
-    }
-    for (const auto& [t, turned] : split_improper_chords(patches_, model_, plan_.fields()).turned) {
-      turned_[t] = turned;
-    }
-    tell_turned();
+    for (const auto& [t, turned] : plan_.make_proper(patches_)) turned_[t] = turned;
+    if (!options_.quads.is_on) tell_turned();
   }
 
   void tell_given_up(const std::vector<PatchResult>& results) {
@@ -177,44 +169,16 @@ class Run {
     for (std::size_t t = 0; t < results.size(); ++t) {
       if (results[t].is_given_up) is_given_up[patches_[t].patch()] = 1;
     }
-    auto notice = detail::shortfall_of_patches(
-        NoticeKind::GivenUp, model_, is_given_up,
-        fmt::format("given up at three times the {} that the sizes ask for: they change direction "
-                    "faster than elements can follow; smaller stretch or a lower grade helps",
-                    name(context_.element_kind())));
-    if (notice) report_.notices.push_back(std::move(*notice));
+    append(detail::notices_of_given_up(model_, is_given_up, context_.element_kind()),
+           report_.notices);
   }
 
   void tell_turned() {
-    std::size_t count = 0;
-    const TurnedPlace* place = nullptr;
-    Notice notice = shortfall(NoticeKind::TurnedTriangles, {});
+    std::vector<detail::TurnedTile> tiles;
     for (std::size_t t = 0; t < turned_.size(); ++t) {
-      const TurnedTriangles& turned = turned_[t];
-      count += turned.count;
-      if (!turned.place || (place && (place->is_of_surface || !turned.place->is_of_surface))) {
-        continue;
-      }
-      place = &*turned.place;
-      notice.patch = patches_[t].boundary.patch;
+      tiles.push_back({patches_[t].boundary.patch, turned_[t]});
     }
-    if (count == 0) return;
-    if (place) notice.point = place->point;
-    notice.text = fmt::format(
-        "{} triangles are turned against the normal of the surface{}", count,
-        place ? turned_text(notice.patch, *place) : "; smaller sizes help (curvature, hmin, hmax)");
-    report_.notices.push_back(std::move(notice));
-  }
-
-  std::string turned_text(int patch, const TurnedPlace& place) const {
-    const std::string where =
-        fmt::format(", one in patch {} at {}", model_.patch(patch).name, point_text(place.point));
-    if (!place.is_of_surface) return where + "; smaller sizes help (curvature, hmin, hmax)";
-    return where + fmt::format(
-                       ", near (u,v) = ({:.6g}, {:.6g}), where the surface turns over, has "
-                       "no tangent plane, or bends by a right angle within a triangle: "
-                       "smaller sizes help, or to divide the patch there",
-                       place.uv.u, place.uv.v);
+    append(detail::notices_of_turned(model_, tiles), report_.notices);
   }
 
   void assemble_patches(PolyMesh& mesh) {

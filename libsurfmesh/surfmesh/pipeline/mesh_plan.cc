@@ -7,8 +7,10 @@
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/estimate/element_limit.hh"
 #include "surfmesh/estimate/estimate_triangles.hh"
+#include "surfmesh/patch_mesh/improper_chords.hh"
 #include "surfmesh/pipeline/fine_cage.hh"
 #include "surfmesh/pipeline/for_each_patch.hh"
+#include "surfmesh/quad/improper_quads.hh"
 
 namespace surfmesh::detail {
 
@@ -111,14 +113,14 @@ void MeshPlan::cut_into_tiles(double sag) {
   report_.control.queries[Stage::Boundary] += tiles_.queries;
 }
 
-PatchResult MeshPlan::mesh_tile(std::size_t t) {
-  Tile& tile = tiles_.tiles[t];
+PatchResult MeshPlan::mesh_tile(std::size_t t) const {
+  const Tile& tile = tiles_.tiles[t];
   const auto p = static_cast<std::size_t>(tile.boundary.patch);
   const Surface& surface = *model_.patches[p].surface;
   const SurfaceMetricField of_tile(surface, *spaces_[p], tile.required_points);
   PatchTask task{.surface = surface,
                  .field = tiles_.is_whole(p) ? *fields_[p] : of_tile,
-                 .boundary = std::move(tile.boundary),
+                 .boundary = tile.boundary,
                  .refine = options_.refine,
                  .improve = options_.improve,
                  .corrected_sag = corrected_sag_,
@@ -128,11 +130,23 @@ PatchResult MeshPlan::mesh_tile(std::size_t t) {
   at_patch(model_.patches[p], [&] {
     result = cache_ ? mesh_unless_kept({p, t - tiles_.first[p]}, std::move(task))
                     : mesh_patch(std::move(task), context_);
+    const StageClock clock(result.seconds[Stage::Assemble]);
+    std::vector<PatchMesh> alone;
+    alone.push_back(std::move(result.mesh));
+    const auto turned = make_proper(alone);
+    result.mesh = std::move(alone.front());
+    if (!turned.empty()) result.turned = turned.begin()->second;
   });
   return result;
 }
 
-PatchResult MeshPlan::mesh_unless_kept(TilePlace place, PatchTask task) {
+std::map<std::size_t, TurnedTriangles> MeshPlan::make_proper(std::vector<PatchMesh>& tiles) const {
+  if (!options_.quads.is_on) return split_improper_chords(tiles, model_, fields_).turned;
+  mend_improper_quads(tiles, model_, fields_);
+  return {};
+}
+
+PatchResult MeshPlan::mesh_unless_kept(TilePlace place, PatchTask task) const {
   if (auto kept = cache_->find(place, task)) {
     context_.add_elements(kept->mesh.mesh->n_faces());
     return std::move(*kept);

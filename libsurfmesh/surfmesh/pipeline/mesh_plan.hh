@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -41,11 +42,17 @@ class MeshPlan {
   /// Throws   as place_contour_nodes and cut_patches
   void divide(const ContourDemands& demands, double corrected_sag, PatchCache* cache);
 
-  /// Mesh a tile, which may be done once.
+  /// Mesh a tile, which by itself makes no edge of the result improper.
   ///
-  /// Different tiles may be meshed by several threads at once.
+  /// Tiles may be meshed by several threads at once, and again.
   /// Throws   as mesh_patch; the patch is named
-  PatchResult mesh_tile(std::size_t tile);
+  PatchResult mesh_tile(std::size_t tile) const;
+
+  /// Mend where the meshes of several tiles make the result improper together; see
+  /// split_improper_chords and mend_improper_quads.
+  ///
+  /// Returns  what is turned in tiles that have changed, by their places in the list
+  std::map<std::size_t, TurnedTriangles> make_proper(std::vector<PatchMesh>& tiles) const;
 
   const std::vector<const MetricField*>& fields() const { return fields_; }
   const std::vector<ContourNodes>& nodes() const { return nodes_; }
@@ -59,7 +66,7 @@ class MeshPlan {
   void place_nodes(const ContourDemands& demands);
   ContourMemory* known_contours();
   void cut_into_tiles(double sag);
-  PatchResult mesh_unless_kept(TilePlace place, PatchTask task);
+  PatchResult mesh_unless_kept(TilePlace place, PatchTask task) const;
 
   const Model& model_;
   const ResolvedSizing& sizing_;

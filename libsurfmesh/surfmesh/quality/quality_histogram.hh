@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -19,6 +20,27 @@ inline std::vector<HistogramBin> empty_quality_histogram() {
         {static_cast<double>(i) / kQualityBins, static_cast<double>(i + 1) / kQualityBins, 0});
   }
   return bins;
+}
+
+inline constexpr int kBinsPerOctave = 4;
+inline constexpr int kOctaves = 2;  ///< each way from 1
+
+/// The bins of EdgeStatistics, all empty.
+inline std::vector<HistogramBin> empty_length_histogram() {
+  const auto limit = [](int i) {
+    return std::exp2(static_cast<double>(i) / kBinsPerOctave - kOctaves);
+  };
+  std::vector<HistogramBin> bins;
+  for (int i = 0; i < 2 * kOctaves * kBinsPerOctave; ++i) {
+    bins.push_back({i == 0 ? 0 : limit(i), limit(i + 1), 0});
+  }
+  return bins;
+}
+
+/// The bin of a length by its logarithm; those beyond the ends fall into the first and last one.
+inline std::size_t length_bin(double length, std::size_t bins) {
+  const double position = (std::log2(length) + kOctaves) * kBinsPerOctave;
+  return static_cast<std::size_t>(std::clamp(position, 0.0, static_cast<double>(bins - 1)));
 }
 
 /// Add the counts of a histogram of the same bins.

@@ -24,25 +24,6 @@ namespace {
 
 constexpr double kPoorQuality = 0.3;
 
-constexpr int kBinsPerOctave = 4;
-constexpr int kOctaves = 2;  // each way from 1
-
-double bin_limit(int i) { return std::exp2(static_cast<double>(i) / kBinsPerOctave - kOctaves); }
-
-/// The bin of a length by its logarithm; those beyond the ends fall into the first and last one.
-std::size_t bin_of(double length, std::size_t bins) {
-  const double position = (std::log2(length) + kOctaves) * kBinsPerOctave;
-  return static_cast<std::size_t>(std::clamp(position, 0.0, static_cast<double>(bins - 1)));
-}
-
-std::vector<HistogramBin> empty_histogram() {
-  std::vector<HistogramBin> bins;
-  for (int i = 0; i < 2 * kOctaves * kBinsPerOctave; ++i) {
-    bins.push_back({i == 0 ? 0 : bin_limit(i), bin_limit(i + 1), 0});
-  }
-  return bins;
-}
-
 using Corners = detail::ResultCorners;
 
 /// Length of a step, 0 where rounding has made a singular metric negative; NaN stays NaN.
@@ -125,14 +106,14 @@ struct LengthSums {
   std::size_t unit = 0;
   double min = std::numeric_limits<double>::infinity();
   double max = 0;
-  std::vector<HistogramBin> histogram = empty_histogram();
+  std::vector<HistogramBin> histogram = detail::empty_length_histogram();
 
   void add(double length) {
     moments.add(length);
     min = std::min(min, length);
     max = std::max(max, length);
     if (length >= kShortestUnit && length <= kLongestUnit) ++unit;
-    ++histogram[bin_of(length, histogram.size())].count;
+    ++histogram[detail::length_bin(length, histogram.size())].count;
   }
 
   LengthSums& operator+=(const LengthSums& other) {

@@ -9,6 +9,7 @@
 
 #include "surfmesh/delaunay/metric_swaps.hh"
 #include "surfmesh/metric/triangle.hh"
+#include "surfmesh/refine/fan.hh"
 #include "surfmesh/refine/placement.hh"
 
 namespace surfmesh {
@@ -50,40 +51,32 @@ class FaceStates {
     states_.resize(delaunay_.n_faces() + 2 * added);
   }
 
-  /// Measure the triangles around a vertex, each spoke once.
-  void measure_fan(VertexHandle vh) {
-    const PolyMesh& mesh = delaunay_.mesh();
-    const MetricCorner centre = corner(delaunay_, vh);
-    const double centre_density = density(centre.metric);
-    const HalfedgeHandle start = mesh.halfedge_handle(vh);
-    HalfedgeHandle spoke = start;
-    FanCorner near = fan_corner(centre, spoke);
-    do {
-      const FaceHandle fh = mesh.face_handle(spoke);
-      spoke = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(spoke));
-      const FanCorner far = fan_corner(centre, spoke);
-      const double base = fast_edge_length(near.at.uv, near.at.metric, far.at.uv, far.at.metric);
-      const double area = 0.5 * cross(near.at.uv - centre.uv, far.at.uv - centre.uv);
-      set_size(fh, near.spoke * base * far.spoke,
-               area * (centre_density + near.density + far.density) / 3);
-      near = far;
-    } while (spoke != start);
+  /// Measure the triangles of the fan around a vertex.
+  void measure_fan(VertexHandle centre, const Fan& fan) {
+    const MetricCorner middle = corner(delaunay_, centre);
+    const double middle_density = density(middle.metric);
+    const double first_density = density(origin(fan.front()).metric);
+    double near_density = first_density;
+    for (std::size_t i = 0; i < fan.size(); ++i) {
+      const FanSide& side = fan[i];
+      const bool is_last = i + 1 == fan.size();
+      const FanSide& next = is_last ? fan.front() : fan[i + 1];
+      const MetricCorner near = origin(side), far = origin(next);
+      const double far_density = is_last ? first_density : density(far.metric);
+      const double base = fast_edge_length(near.uv, near.metric, far.uv, far.metric);
+      const double area = 0.5 * cross(near.uv - middle.uv, far.uv - middle.uv);
+      set_size(delaunay_.mesh().face_handle(side.halfedge), side.spoke * base * next.spoke,
+               area * (middle_density + near_density + far_density) / 3);
+      near_density = far_density;
+    }
   }
 
  private:
   /// Vertices for which room is made at least.
   static constexpr std::size_t kLeastGrowth = 64;
 
-  /// A neighbour of a vertex, with its own density and its distance.
-  struct FanCorner {
-    MetricCorner at;
-    double density;
-    double spoke;
-  };
-
-  FanCorner fan_corner(const MetricCorner& centre, HalfedgeHandle spoke) const {
-    const MetricCorner at = corner(delaunay_, delaunay_.mesh().to_vertex_handle(spoke));
-    return {at, density(at.metric), fast_edge_length(centre.uv, centre.metric, at.uv, at.metric)};
+  MetricCorner origin(const FanSide& side) const {
+    return corner(delaunay_, delaunay_.mesh().from_vertex_handle(side.halfedge));
   }
 
   void measure(FaceHandle fh) {

@@ -35,16 +35,18 @@ class Front {
   HalfedgeHandle base_of(FaceHandle fh) const {
     const PolyMesh& mesh = delaunay_.mesh();
     HalfedgeHandle best;
-    double best_length = INFINITY;
+    double best_rank = kUnset;  // measured when there is a second side
     HalfedgeHandle heh = mesh.halfedge_handle(fh);
     for (int k = 0; k < 3; ++k, heh = mesh.next_halfedge_handle(heh)) {
       if (is_frontal_ && !is_front(heh)) continue;
-      const MetricCorner a = corner(delaunay_, mesh.from_vertex_handle(heh));
-      const MetricCorner b = corner(delaunay_, mesh.to_vertex_handle(heh));
-      const double length = fast_edge_length(a.uv, a.metric, b.uv, b.metric);
-      const double rank = is_frontal_ ? length : -length;
-      if (rank < best_length) {
-        best_length = rank;
+      if (!best.is_valid()) {
+        best = heh;
+        continue;
+      }
+      if (std::isnan(best_rank)) best_rank = rank(best);
+      const double other = rank(heh);
+      if (other < best_rank) {
+        best_rank = other;
         best = heh;
       }
     }
@@ -61,21 +63,24 @@ class Front {
   }
 
   /// Take in the triangles around a new vertex, which have been measured.
-  void add_fan(VertexHandle vh) {
-    const PolyMesh& mesh = delaunay_.mesh();
-    const HalfedgeHandle start = mesh.halfedge_handle(vh);
-    HalfedgeHandle spoke = start;
-    do {
-      activate(mesh.face_handle(spoke));
+  void add(const Fan& fan) {
+    for (const FanSide& side : fan) {
+      const FaceHandle fh = delaunay_.mesh().face_handle(side.halfedge);
+      activate(fh);
       // A neighbour of an accepted triangle is at the front now.
-      if (states_[mesh.face_handle(spoke)].is_accepted) {
-        activate_neighbour(mesh.next_halfedge_handle(spoke));
-      }
-      spoke = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(spoke));
-    } while (spoke != start);
+      if (states_[fh].is_accepted) activate_neighbour(side.halfedge);
+    }
   }
 
  private:
+  /// The lower, the sooner a side is the base.
+  double rank(HalfedgeHandle heh) const {
+    const MetricCorner a = corner(delaunay_, delaunay_.mesh().from_vertex_handle(heh));
+    const MetricCorner b = corner(delaunay_, delaunay_.mesh().to_vertex_handle(heh));
+    const double length = fast_edge_length(a.uv, a.metric, b.uv, b.metric);
+    return is_frontal_ ? length : -length;
+  }
+
   bool is_front(HalfedgeHandle heh) const {
     const FaceHandle neighbour =
         delaunay_.mesh().face_handle(delaunay_.mesh().opposite_halfedge_handle(heh));

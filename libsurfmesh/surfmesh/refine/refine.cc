@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "surfmesh/core/option_range.hh"
 #include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/delaunay/metric_swaps.hh"
+#include "surfmesh/delaunay/spatial_order.hh"
 #include "surfmesh/metric/conformity.hh"
 #include "surfmesh/refine/face_states.hh"
 #include "surfmesh/refine/front.hh"
@@ -35,6 +38,8 @@ constexpr double kMostTriangles = 3;
 /// A run is not given up either for fewer triangles than this many for each that the boundary makes
 /// by itself: between near sides of many nodes there is next to no area.
 constexpr double kMostForBoundary = 2;
+
+bool is_finite(Uv p) { return std::isfinite(p.u) && std::isfinite(p.v); }
 
 /// Inserts nodes into the triangles of the front.
 class Refinement {
@@ -104,23 +109,47 @@ class Refinement {
   /// the vertices of a triangle alone is never asked for.
   bool insert_required_points() {
     bool is_any = false;
-    FaceHandle near(0);
-    for (const MetricCorner& point : field_.required_points()) {
+    for (const auto& [point, face] : missed_points()) {
       if (exceeds_prediction()) {
         report_.is_stopped = true;
         return false;
       }
-      const Location location = delaunay_.locate(point.uv, near);
-      near = location.face;
+      const Location location = delaunay_.locate(point.uv, face);
       if (!is_insertable(location) || !is_missed(point, location.face)) continue;
       delaunay_.find_cavity(point.uv, location, rule_, cavity_);
       if (!keeps_its_distance(point)) continue;
       insert(point.uv, point.metric, location);
-      near = delaunay_.mesh().face_handle(delaunay_.mesh().halfedge_handle(
-          VertexHandle(static_cast<int>(delaunay_.n_vertices()) - 1)));
       is_any = true;
     }
     return is_any;
+  }
+
+  /// A point that the field requires, and the triangle that it lies in.
+  struct RequiredPoint {
+    MetricCorner point;
+    FaceHandle face;
+  };
+
+  /// The required points in triangles that are too large for them, in the order of the field. They
+  /// are looked for along a curve: the walk from each to the next one is short.
+  std::vector<RequiredPoint> missed_points() {
+    const std::span<const MetricCorner> points = field_.required_points();
+    std::vector<Uv> uvs;
+    uvs.reserve(points.size());
+    for (const MetricCorner& point : points) uvs.push_back(point.uv);
+    std::vector<FaceHandle> faces(points.size());  // invalid where none is too large
+    FaceHandle near(0);
+    for (const int i : cell_order(uvs)) {
+      const auto at = static_cast<std::size_t>(i);
+      const Location location = delaunay_.locate(uvs[at], near);
+      near = location.face;
+      if (is_insertable(location) && is_missed(points[at], near)) faces[at] = near;
+    }
+    std::vector<RequiredPoint> missed;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      if (faces[i].is_valid()) missed.push_back({points[i], faces[i]});
+    }
+    return missed;
   }
 
   bool is_missed(const MetricCorner& point, FaceHandle fh) const {
@@ -140,7 +169,7 @@ class Refinement {
   /// The point before its correction is asked for the metric only if it lies inside.
   bool try_frontal(FaceHandle fh, const BaseTriangle& triangle) {
     const std::optional<Uv> uv = frontal_point(triangle);
-    if (!uv) return false;
+    if (!uv || !is_finite(*uv)) return false;
     const Location location = delaunay_.locate(*uv, fh);
     if (!is_insertable(location)) return false;
     const MetricCorner point{*uv, field_.at(*uv, hint_)};
@@ -148,7 +177,7 @@ class Refinement {
   }
 
   bool try_insert(Uv p, FaceHandle fh, const BaseTriangle& triangle, bool must_conform) {
-    if (!std::isfinite(p.u) || !std::isfinite(p.v)) return false;
+    if (!is_finite(p)) return false;
     const Location location = delaunay_.locate(p, fh);
     if (!is_insertable(location)) return false;
     const Metric metric = field_.at(p, hint_);
@@ -178,12 +207,16 @@ class Refinement {
     return metric_conformity(of_triangle, metric) <= options_.conformity;
   }
 
-  /// Far enough from all nodes around, and not facing a boundary edge under more than 90°.
-  bool keeps_its_distance(const MetricCorner& p) const {
+  /// Far enough from all nodes around, and not facing a boundary edge under more than 90°. Collects
+  /// the fan that replaces the cavity.
+  bool keeps_its_distance(const MetricCorner& p) {
     const PolyMesh& mesh = delaunay_.mesh();
+    fan_.clear();
     for (const HalfedgeHandle heh : cavity_.rim) {
       const MetricCorner a = corner(delaunay_, mesh.from_vertex_handle(heh));
-      if (fast_edge_length(a.uv, a.metric, p.uv, p.metric) < least_distance_) return false;
+      const double spoke = fast_edge_length(a.uv, a.metric, p.uv, p.metric);
+      if (spoke < least_distance_) return false;
+      fan_.push_back({heh, spoke});
       if (!delaunay_.is_constrained(mesh.edge_handle(heh))) continue;
       const Uv to_a = a.uv - p.uv, to_b = delaunay_.uv(mesh.to_vertex_handle(heh)) - p.uv;
       if (inner_product(p.metric, to_a, to_b) < 0) return false;
@@ -202,8 +235,10 @@ class Refinement {
     delaunay_.metric(vh) = metric;
     ++report_.counts.inserted;
     if (delaunay_.n_faces() > most_faces_) context_.throw_too_many_elements();
-    states_.measure_fan(vh);
-    front_.add_fan(vh);
+    // Swaps do not end at the cavity.
+    if (options_.kernel == Kernel::Swap) collect_fan(delaunay_, vh, fan_);
+    states_.measure_fan(vh, fan_);
+    front_.add(fan_);
   }
 
   DelaunayMesh& delaunay_;
@@ -220,6 +255,7 @@ class Refinement {
   Front front_;
   QueryHint hint_;
   Cavity cavity_;
+  Fan fan_;  ///< of the point that is tried
   RefineReport report_;
 };
 
