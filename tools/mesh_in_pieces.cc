@@ -113,9 +113,7 @@ class PiecesRun {
     if (!arguments_.pieces.empty()) {
       return std::make_unique<PieceFolder>(arguments_.pieces, exchange_);
     }
-    const bool has_quads = input_.input().options.quads.elements != ElementKind::Triangles;
-    return std::make_unique<PieceFile>(
-        arguments_.output, has_quads ? ElementKind::Quads : ElementKind::Triangles, exchange_);
+    return std::make_unique<PieceFile>(arguments_.output, exchange_);
   }
 
   PiecesReport mesh(PieceSink& sink) {
