@@ -187,6 +187,7 @@ int mesh_in_pieces(const MeshArguments& arguments, Exchange& exchange,
   } catch (const std::exception& error) {
     be_silent(!is_first && caught_signal() != 0);
     const int status = tell_failure(error, progress);
+    be_silent_on_signals();  // it is told, and to end the others takes a while
     if (abort_all) abort_all(status);
     return status;
   }
