@@ -29,7 +29,7 @@ endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
   DESTINATION ${document_folder})
 # In a folder as here, so that documents find each other and their pictures.
-install(FILES DECISIONS.md FORMATS.md GALLERY.md LIBRARY.md PAPER.md PYTHON.md README.md REFERENCE.md
+install(FILES CLUSTER.md DECISIONS.md FORMATS.md GALLERY.md LIBRARY.md PAPER.md PYTHON.md README.md REFERENCE.md
   VIEW.md
   DESTINATION ${document_folder}/libsurfmesh)
 install(DIRECTORY pictures DESTINATION ${document_folder}/libsurfmesh)

@@ -5,18 +5,19 @@
 #include <unistd.h>
 
 #include <array>
-#include <chrono>
 #include <filesystem>
 #include <new>
 #include <vector>
 
+#include "mesh_in_pieces.hh"
+#include "mesh_input.hh"
 #include "output_paths.hh"
 #include "outputs.hh"
 #include "progress.hh"
-#include "read_model.hh"
 #include "standard_output.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
+#include "surfmesh/exchange/serial_exchange.hh"
 #include "surfmesh/formats/write_mesh.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
 
@@ -25,10 +26,6 @@ namespace {
 
 /// Share of the length of an edge by which an end may move in a file without a word.
 constexpr double kToldRounding = 1e-3;
-
-constexpr const char* kFooter =
-    "Examples:\n"
-    "  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report knob.json\n";
 
 /// Output and report are empty for none.
 void check_paths(const std::string& input, const std::string& output, const std::string& report) {
@@ -44,47 +41,37 @@ void check_paths(const std::string& input, const std::string& output, const std:
   }
 }
 
-int status_of(const Report& report) { return has_shortfall(report.notices) ? kFellShort : kDone; }
-
-/// One run of the command, with the clocks of reading and writing.
+/// One run of the command.
 class MeshRun {
  public:
-  void read(const std::string& path, Scheme scheme, const Settings& settings, Progress& progress) {
-    const double start = processor_seconds();
-    model_ = read_model(path, scheme, settings, progress);
-    if (model_.input.options.sizing.sag) progress.expect_passes();
-    read_seconds_ = processor_seconds() - start;
-  }
-
-  /// Throws   Io where a mesh or a report would replace a file that was read
-  void check_outputs(const std::string& mesh_path, const std::string& report_path) const {
-    for (const std::string& path : {mesh_path, report_path}) {
-      if (!path.empty()) check_not_overwritten(model_.input.files, path);
-    }
+  void read(const MeshArguments& arguments, Progress& progress) {
+    input_.read(arguments, progress);
+    const std::string output = arguments.is_dry_run ? std::string() : arguments.output;
+    input_.check_not_replaced(std::array{output, arguments.report});
   }
 
   /// Made where it is returned to: a mesh cannot be moved, and a copy takes time.
   MeshResult mesh(const std::string& path, Progress& progress) const {
-    const ModelInput& input = model_.input;
+    const ModelInput& input = input_.input();
     MeshResult result = at_input(
         path, [&] { return mesh_model(input.model, input.sources, input.options, &progress); });
-    describe(path, result.report);
+    input_.describe(path, result.report);
     throw_if_signalled();
     return result;
   }
 
   Report estimate(const std::string& path, Progress& progress) const {
-    const ModelInput& input = model_.input;
+    const ModelInput& input = input_.input();
     Report report = at_input(
         path, [&] { return estimate_mesh(input.model, input.sources, input.options, &progress); });
-    describe(path, report);
+    input_.describe(path, report);
     throw_if_signalled();
     return report;
   }
 
   /// Write the report of an estimate.
   void write(Report& report, const std::string& path) const {
-    report.wall_seconds = seconds_so_far();
+    report.wall_seconds = input_.seconds_so_far();
     if (path.empty()) return;
     Outputs outputs;
     outputs.add(path).write(to_json(report));
@@ -101,7 +88,7 @@ class MeshRun {
       const SerialClock serial_clock(result.report.serial_seconds);
       write_files(result, mesh_path, outputs);
     }
-    result.report.wall_seconds = seconds_so_far();
+    result.report.wall_seconds = input_.seconds_so_far();
     if (!report_path.empty()) outputs.add(report_path).write(to_json(result.report));
     outputs.commit(status_of(result.report));
   }
@@ -118,7 +105,7 @@ class MeshRun {
     write_mesh(result, mesh_file);
     mesh_file.finish();
     if (const auto beside = companion_of(result.mesh, mesh_path)) {
-      check_not_overwritten(model_.input.files, *beside);
+      check_not_overwritten(input_.input().files, *beside);
       OutputFile& companion = outputs.add(*beside);
       write_companion(result.mesh, mesh_path, companion);
       companion.finish();
@@ -136,21 +123,7 @@ class MeshRun {
                     path, rounding.greatest_move, 100 * rounding.share)));
   }
 
-  /// What the run was asked for.
-  void describe(const std::string& path, Report& report) const {
-    report.input = path;
-    report.files = model_.input.files;
-    report.given = model_.given;
-    report.seconds[Stage::Read] = read_seconds_;
-  }
-
-  double seconds_so_far() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  ReadModel model_;
-  double read_seconds_ = 0;
+  MeshInput input_;
 };
 
 }  // namespace
@@ -178,67 +151,40 @@ int tell_failure(const std::exception& error, Progress& progress) {
   return kFailed;
 }
 
-void MeshCommand::add_to(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "mesh", "Mesh a cage, a CAD file or a model file with triangles or quads.");
-  command->footer(kFooter);
-  add_files(*command);
-  using enum OptionGroup;
-  add_flags(*command, named_, std::array{Sizes, ControlSpace, Meshing, Cages});
-  add_scheme(*command, scheme_);
-  add_set(*command, set_, "set any option by its name; beats the other flags and the model file");
-}
-
-void MeshCommand::add_files(CLI::App& command) {
-  command
-      .add_option("INPUT", input_,
-                  "cage: .obj .off .ply .stl .om; CAD: .step .igs .brep; model: .json")
-      ->required()
-      ->type_name("");
-  command
-      .add_option("-o,--output", output_,
-                  fmt::format("mesh to write: {}; .om keeps everything", mesh_endings()))
-      ->type_name("FILE");
-  command.add_flag("--dry-run", is_dry_run_, "estimate the number of elements; needs no --output");
-  command.parse_complete_callback([this] {
-    if (output_.empty() && !is_dry_run_) throw CLI::RequiredError("--output");
-  });
-  command.add_option("--report", report_, "write the report as JSON")->type_name("FILE.json");
-  command.add_flag("--quiet", is_quiet_, "print warnings and errors only");
-  add_verbose(command, is_verbose_, "print all tables, and every warning");
-}
-
 /// Print what the run has made. Returns the exit status.
 int MeshCommand::finish(const Report& report, const std::string& summary,
                         Progress& progress) const {
   progress.clear();
   int status = status_of(report);
-  if (!is_quiet_) status = print_summary(summary, status);
-  print_notices(report.notices, is_verbose_);
+  if (!arguments_.is_quiet) status = print_summary(summary, status);
+  print_notices(report.notices, arguments_.is_verbose);
   return status;
 }
 
 int MeshCommand::run() const {
+  if (!arguments_.pieces.empty()) {
+    SerialExchange exchange;
+    return mesh_in_pieces(arguments_, exchange);
+  }
   catch_signals();
-  Settings settings = named_;
-  settings.insert(settings.end(), set_.begin(), set_.end());
-  Progress progress(!is_quiet_ && is_terminal(),
-                    is_dry_run_ ? std::span<const StageWeight>(kControlStages) : kMeshStages);
+  const bool is_dry_run = arguments_.is_dry_run;
+  const std::string& input = arguments_.input;
+  Progress progress(!arguments_.is_quiet && is_terminal(),
+                    is_dry_run ? std::span<const StageWeight>(kControlStages) : kMeshStages);
   try {
-    const std::string output = is_dry_run_ ? std::string() : output_;
-    check_paths(input_, output, report_);
+    check_paths(input, is_dry_run ? std::string() : arguments_.output, arguments_.report);
     MeshRun run;
-    run.read(input_, scheme_, settings, progress);
-    run.check_outputs(output, report_);
-    if (is_dry_run_) {
-      Report report = run.estimate(input_, progress);
-      run.write(report, report_);
-      return finish(report, estimate_text(report, text_style(is_verbose_)), progress);
+    run.read(arguments_, progress);
+    const TextStyle style = text_style(arguments_.is_verbose);
+    if (is_dry_run) {
+      Report report = run.estimate(input, progress);
+      run.write(report, arguments_.report);
+      return finish(report, estimate_text(report, style), progress);
     }
-    MeshResult result = run.mesh(input_, progress);
+    MeshResult result = run.mesh(input, progress);
     progress.progress("write", 0, 1);
-    run.write(result, output_, report_);
-    return finish(result.report, to_text(result.report, text_style(is_verbose_)), progress);
+    run.write(result, arguments_.output, arguments_.report);
+    return finish(result.report, to_text(result.report, style), progress);
   } catch (const std::exception& error) {
     return tell_failure(error, progress);
   }

@@ -7,9 +7,8 @@
 #include <string_view>
 
 #include "exit_status.hh"
+#include "mesh_arguments.hh"
 #include "progress.hh"
-#include "settings.hh"
-#include "surfmesh/cage/cage.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/notice.hh"
 #include "surfmesh/pipeline/text_style.hh"
@@ -32,25 +31,23 @@ TextStyle text_style(bool is_verbose);
 class MeshCommand {
  public:
   /// Add the subcommand and its options to the program. The object must outlive the parsing.
-  void add_to(CLI::App& app);
+  void add_to(CLI::App& app) { arguments_.add_to(app); }
 
   /// Do what the parsed arguments say. Returns an exit status; prints its errors itself.
   int run() const;
 
  private:
-  void add_files(CLI::App& command);
   int finish(const Report& report, const std::string& summary, Progress& progress) const;
 
-  std::string input_;
-  std::string output_;  ///< empty for none, in a dry run
-  std::string report_;  ///< empty for none
-  Settings named_;      ///< by flags of their own
-  Settings set_;        ///< by --set, which beats them
-  Scheme scheme_ = Scheme::Auto;
-  bool is_quiet_ = false;
-  bool is_verbose_ = false;
-  bool is_dry_run_ = false;
+  MeshArguments arguments_;
 };
+
+/// What an error says, with the path of the input in front if it does not tell a place there.
+inline std::string text_at_input(const std::string& path, const Error& error) {
+  const std::string text = error.what();
+  const bool has_place = text.starts_with(path + ":");
+  return has_place || error.code() == ErrorCode::Cancelled ? text : path + ": " + text;
+}
 
 /// Run `body`. Errors that do not tell a place in the input get its path in front.
 template <class Body>
@@ -58,9 +55,7 @@ auto at_input(const std::string& path, Body body) {
   try {
     return body();
   } catch (const Error& error) {
-    const bool has_place = std::string_view(error.what()).starts_with(path + ":");
-    if (has_place || error.code() == ErrorCode::Cancelled) throw;
-    throw Error(error.code(), path + ": " + error.what());
+    throw Error(error.code(), text_at_input(path, error));
   }
 }
 

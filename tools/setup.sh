@@ -5,6 +5,7 @@
 # be installed.
 # --cad adds OpenCASCADE, by which surfmesh reads STEP, IGES and BREP files: 40 MB to load, 250 MB
 # installed.
+# --mpi adds Open MPI and METIS, for meshing on clusters: 30 MB installed.
 # --python adds what the Python module and its examples take: 200 MB.
 # --viewer makes the script of the pages that `surfmesh view` writes: it needs npm, which is installed
 # if there is none (Debian's, 400 MB), and loads three.js, esbuild and what drives a browser in tests
@@ -30,12 +31,13 @@ for argument in "$@"; do
       ;;
     # The second only because CMake files of the first name what is in it.
     --cad) required+=(libocct-data-exchange-dev libocct-modeling-algorithms-dev) ;;
+    --mpi) required+=(libopenmpi-dev openmpi-bin libmetis-dev) ;;
     --python)
       required+=(pybind11-dev python3-dev python3-numpy python3-scipy python3-matplotlib)
       ;;
     --viewer) viewer=yes ;;
     *)
-      echo "usage: $0 [--readers] [--cad] [--python] [--viewer]" >&2
+      echo "usage: $0 [--readers] [--cad] [--mpi] [--python] [--viewer]" >&2
       exit 2
       ;;
   esac

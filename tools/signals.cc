@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "signals.hh"
 
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/types.h>
 #include <unistd.h>
 
 #include <array>
@@ -33,6 +36,7 @@ std::atomic<int> status_when_done = kNotDone;
 std::array<std::atomic<const char*>, kMostTemporaries> temporaries = {};
 std::atomic<timer_t> timer = {};
 std::atomic<const char*> terminal_wipe = nullptr;
+std::atomic<bool> is_silent = false;
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
               std::atomic<const char*>::is_always_lock_free &&
               std::atomic<timer_t>::is_always_lock_free);
@@ -43,15 +47,38 @@ void start_timer() {
   timer_settime(timer, 0, &time, nullptr);
 }
 
+/// Remove the files in a folder, and the folder. Calls of opendir would not be safe here.
+void remove_folder(const char* path) {
+  const int folder = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return;
+  alignas(dirent64) std::array<char, 4096> entries;
+  ssize_t size = 0;
+  while ((size = getdents64(folder, entries.data(), entries.size())) > 0) {
+    for (ssize_t at = 0; at < size;) {
+      const auto* entry = reinterpret_cast<const dirent64*>(entries.data() + at);
+      unlinkat(folder, entry->d_name, 0);
+      at += entry->d_reclen;
+    }
+  }
+  close(folder);
+  rmdir(path);
+}
+
+void remove_at_once(const char* path) {
+  if (unlink(path) != 0 && (errno == EISDIR || errno == EPERM)) remove_folder(path);
+}
+
 void end_at_once() {
   if (is_committing) return start_timer();
   wipe_terminal();
   if (status_when_done != kNotDone) _exit(status_when_done);
   for (const auto& temporary : temporaries) {
-    if (const char* path = temporary) unlink(path);
+    if (const char* path = temporary) remove_at_once(path);
   }
   constexpr std::string_view kText = "surfmesh: stopped by a signal\n";
-  [[maybe_unused]] const auto written = write(STDERR_FILENO, kText.data(), kText.size());
+  if (!is_silent) {
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, kText.data(), kText.size());
+  }
   _exit(kKilledBySignal + signal_number);
 }
 
@@ -123,6 +150,8 @@ void commit_against_signals(int status, const std::function<void()>& commit) {
   status_when_done = status;
   is_committing = false;
 }
+
+void be_silent_on_signals() { is_silent = true; }
 
 void set_terminal_wipe(const char* text) { terminal_wipe = text; }
 

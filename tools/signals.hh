@@ -25,6 +25,9 @@ void throw_if_signalled();
 /// ends the program, but with this exit status.
 void commit_against_signals(int status, const std::function<void()>& commit);
 
+/// Do not tell of a signal that ends the program, as where another process tells of it.
+void be_silent_on_signals();
+
 /// What to write to the standard error before the program ends at once, or becomes another one, so
 /// that no line of progress is left on the terminal. It must live on; null for nothing.
 void set_terminal_wipe(const char* text);
@@ -32,7 +35,7 @@ void set_terminal_wipe(const char* text);
 /// Write it, if there is something to write. A handler of signals may call this.
 void wipe_terminal();
 
-/// A temporary file that is removed where a signal ends the program at once.
+/// A temporary file, or a folder of files, that is removed where a signal ends the program at once.
 class RemovedOnSignal {
  public:
   /// `path` may be empty.

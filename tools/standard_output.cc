@@ -13,6 +13,11 @@
 #include "surfmesh/core/error.hh"
 
 namespace surfmesh {
+namespace {
+
+bool is_silent = false;
+
+}  // namespace
 
 void keep_closed_streams_closed() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
@@ -23,7 +28,10 @@ void keep_closed_streams_closed() {
   }
 }
 
+void be_silent(bool is_on) { is_silent = is_on; }
+
 void print(std::string_view text) {
+  if (is_silent) return;
   errno = 0;
   const bool is_written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (is_written && std::fflush(stdout) == 0) return;
@@ -32,6 +40,7 @@ void print(std::string_view text) {
 }
 
 void tell(std::string_view text) {
+  if (is_silent) return;
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
 }

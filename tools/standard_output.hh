@@ -9,6 +9,10 @@ namespace surfmesh {
 /// their place and gets what is printed. Printing to them still fails.
 void keep_closed_streams_closed();
 
+/// Print and tell nothing from now on, or something again. Of the ranks of a run one is enough to
+/// speak.
+void be_silent(bool is_on);
+
 /// Print a text on the standard output, all of it.
 /// Throws   Io with the reason: the disk is full, nobody reads
 void print(std::string_view text);

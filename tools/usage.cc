@@ -87,8 +87,8 @@ std::string command_fault(const CLI::App& app, const std::vector<std::string>& a
 
 std::string help_line(const CLI::App& app) {
   const CLI::App& command = innermost(app);
-  return &command == &app ? "surfmesh --help"
-                          : fmt::format("surfmesh {} --help", command.get_name());
+  return &command == &app ? fmt::format("{} --help", app.get_name())
+                          : fmt::format("{} {} --help", app.get_name(), command.get_name());
 }
 
 }  // namespace surfmesh

@@ -31,6 +31,7 @@ function(check_installed_files)
                         share/doc/surfmesh/LICENSE share/doc/surfmesh/libsurfmesh/LIBRARY.md
                         share/doc/surfmesh/libsurfmesh/REFERENCE.md
                         share/doc/surfmesh/libsurfmesh/README.md
+                        share/doc/surfmesh/libsurfmesh/CLUSTER.md
                         share/doc/surfmesh/libsurfmesh/DECISIONS.md
                         share/doc/surfmesh/libsurfmesh/pictures/knob.png include/surfmesh/surfmesh.hh)
     if(NOT EXISTS ${prefix}/${file})
@@ -115,11 +116,15 @@ else()
   check_find_package("0.2" "found: 0")
   check_find_package("0.1 COMPONENTS nonsense" "surfmesh has no component nonsense.*found: 0")
   check_find_package("0.1 OPTIONAL_COMPONENTS nonsense" "found: 1")
-  if(EXISTS ${prefix}/include/surfmesh_cad/read_cad.hh)
-    check_find_package("0.1 COMPONENTS cad" "found: 1")
-  else()
-    check_find_package("0.1 COMPONENTS cad" "built without its component cad.*found: 0")
-  endif()
+  foreach(header IN ITEMS cad/read_cad.hh mpi/mpi_exchange.hh metis/deal_by_metis.hh)
+    cmake_path(GET header PARENT_PATH component)
+    if(EXISTS ${prefix}/include/surfmesh_${header})
+      check_find_package("0.1 COMPONENTS ${component}" "found: 1")
+    else()
+      check_find_package("0.1 COMPONENTS ${component}"
+        "built without its component ${component}.*found: 0")
+    endif()
+  endforeach()
   set(surfmesh -DCMAKE_PREFIX_PATH=${prefix})
 endif()
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surfmesh/pieces/partition.hh"
+
+namespace surfmesh {
+
+/// Deal tiles so that few nodes are in more than one piece, and no piece is more than about 3 %
+/// heavier than the mean where the tiles allow that. Pieces are numbered by their first tiles. A
+/// DealTiles.
+///
+/// Cost     some milliseconds for a thousand tiles
+/// Throws   Limit if METIS has no memory
+/// Source   Karypis, Kumar, A fast and high quality multilevel scheme for partitioning irregular
+///          graphs (1998)
+std::vector<int> deal_by_metis(const TileGraph& graph, int pieces);
+
+}  // namespace surfmesh

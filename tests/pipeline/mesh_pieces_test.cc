@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/pipeline/mesh_pieces.hh"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/cancelling.hh"
+#include "support/models.hh"
+#include "support/thread_exchange.hh"
+#include "surfmesh/core/error.hh"
+#include "surfmesh/core/shared_vertices.hh"
+#include "surfmesh/exchange/serial_exchange.hh"
+#include "surfmesh/pipeline/load_model.hh"
+#include "surfmesh/pipeline/mesh_model.hh"
+
+namespace surfmesh {
+namespace {
+
+using Face = std::vector<std::int64_t>;
+
+/// The pieces of all ranks.
+struct Collected {
+  std::mutex mutex;
+  std::map<int, MeshPiece> pieces;
+  int begun = 0, finished = 0;
+};
+
+/// Keeps the pieces of a rank in memory.
+class CollectingSink final : public PieceSink {
+ public:
+  explicit CollectingSink(Collected& all) : all_(all) {}
+
+  void begin(const PieceIndex&) override {
+    const std::lock_guard lock(all_.mutex);
+    ++all_.begun;
+  }
+
+  void write(int piece, const MeshPiece& mesh) override {
+    const std::lock_guard lock(all_.mutex);
+    EXPECT_TRUE(all_.pieces.emplace(piece, mesh).second) << "piece " << piece << " twice";
+  }
+
+  void finish() override {
+    const std::lock_guard lock(all_.mutex);
+    ++all_.finished;
+  }
+
+ private:
+  Collected& all_;
+};
+
+/// A mesh as its vertices and faces, whatever it was made of.
+struct PlainMesh {
+  std::vector<Vec3> points;
+  std::vector<Face> faces;
+  std::vector<int> patches;
+
+  friend bool operator==(const PlainMesh&, const PlainMesh&) = default;
+};
+
+PlainMesh plain(const PolyMesh& mesh) {
+  PlainMesh result;
+  const SharedVertices vertices(mesh);
+  for (const VertexHandle vh : mesh.vertices()) {
+    if (vertices.is_first(vh)) result.points.push_back(to_eigen(mesh.point(vh)));
+  }
+  const auto patch_of = require(mesh, keys::face_patch);
+  for (const FaceHandle fh : mesh.faces()) {
+    Face& face = result.faces.emplace_back();
+    for (const HalfedgeHandle heh : mesh.fh_range(fh)) {
+      face.push_back(vertices.number(mesh.to_vertex_handle(heh).idx()));
+    }
+    result.patches.push_back(mesh.property(patch_of, fh));
+  }
+  return result;
+}
+
+/// The union of pieces whose tiles follow each other.
+PlainMesh joined(const std::map<int, MeshPiece>& pieces) {
+  PlainMesh result;
+  std::map<std::int64_t, Vec3> points;
+  for (const auto& [number, piece] : pieces) {
+    for (std::size_t v = 0; v < piece.ids.size(); ++v) {
+      const auto [found, is_new] = points.emplace(piece.ids[v], piece.points[v]);
+      EXPECT_EQ(found->second, piece.points[v]) << "vertex " << piece.ids[v] << " moves";
+    }
+    for (std::size_t f = 0; f < piece.faces.size(); ++f) {
+      Face& face = result.faces.emplace_back();
+      for (const int v : piece.faces[f]) face.push_back(piece.ids[static_cast<std::size_t>(v)]);
+    }
+    result.patches.insert(result.patches.end(), piece.patches.begin(), piece.patches.end());
+  }
+  std::int64_t next = 0;
+  for (const auto& [id, point] : points) {
+    EXPECT_EQ(id, next++);
+    result.points.push_back(point);
+  }
+  return result;
+}
+
+/// The positions of the corners of all faces.
+std::vector<std::vector<Vec3>> corners_of(const PlainMesh& mesh) {
+  std::vector<std::vector<Vec3>> corners;
+  for (const Face& face : mesh.faces) {
+    std::vector<Vec3>& points = corners.emplace_back();
+    for (const std::int64_t v : face) points.push_back(mesh.points[static_cast<std::size_t>(v)]);
+  }
+  return corners;
+}
+
+struct Case {
+  std::string file;
+  bool has_quads = false;
+  bool is_oriented = true;  ///< else a half-edge mesh is cut, and has vertices twice there
+
+  friend void PrintTo(const Case& c, std::ostream* out) {
+    *out << c.file << (c.has_quads ? " quads" : "");
+  }
+};
+
+/// A model, and the options of all runs on it.
+struct Given {
+  explicit Given(const Case& of) {
+    ModelInput loaded = load_model(std::string(SURFMESH_SOURCE_DIR "/models/") + of.file, {});
+    model = std::move(loaded.model);
+    sources = std::move(loaded.sources);
+    options = loaded.options;
+    options.sizing.hmax = Length::share(0.02);
+    options.quads.is_on = of.has_quads;
+    options.tile = 200;
+    options.threads = 2;
+    options.across.is_on = false;
+  }
+
+  Model model;
+  Sources sources;
+  PipelineOptions options;
+};
+
+PiecesReport mesh_on(int ranks, const Given& given, const PiecesOptions& pieces, Collected& all) {
+  std::vector<PiecesReport> reports(static_cast<std::size_t>(ranks));
+  testing::run_ranks(ranks, [&](Exchange& exchange) {
+    CollectingSink sink(all);
+    reports[static_cast<std::size_t>(exchange.rank())] =
+        mesh_pieces(given.model, given.sources, given.options, pieces, exchange, sink);
+  });
+  for (const PiecesReport& report : reports) {
+    EXPECT_EQ(report.report.mesh.triangles, reports[0].report.mesh.triangles);
+    EXPECT_EQ(report.report.edges, reports[0].report.edges);
+    EXPECT_EQ(report.bytes_sent, reports[0].bytes_sent);
+  }
+  EXPECT_EQ(all.begun, ranks);
+  EXPECT_EQ(all.finished, ranks);
+  return reports[0];
+}
+
+class Pieces : public ::testing::TestWithParam<Case> {};
+
+TEST_P(Pieces, AreTheMeshOfOneProcess) {
+  const Given given(GetParam());
+  const MeshResult whole = mesh_model(given.model, given.sources, given.options);
+  const PlainMesh expected = plain(whole.mesh);
+  for (const int ranks : {1, 2, 3}) {
+    for (const int count : {0, 5}) {
+      Collected all;
+      const PiecesReport report = mesh_on(ranks, given, {.pieces = count}, all);
+      const PlainMesh mesh = joined(all.pieces);
+      EXPECT_TRUE(corners_of(mesh) == corners_of(expected)) << ranks << " ranks, " << count;
+      EXPECT_EQ(report.report.mesh.vertices, mesh.points.size());
+      if (GetParam().is_oriented) {
+        EXPECT_TRUE(mesh == expected) << ranks << " ranks, " << count;
+      }
+      EXPECT_EQ(report.report.mesh.triangles, whole.report.mesh.triangles);
+      EXPECT_EQ(report.report.mesh.quads, whole.report.mesh.quads);
+      EXPECT_EQ(report.pieces, static_cast<int>(all.pieces.size()));
+    }
+  }
+}
+
+TEST_P(Pieces, ReportWhatTheMeshIs) {
+  const Given given(GetParam());
+  const Report whole = mesh_model(given.model, given.sources, given.options).report;
+  Collected all;
+  const Report report = mesh_on(2, given, {.pieces = 4}, all).report;
+  // Edges at the borders of tiles count twice.
+  EXPECT_NEAR(report.edges.mean, whole.edges.mean, 0.01);
+  EXPECT_NEAR(report.edges.stddev, whole.edges.stddev, 0.01);
+  EXPECT_NEAR(report.edges.unit_fraction, whole.edges.unit_fraction, 0.01);
+  EXPECT_NEAR(report.quality.min, whole.quality.min, 1e-9);
+  EXPECT_NEAR(report.quality.mean, whole.quality.mean, 0.01);
+  EXPECT_EQ(report.quads.inverted, whole.quads.inverted);
+  ASSERT_EQ(report.patches.size(), whole.patches.size());
+  for (std::size_t p = 0; p < report.patches.size(); ++p) {
+    EXPECT_EQ(report.patches[p].triangles, whole.patches[p].triangles);
+    EXPECT_EQ(report.patches[p].quads, whole.patches[p].quads);
+  }
+}
+
+TEST_P(Pieces, KnowTheirNeighbours) {
+  const Given given(GetParam());
+  Collected all;
+  mesh_on(2, given, {.pieces = 4}, all);
+  for (const auto& [number, piece] : all.pieces) {
+    for (const SharedWithPiece& neighbour : piece.neighbours) {
+      const MeshPiece& other = all.pieces.at(neighbour.piece);
+      const auto back =
+          std::find_if(other.neighbours.begin(), other.neighbours.end(),
+                       [n = number](const SharedWithPiece& shared) { return shared.piece == n; });
+      ASSERT_NE(back, other.neighbours.end());
+      ASSERT_EQ(back->vertices.size(), neighbour.vertices.size());
+      for (std::size_t i = 0; i < neighbour.vertices.size(); ++i) {
+        EXPECT_EQ(piece.ids[static_cast<std::size_t>(neighbour.vertices[i])],
+                  other.ids[static_cast<std::size_t>(back->vertices[i])]);
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, Pieces,
+                         ::testing::Values(Case{"cube.obj"}, Case{"sphere.json"},
+                                           Case{"klein.json", false, false},
+                                           Case{"moebius.json", false, false},
+                                           Case{"perforated.json"}, Case{"bracket.json"},
+                                           Case{"sizes.json"}, Case{"knob_on_plate.json"},
+                                           Case{"torus.json", true}, Case{"sphere.json", true}));
+
+/// Coarse enough for chords of two patches to join the same nodes.
+TEST(PiecesOf, TilesWhoseChordsJoinTheSameNodesAreTheMeshOfOneProcess) {
+  for (const double size : {0.6, 0.9, 1.3}) {
+    Given given({"cube.obj"});
+    given.model = testing::torus_of(3);
+    given.sources = {};
+    given.options = {};
+    given.options.sizing.size = Length::units(size);
+    given.options.across.is_on = false;
+    const PlainMesh expected = plain(mesh_model(given.model, {}, given.options).mesh);
+    Collected all;
+    mesh_on(2, given, {.pieces = 3}, all);
+    EXPECT_TRUE(joined(all.pieces) == expected) << size;
+  }
+}
+
+TEST(PiecesOf, AnErrorOnOneRankIsThatOfAllRanks) {
+  Given given({"cube.obj"});
+  given.options.max_elements = 100;
+  Collected all;
+  const auto errors = testing::errors_of_ranks(3, [&](Exchange& exchange) {
+    CollectingSink sink(all);
+    mesh_pieces(given.model, given.sources, given.options, {}, exchange, sink);
+  });
+  for (const std::exception_ptr& error : errors) {
+    ASSERT_TRUE(error);
+    try {
+      std::rethrow_exception(error);
+    } catch (const Error& thrown) {
+      EXPECT_EQ(thrown.code(), ErrorCode::Limit) << thrown.what();
+    }
+  }
+  EXPECT_TRUE(all.pieces.empty());
+}
+
+TEST(PiecesOf, ADealTellsHowEvenlyTrianglesAreDealt) {
+  const Given given({"sphere.json"});
+  const PiecesEstimate estimate = estimate_pieces(given.model, given.sources, given.options, {}, 4);
+  ASSERT_EQ(estimate.triangles_of_ranks.size(), 4U);
+  for (const double triangles : estimate.triangles_of_ranks) {
+    EXPECT_NEAR(triangles, estimate.triangles / 4, 0.3 * estimate.triangles / 4);
+  }
+  EXPECT_GT(estimate.shared_vertices, 0);
+}
+
+}  // namespace
+}  // namespace surfmesh

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh_arguments.hh"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+
+#include "surfmesh/formats/write_mesh.hh"
+
+namespace surfmesh {
+namespace {
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report knob.json\n";
+
+/// What deals tiles out to pieces, by the word for it.
+std::map<std::string, bool> ways_to_deal() {
+  std::map<std::string, bool> ways = {{"runs", false}};
+#ifdef SURFMESH_HAS_METIS
+  ways["metis"] = true;
+#endif
+  return ways;
+}
+
+}  // namespace
+
+void MeshArguments::add_to(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "mesh", "Mesh a cage, a CAD file or a model file with triangles or quads.");
+  command->footer(kFooter);
+  add_files(*command);
+  add_pieces(*command);
+  using enum OptionGroup;
+  add_flags(*command, named, std::array{Sizes, ControlSpace, Meshing, Cages});
+  add_scheme(*command, scheme);
+  add_set(*command, set, "set any option by its name; beats the other flags and the model file");
+}
+
+void MeshArguments::add_files(CLI::App& command) {
+  command
+      .add_option("INPUT", input,
+                  "cage: .obj .off .ply .stl .om; CAD: .step .igs .brep; model: .json")
+      ->required()
+      ->type_name("");
+  command
+      .add_option("-o,--output", output,
+                  fmt::format("mesh to write: {}; .om keeps everything", mesh_endings()))
+      ->type_name("FILE");
+  command.add_flag("--dry-run", is_dry_run, "estimate the number of elements; needs no --output");
+  command.parse_complete_callback([this] {
+    if (output.empty() && pieces.empty() && !is_dry_run) throw CLI::RequiredError("--output");
+  });
+  command.add_option("--report", report, "write the report as JSON")->type_name("FILE.json");
+  command.add_flag("--quiet", is_quiet, "print warnings and errors only");
+  add_verbose(command, is_verbose, "print all tables, and every warning");
+}
+
+void MeshArguments::add_pieces(CLI::App& command) {
+  CLI::Option* folder =
+      command.add_option("--pieces", pieces,
+                         "folder to write the mesh to in pieces, which are never in one place: a "
+                         ".pvtu and .vtu files");
+  folder->type_name("FOLDER")
+      ->excludes(command.get_option("--output"))
+      ->excludes(command.get_option("--dry-run"));
+  command.add_option("--piece-count", piece_count, "number of pieces, instead of one by size")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000).description(""))
+      ->needs(folder);
+  command
+      .add_option("--deal", by_metis,
+                  "deal tiles out to pieces in runs, or with few shared vertices")
+      ->transform(CLI::Transformer(ways_to_deal()).description(""))
+      ->type_name(ways_to_deal().size() > 1 ? "runs|metis" : "runs")
+      ->default_str("runs")
+      ->needs(folder);
+}
+
+Settings MeshArguments::settings() const {
+  Settings all = named;
+  all.insert(all.end(), set.begin(), set.end());
+  return all;
+}
+
+}  // namespace surfmesh

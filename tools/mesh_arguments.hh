@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "settings.hh"
+#include "surfmesh/cage/cage.hh"
+
+namespace surfmesh {
+
+/// The command line of `mesh`.
+struct MeshArguments {
+  std::string input;
+  std::string output;     ///< a file; empty for none
+  std::string pieces;     ///< a folder; empty for none
+  std::string report;     ///< empty for none
+  int piece_count = 0;    ///< 0: see PiecesOptions
+  bool by_metis = false;  ///< tiles are dealt out to pieces by METIS
+  Settings named = {};    ///< by flags of their own
+  Settings set = {};      ///< by --set, which beats them
+  Scheme scheme = Scheme::Auto;
+  bool is_quiet = false;
+  bool is_verbose = false;
+  bool is_dry_run = false;
+
+  /// Add the subcommand and its options to a program. The object must outlive the parsing.
+  void add_to(CLI::App& app);
+
+  /// All options, in the order of their effect.
+  Settings settings() const;
+
+ private:
+  void add_files(CLI::App& command);
+  void add_pieces(CLI::App& command);
+};
+
+}  // namespace surfmesh
