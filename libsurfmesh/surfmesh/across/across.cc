@@ -10,6 +10,7 @@
 #include "surfmesh/core/disjoint_sets.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/core/quad_topology.hh"
 
 namespace surfmesh {
 namespace {
@@ -35,9 +36,11 @@ std::vector<std::size_t> sheets_of(const Model& model, const std::vector<char>& 
 class Across {
  public:
   Across(PolyMesh& result, const Model& model, const std::vector<const MetricField*>& fields,
-         std::vector<char> is_dissolved, const RunContext& context)
+         std::vector<char> is_dissolved, const RunContext& context,
+         const VertexRange& between_tiles)
       : result_(result),
         context_(context),
+        between_tiles_(between_tiles),
         is_dissolved_(std::move(is_dissolved)),
         orientation_(orient_patches(model)),
         walk_(model, is_dissolved_, Walks::FromOpenPatches),
@@ -48,7 +51,7 @@ class Across {
 
   /// First inside the pieces, then across the edges between them.
   AcrossReport run() {
-    SmoothRegions regions = choose_regions(result_, input_.model, is_dissolved_);
+    SmoothRegions regions = choose_regions(result_, input_.model, is_dissolved_, between_tiles_);
     report_.faces =
         static_cast<std::size_t>(std::count(regions.is_chosen.begin(), regions.is_chosen.end(), 1));
     const std::vector<FacePiece> pieces = divide_in_pieces(result_, regions);
@@ -134,6 +137,7 @@ class Across {
 
   PolyMesh& result_;
   const RunContext& context_;
+  VertexRange between_tiles_;
   std::vector<char> is_dissolved_;
   PatchOrientation orientation_;
   SurfaceWalk walk_;
@@ -147,10 +151,13 @@ class Across {
 
 AcrossReport improve_across(PolyMesh& result, const Model& model,
                             const std::vector<const MetricField*>& fields,
-                            const RunContext& context) {
+                            const RunContext& context, const VertexRange& between_tiles) {
   std::vector<char> is_dissolved = dissolved_contours(model);
-  if (std::find(is_dissolved.begin(), is_dissolved.end(), 1) == is_dissolved.end()) return {};
-  return Across(result, model, fields, std::move(is_dissolved), context).run();
+  const bool has_dissolved =
+      std::find(is_dissolved.begin(), is_dissolved.end(), 1) != is_dissolved.end();
+  const bool has_cuts = between_tiles.first < between_tiles.end && has_quads(result);
+  if (!has_dissolved && !has_cuts) return {};
+  return Across(result, model, fields, std::move(is_dissolved), context, between_tiles).run();
 }
 
 }  // namespace surfmesh

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "surfmesh/assemble/assemble.hh"
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/core/run_context.hh"
 #include "surfmesh/metric/metric_field.hh"
@@ -29,6 +30,8 @@ struct AcrossReport {
 /// name or between groups, faces around poles and across which the surface turns sharply, and the
 /// topology.
 ///
+/// Quads at the cuts between tiles, whose vertices these are, are improved in the same way.
+///
 /// `fields` holds the metric of each patch. The result does not depend on the number of threads.
 /// Reads    surf:patch (face), surf:contour (edge), surf:uv, surf:metric (halfedge)
 /// Writes   all of them, surf:beyond (halfedge), and the elements; edges of dissolved contours have
@@ -38,6 +41,7 @@ struct AcrossReport {
 /// Throws   Cancelled
 AcrossReport improve_across(PolyMesh& result, const Model& model,
                             const std::vector<const MetricField*>& fields,
-                            const RunContext& context = RunContext());
+                            const RunContext& context = RunContext(),
+                            const VertexRange& between_tiles = {});
 
 }  // namespace surfmesh

@@ -58,6 +58,13 @@ void choose_rings(const PolyMesh& mesh, std::vector<char> is_near, std::vector<c
   }
 }
 
+/// A range of vertices as marks, by vertex.
+std::vector<char> marked(const VertexRange& range, std::size_t count) {
+  std::vector<char> is_marked(count, 0);
+  std::fill(is_marked.begin() + range.first, is_marked.begin() + range.end, 1);
+  return is_marked;
+}
+
 /// The sides of patches that are poles.
 class PoleSides {
  public:
@@ -170,7 +177,8 @@ void halve(PlacedFaces first, PlacedFaces last, std::vector<FacePiece>& pieces) 
 }  // namespace
 
 SmoothRegions choose_regions(const PolyMesh& result, const Model& model,
-                             const std::vector<char>& is_dissolved) {
+                             const std::vector<char>& is_dissolved,
+                             const VertexRange& between_tiles) {
   const auto contour_of = require(result, keys::edge_contour);
   SmoothRegions regions;
   regions.is_held.assign(result.n_edges(), 0);
@@ -189,6 +197,7 @@ SmoothRegions choose_regions(const PolyMesh& result, const Model& model,
   }
   if (has_quads(result)) {
     choose_patches(result, model, is_dissolved, regions.is_chosen);
+    choose_rings(result, marked(between_tiles, result.n_vertices()), regions.is_chosen);
   } else {
     choose_rings(result, std::move(is_near), regions.is_chosen);
   }

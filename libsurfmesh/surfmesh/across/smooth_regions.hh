@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "surfmesh/assemble/assemble.hh"
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/model/model.hh"
 
@@ -18,14 +19,16 @@ struct SmoothRegions {
 };
 
 /// Choose triangles within three rings of dissolved contours, or all quads of patches at such
-/// contours; faces at poles, which (u,v) tells nothing of, are left out. Edges on dissolved
-/// contours are held where their faces make an angle of more than 60°.
+/// contours and those within three rings of the cuts between tiles; faces at poles, which (u,v)
+/// tells nothing of, are left out. Edges on dissolved contours are held where their faces make an
+/// angle of more than 60°.
 ///
-/// `is_dissolved` is by contour.
+/// `is_dissolved` is by contour. Triangles at cuts would gain too little for their time.
 /// Reads    surf:patch (face), surf:contour (edge), surf:uv (halfedge)
 /// Cost     O(faces)
 SmoothRegions choose_regions(const PolyMesh& result, const Model& model,
-                             const std::vector<char>& is_dissolved);
+                             const std::vector<char>& is_dissolved,
+                             const VertexRange& between_tiles = {});
 
 /// Choose all faces but those at poles, of a result whose edges on dissolved contours are no longer
 /// marked.

@@ -78,7 +78,7 @@ AssembleReport assemble(PolyMesh& mesh, const Model& model, const std::vector<Co
   });
   detail::link_open_halfedges(halfedges, mesh);
   detail::separate_fans(sides, halfedges, mesh);
-  return {detail::notices_of_assembly(model, glued.cut)};
+  return {detail::notices_of_assembly(model, glued.cut), {common.contour_count(), common.count()}};
 }
 
 }  // namespace surfmesh

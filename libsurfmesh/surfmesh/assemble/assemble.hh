@@ -11,8 +11,16 @@
 
 namespace surfmesh {
 
+/// Vertices of a mesh that follow each other.
+struct VertexRange {
+  int first = 0;
+  int end = 0;
+};
+
 struct AssembleReport {
   Notices notices;  ///< what the mesh is other than the model
+  VertexRange
+      between_tiles;  ///< the vertices on cuts, and on rings around the poles of cut patches
 };
 
 /// Join the meshes of all patches into one, in a mesh that has no elements yet. A patch may have

@@ -20,6 +20,9 @@ class CommonVertices {
 
   int count() const { return static_cast<int>(owner_.size()); }
 
+  /// Those of the model and on contours, which come first.
+  int contour_count() const { return contour_count_; }
+
   /// True if a piece that has a vertex is the one that writes what the result holds of it: of
   /// several pieces the last one.
   bool is_written_by(int piece, int vertex) const {

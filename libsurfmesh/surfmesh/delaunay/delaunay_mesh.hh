@@ -178,9 +178,10 @@ inline bool DelaunayMesh::sees_apex(Uv p, const TriangleVertices& triangle) cons
 }
 
 /// True if the triangle behind an edge must be replaced, too. The rule comes first: it says no most
-/// often.
+/// often. The hottest function of all: refine is 7 % slower if it is called and not inlined.
 template <class Rule>
-bool DelaunayMesh::is_replaced(Uv p, HalfedgeHandle from_outside, const Rule& rule) const {
+[[gnu::always_inline]] inline bool DelaunayMesh::is_replaced(Uv p, HalfedgeHandle from_outside,
+                                                             const Rule& rule) const {
   if (mesh_.is_boundary(from_outside)) return false;
   const TriangleVertices triangle = triangle_behind(from_outside);
   return rule(mesh_, triangle, p) && !is_constrained(mesh_.edge_handle(from_outside)) &&

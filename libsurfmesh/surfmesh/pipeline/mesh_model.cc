@@ -187,6 +187,7 @@ class Run {
     AssembleReport report =
         assemble(mesh, model_, plan_.nodes(), plan_.numbers(), std::move(patches_), context_);
     append(std::move(report.notices), report_.notices);
+    between_tiles_ = report.between_tiles;
     context_.tell("assemble", 1, 1);
   }
 
@@ -195,7 +196,7 @@ class Run {
     const StageClock clock(report_.seconds[Stage::Across]);
     context_.tell("across", 0, 1);
     report_.control.queries[Stage::Across] =
-        improve_across(mesh, model_, plan_.fields(), context_).queries;
+        improve_across(mesh, model_, plan_.fields(), context_, between_tiles_).queries;
     if (mesh.n_faces() > context_.max_elements()) context_.throw_too_many_elements();
     context_.tell("across", 1, 1);
   }
@@ -262,6 +263,7 @@ class Run {
   detail::MeshPlan plan_;
   std::vector<PatchMesh> patches_;       ///< by tile
   std::vector<TurnedTriangles> turned_;  ///< likewise
+  VertexRange between_tiles_;
 };
 
 /// Hand new control spaces to `work`, and add their times to the report that it makes.
