@@ -4,6 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "surfmesh/core/language_standard.hh"
+
 namespace surfmesh {
 
 /// Two tiles that have nodes in common.
