@@ -15,6 +15,9 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report knob.json\n";
 
+/// Numbers of pieces up to this one are taken: their files are in one folder.
+constexpr int kMostPieces = 1'000'000;
+
 /// What deals tiles out to pieces, by the word for it.
 std::map<std::string, bool> ways_to_deal() {
   std::map<std::string, bool> ways = {{"runs", false}};
@@ -26,14 +29,14 @@ std::map<std::string, bool> ways_to_deal() {
 
 }  // namespace
 
-void MeshArguments::add_to(CLI::App& app) {
+void MeshArguments::add_to(CLI::App& app, ShortHelp help_of_pieces) {
   CLI::App* command = app.add_subcommand(
       "mesh", "Mesh a cage, a CAD file or a model file with triangles or quads.");
   command->footer(kFooter);
   add_files(*command);
-  add_pieces(*command);
   using enum OptionGroup;
   add_flags(*command, named, std::array{Sizes, ControlSpace, Meshing, Cages});
+  add_pieces(*command, help_of_pieces);
   add_scheme(*command, scheme);
   add_set(*command, set, "set any option by its name; beats the other flags and the model file");
 }
@@ -49,33 +52,39 @@ void MeshArguments::add_files(CLI::App& command) {
                   fmt::format("mesh to write: {}; .om keeps everything", mesh_endings()))
       ->type_name("FILE");
   command.add_flag("--dry-run", is_dry_run, "estimate the number of elements; needs no --output");
-  command.parse_complete_callback([this] {
-    if (output.empty() && pieces.empty() && !is_dry_run) throw CLI::RequiredError("--output");
-  });
+  command.parse_complete_callback([this, &command] { check(command); });
   command.add_option("--report", report, "write the report as JSON")->type_name("FILE.json");
   command.add_flag("--quiet", is_quiet, "print warnings and errors only");
   add_verbose(command, is_verbose, "print all tables, and every warning");
 }
 
-void MeshArguments::add_pieces(CLI::App& command) {
-  CLI::Option* folder =
-      command.add_option("--pieces", pieces,
-                         "folder to write the mesh to in pieces, which are never in one place: a "
-                         ".pvtu and .vtu files");
-  folder->type_name("FOLDER")
-      ->excludes(command.get_option("--output"))
-      ->excludes(command.get_option("--dry-run"));
-  command.add_option("--piece-count", piece_count, "number of pieces, instead of one by size")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1'000'000).description(""))
-      ->needs(folder);
-  command
-      .add_option("--deal", by_metis,
-                  "deal tiles out to pieces in runs, or with few shared vertices")
-      ->transform(CLI::Transformer(ways_to_deal()).description(""))
-      ->type_name(ways_to_deal().size() > 1 ? "runs|metis" : "runs")
-      ->default_str("runs")
-      ->needs(folder);
+void MeshArguments::add_pieces(CLI::App& command, ShortHelp help) {
+  CLI::Option* folder = command.add_option(
+      "--pieces", pieces, "write pieces that are never in one place: .pvtu and .vtu");
+  folder->type_name("FOLDER");
+  if (help == ShortHelp::None) hide_in_short_help(command, folder);
+  hide_in_short_help(command, command
+                                  .add_option("--piece-count", piece_count,
+                                              "number of pieces; else one a rank, or by size")
+                                  ->type_name("N")
+                                  ->check(CLI::Range(1, kMostPieces).description("")));
+  hide_in_short_help(
+      command,
+      command.add_option("--deal", by_metis, "tiles to pieces in runs, or for few shared vertices")
+          ->transform(CLI::Transformer(ways_to_deal()).description(""))
+          ->type_name(ways_to_deal().size() > 1 ? "runs|metis" : "runs")
+          ->default_str("runs"));
+}
+
+/// The parser could check this itself, but would tell of it in the help, at length.
+void MeshArguments::check(const CLI::App& command) const {
+  if (output.empty() && pieces.empty() && !is_dry_run) throw CLI::RequiredError("--output");
+  for (const char* other : {"--output", "--dry-run"}) {
+    if (!pieces.empty() && command.count(other) > 0) throw CLI::ExcludesError("--pieces", other);
+  }
+  for (const char* more : {"--piece-count", "--deal"}) {
+    if (pieces.empty() && command.count(more) > 0) throw CLI::RequiresError(more, "--pieces");
+  }
 }
 
 Settings MeshArguments::settings() const {

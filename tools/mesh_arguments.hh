@@ -24,15 +24,17 @@ struct MeshArguments {
   bool is_verbose = false;
   bool is_dry_run = false;
 
-  /// Add the subcommand and its options to a program. The object must outlive the parsing.
-  void add_to(CLI::App& app);
+  /// Add the subcommand and its options to a program, which may show --pieces in its short help.
+  /// The object must outlive the parsing.
+  void add_to(CLI::App& app, ShortHelp help_of_pieces = ShortHelp::None);
 
   /// All options, in the order of their effect.
   Settings settings() const;
 
  private:
   void add_files(CLI::App& command);
-  void add_pieces(CLI::App& command);
+  void add_pieces(CLI::App& command, ShortHelp help);
+  void check(const CLI::App& command) const;
 };
 
 }  // namespace surfmesh

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "exit_status.hh"
+#include "freed_blocks.hh"
 #include "settings.hh"
 #include "standard_output.hh"
 #include "usage.hh"
@@ -35,6 +36,7 @@ int exit_status(const CLI::App& app, const CLI::ParseError& error) {
 }  // namespace
 
 int run_program(CLI::App& app, int argc, char** argv, const std::function<int()>& run) {
+  keep_freed_blocks();
   auto arguments = with_switch_values({argv + 1, argv + argc});
   if (const std::string fault = one_dash_fault(app, arguments); !fault.empty()) {
     return tell_wrong_usage(app, fault);

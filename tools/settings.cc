@@ -176,6 +176,10 @@ void add_help_all(CLI::App& command, const std::shared_ptr<HelpFormatter>& forma
 
 }  // namespace
 
+void hide_in_short_help(CLI::App& command, const CLI::Option* flag) {
+  std::dynamic_pointer_cast<HelpFormatter>(command.get_formatter())->hide(flag);
+}
+
 const Option* table_option(const CLI::Option& flag) {
   for (const Option& option : option_table()) {
     // Another command may have a flag of that name for something else.

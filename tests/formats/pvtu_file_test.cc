@@ -98,7 +98,8 @@ for name in ["a_0.vtu", "a_1.vtu", "a_2.vtu"]:
     lists.append({piece: list(ids[vertices[offsets[k]:offsets[k + 1]]])
                   for k, piece in enumerate(pieces)})
     print(numbers(field.GetArray("group:first")), numbers(field.GetArray("patch:upper")))
-print([sorted(l) for l in lists], all(lists[a][b] == lists[b][a] for a in range(3) for b in lists[a]))
+agree = all(lists[a][b] == lists[b][a] for a in range(3) for b in lists[a])
+print([sorted(l) for l in lists], agree)
 )";
 
 TEST(PvtuFile, IsReadByVtkWithItsGlobalIdsAndSharedVertices) {

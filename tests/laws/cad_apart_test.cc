@@ -29,7 +29,7 @@ TEST(CadApart, NothingOfTheLibraryIncludesIt) {
 
 /// Nor is OpenCASCADE in the header that applications include, for it may not be installed there.
 TEST(CadApart, ItsPublicHeaderNamesNothingOfOpenCascade) {
-  for (const auto& file : testing::library_sources_with_cad()) {
+  for (const auto& file : testing::library_sources_with_parts()) {
     if (file.path != "surfmesh_cad/read_cad.hh") continue;
     for (const std::string& line : file.code) EXPECT_FALSE(includes_cad(line)) << line;
   }

@@ -41,7 +41,7 @@ bool is_forbidden(const std::string& word) {
 }
 
 TEST(ForbiddenWords, AreInNoIdentifier) {
-  for (const auto& file : testing::library_sources_with_cad()) {
+  for (const auto& file : testing::library_sources_with_parts()) {
     for (std::size_t i = 0; i < file.code.size(); ++i) {
       if (file.code[i].starts_with("#include <")) continue;  // the names of others
       for (const std::string& word : words_of(testing::without_strings(file.code[i]))) {
@@ -52,7 +52,7 @@ TEST(ForbiddenWords, AreInNoIdentifier) {
 }
 
 TEST(ForbiddenWords, AreInNoFileName) {
-  for (const auto& file : testing::library_sources_with_cad()) {
+  for (const auto& file : testing::library_sources_with_parts()) {
     for (const std::string& word : words_of(file.path)) {
       EXPECT_FALSE(is_forbidden(word)) << file.path;
     }

@@ -22,7 +22,7 @@ bool names_a_constant(const std::string& code) {
 }
 
 TEST(NoBareEpsilon, StandsInTheLibrary) {
-  for (const auto& file : testing::library_sources_with_cad()) {
+  for (const auto& file : testing::library_sources_with_parts()) {
     for (std::size_t i = 0; i < file.code.size(); ++i) {
       EXPECT_TRUE(!has_small_literal(file.code[i]) || names_a_constant(file.code[i]))
           << "give the tolerance a name and a reason\n"

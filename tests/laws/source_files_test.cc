@@ -48,7 +48,7 @@ TEST(SourceFiles, HaveNoLineOfMoreThan100Columns) {
 }
 
 TEST(SourceFiles, BeginWithTheLicence) {
-  for (const auto& file : testing::library_sources_with_cad()) {
+  for (const auto& file : testing::library_sources_with_parts()) {
     ASSERT_FALSE(file.lines.empty()) << file.path;
     EXPECT_EQ(file.lines[0], "// SPDX-License-Identifier: BSD-3-Clause") << file.path;
   }

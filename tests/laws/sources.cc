@@ -121,8 +121,9 @@ std::vector<SourceFile> library_sources() {
   return sources_in(kProject / "libsurfmesh" / "surfmesh", {""});
 }
 
-std::vector<SourceFile> library_sources_with_cad() {
-  return sources_in(kProject / "libsurfmesh", {"surfmesh", "surfmesh_cad"});
+std::vector<SourceFile> library_sources_with_parts() {
+  return sources_in(kProject / "libsurfmesh",
+                    {"surfmesh", "surfmesh_cad", "surfmesh_mpi", "surfmesh_metis"});
 }
 
 std::vector<SourceFile> project_sources() {

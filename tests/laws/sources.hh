@@ -19,8 +19,8 @@ struct SourceFile {
 /// their paths.
 std::vector<SourceFile> library_sources();
 
-/// Those of the library and of surfmesh_cad.
-std::vector<SourceFile> library_sources_with_cad();
+/// Those of the library and of the optional ones beside it.
+std::vector<SourceFile> library_sources_with_parts();
 
 /// All .hh and .cc files of the project, from its root on, in the order of their paths.
 std::vector<SourceFile> project_sources();

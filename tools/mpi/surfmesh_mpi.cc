@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <string>
 
 #include "exit_status.hh"
 #include "mesh_arguments.hh"
@@ -32,7 +33,7 @@ int run(int argc, char** argv) {
   app.footer(kFooter);
   app.require_subcommand(1);
   surfmesh::MeshArguments arguments;
-  arguments.add_to(app);
+  arguments.add_to(app, surfmesh::ShortHelp::MostUsed);
   return surfmesh::run_program(app, argc, argv, [&] {
     return surfmesh::mesh_in_pieces(arguments, exchange, surfmesh::MpiSession::abort);
   });

@@ -12,6 +12,8 @@
 #include <queue>
 #include <utility>
 
+#include "surfmesh/core/parallel.hh"
+
 namespace surfmesh {
 namespace {
 
@@ -53,10 +55,14 @@ class Neighbours {
         sets_(sets),
         across_(4 * sets.size(), kNone),
         is_flat_(static_cast<std::size_t>(level_.GetNumVertices()), 0) {
-    for (int f = 0; f < level_.GetNumFaces(); ++f) {
-      for (int side = 0; is_quad(f) && side < 4; ++side) link(f, side);
-    }
-    for (int v = 0; v < level_.GetNumVertices(); ++v) is_flat_[index(v)] = surrounds(v);
+    share_ranges(index(level_.GetNumFaces()), [&](std::size_t first, std::size_t end) {
+      for (int f = static_cast<int>(first); f < static_cast<int>(end); ++f) {
+        for (int side = 0; is_quad(f) && side < 4; ++side) link(f, side);
+      }
+    });
+    share_ranges(is_flat_.size(), [&](std::size_t first, std::size_t end) {
+      for (std::size_t v = first; v < end; ++v) is_flat_[v] = surrounds(static_cast<int>(v));
+    });
   }
 
   int turned_face_count() const { return static_cast<int>(across_.size()); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -44,6 +45,13 @@ class FaceList {
       if (first_[f] != 3 * f) return false;
     }
     return true;
+  }
+
+  /// Have so many faces of so many corners each, to be set by vertices(); what was there is gone.
+  void assign(std::span<const std::size_t> sizes) {
+    first_.assign(sizes.size() + 1, 0);
+    std::inclusive_scan(sizes.begin(), sizes.end(), first_.begin() + 1);
+    vertices_.resize(first_.back());
   }
 
   void add(std::span<const int> vertices) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/shared_vertices.hh"
 #include "surfmesh/formats/mesh_format.hh"
@@ -32,9 +33,12 @@ std::vector<Value> without_copies(const PolyMesh& mesh, std::vector<Value> value
 }
 
 std::vector<int> whole_numbers(const std::vector<double>& values) {
-  std::vector<int> result;
-  result.reserve(values.size());
-  for (const double x : values) result.push_back(std::isnan(x) ? -1 : static_cast<int>(x));
+  std::vector<int> result(values.size());
+  share_ranges(values.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+      result[i] = std::isnan(values[i]) ? -1 : static_cast<int>(values[i]);
+    }
+  });
   return result;
 }
 
@@ -66,15 +70,17 @@ Parameters mean_parameters(const MeshArrays& arrays) {
   const FaceList& faces = arrays.faces;
   result.u.resize(faces.size());
   result.v.resize(faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    Uv sum{0, 0};
-    for (std::size_t c = faces.first_corner(f); c < faces.first_corner(f + 1); ++c) {
-      sum = sum + arrays.uvs[c];
+  share_ranges(faces.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t f = first; f < end; ++f) {
+      Uv sum{0, 0};
+      for (std::size_t c = faces.first_corner(f); c < faces.first_corner(f + 1); ++c) {
+        sum = sum + arrays.uvs[c];
+      }
+      const Uv mean = 1 / static_cast<double>(faces[f].size()) * sum;
+      result.u[f] = mean.u;
+      result.v[f] = mean.v;
     }
-    const Uv mean = 1 / static_cast<double>(faces[f].size()) * sum;
-    result.u[f] = mean.u;
-    result.v[f] = mean.v;
-  }
+  });
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/formats/mesh_format.hh"
 #include "surfmesh/formats/vtu_reader.hh"
 #include "surfmesh/formats/vtu_text.hh"
@@ -110,7 +111,10 @@ class VtuWriter {
     const FaceList& cells = grid_.cells;
     write_array("connectivity", 1, cells.vertices(), kCellsPerLine);
     write_array("offsets", 1, cells.offsets().subspan(1), kCellsPerLine);
-    for (std::size_t f = 0; f < cells.size(); ++f) types_.push_back(vtk_cell_type(cells[f].size()));
+    types_.resize(cells.size());
+    share_ranges(cells.size(), [&](std::size_t first, std::size_t end) {
+      for (std::size_t f = first; f < end; ++f) types_[f] = vtk_cell_type(cells[f].size());
+    });
     write_array<std::uint8_t>("types", 1, types_, kCellsPerLine);
   }
 

@@ -67,9 +67,11 @@ std::vector<double> groups(const PolyMesh& mesh, const MeshNames& names) {
 std::vector<double> qualities(const PolyMesh& mesh) {
   std::vector<double> values = triangle_qualities(mesh);
   const std::vector<double> jacobians = quad_jacobians(mesh);
-  for (std::size_t f = 0; f < values.size(); ++f) {
-    if (std::isnan(values[f])) values[f] = jacobians[f];
-  }
+  share_ranges(values.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t f = first; f < end; ++f) {
+      if (std::isnan(values[f])) values[f] = jacobians[f];
+    }
+  });
   return values;
 }
 
@@ -169,9 +171,12 @@ std::vector<double> lengths(const PolyMesh& mesh) {
 }
 
 std::vector<double> valences(const PolyMesh& mesh) {
-  std::vector<double> values;
-  values.reserve(mesh.n_vertices());
-  for (const VertexHandle vh : mesh.vertices()) values.push_back(mesh.valence(vh));
+  std::vector<double> values(mesh.n_vertices());
+  share_ranges(values.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t v = first; v < end; ++v) {
+      values[v] = mesh.valence(VertexHandle(static_cast<int>(v)));
+    }
+  });
   return values;
 }
 

@@ -6,8 +6,7 @@
 
 namespace surfmesh::detail {
 
-/// Mean and variance in one pass, without the cancellation of Σx² − (Σx)²/n (Welford;
-/// Chan, Golub, LeVeque for the sum of two).
+/// Mean and variance in one pass, without the cancellation of Σx² − (Σx)²/n (Welford).
 class Moments {
  public:
   void add(double x) {
@@ -18,6 +17,7 @@ class Moments {
   }
 
   /// Add the numbers that another one has got.
+  /// Source   Chan, Golub, LeVeque, Algorithms for computing the sample variance (1983)
   Moments& operator+=(const Moments& other) {
     if (other.count_ == 0) return *this;
     const auto own = static_cast<double>(count_), more = static_cast<double>(other.count_);
