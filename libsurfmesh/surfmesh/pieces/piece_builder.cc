@@ -6,6 +6,12 @@
 
 namespace surfmesh {
 
+void PieceBuilder::reserve(std::size_t vertices, std::size_t faces, std::size_t corners) {
+  piece_.points.reserve(vertices);
+  piece_.faces.reserve(faces, corners);
+  piece_.patches.reserve(faces);
+}
+
 void PieceBuilder::add(std::size_t tile, TilePart part) {
   std::vector<int> shared;
   for (std::size_t i = 0; i < part.shared.size(); ++i) {

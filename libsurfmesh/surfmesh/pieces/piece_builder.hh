@@ -27,6 +27,9 @@ struct PieceNumbers {
 /// Puts the parts of tiles together to one piece of a mesh.
 class PieceBuilder {
  public:
+  /// Make room for all parts at once, so that they need not be there twice.
+  void reserve(std::size_t vertices, std::size_t faces, std::size_t corners);
+
   /// Add a part, with the number of its tile. Shared vertices may be there already.
   void add(std::size_t tile, TilePart part);
 

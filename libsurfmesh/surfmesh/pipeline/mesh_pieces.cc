@@ -15,6 +15,7 @@
 
 #include "surfmesh/assemble/orientation.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/freed_memory.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/exchange/agree_on_error.hh"
 #include "surfmesh/patch_mesh/improper_chords.hh"
@@ -35,6 +36,10 @@ namespace {
 
 /// Triangles of a piece if there is one rank: some 80 MB in a file.
 constexpr double kTrianglesOfPiece = 2e6;
+
+/// Parts of tiles that are added to a piece before their memory is given back: a rank with one
+/// large piece would else need twice as much.
+constexpr std::size_t kPartsAtOnce = 8;
 
 /// Rounds in which edges that tiles make improper together are mended: one is enough, for new
 /// edges have new vertices.
@@ -374,12 +379,33 @@ class PiecesRun {
     });
   }
 
-  MeshPiece built(int piece, const std::vector<std::int64_t>& first_own) {
-    PieceBuilder builder;
+  std::vector<std::size_t> tiles_of(int piece) const {
+    std::vector<std::size_t> tiles;
     for (std::size_t t = 0; t < own_.size(); ++t) {
-      if (deal_.piece_of[t] != piece) continue;
-      builder.add(t, std::move(own_[t].part));
-      own_[t].part = {};
+      if (deal_.piece_of[t] == piece) tiles.push_back(t);
+    }
+    return tiles;
+  }
+
+  void make_room(const std::vector<std::size_t>& tiles, PieceBuilder& builder) const {
+    std::size_t vertices = 0, faces = 0, corners = 0;
+    for (const std::size_t t : tiles) {
+      const TilePart& part = own_[t].part;
+      vertices += part.points.size();
+      faces += part.faces.size();
+      corners += part.faces.corner_count();
+    }
+    builder.reserve(vertices, faces, corners);
+  }
+
+  MeshPiece built(int piece, const std::vector<std::int64_t>& first_own) {
+    const std::vector<std::size_t> tiles = tiles_of(piece);
+    PieceBuilder builder;
+    make_room(tiles, builder);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+      builder.add(tiles[i], std::move(own_[tiles[i]].part));
+      own_[tiles[i]].part = {};
+      if (i % kPartsAtOnce == 0) return_freed_memory();
     }
     MeshPiece& mesh = builder.piece();
     const PieceNumbers& numbers = builder.numbers();
