@@ -39,7 +39,7 @@ constexpr double kTrianglesOfPiece = 2e6;
 
 /// Parts of tiles that are added to a piece before their memory is given back: a rank with one
 /// large piece would else need twice as much.
-constexpr std::size_t kPartsAtOnce = 8;
+constexpr std::size_t kPartsAtOnce = 2;
 
 /// Rounds in which edges that tiles make improper together are mended: one is enough, for new
 /// edges have new vertices.
@@ -185,6 +185,8 @@ class PiecesRun {
     if (options_.quads.is_on) demands.parity = SegmentParity::EvenPatches;
     plan_.divide(demands, kCorrectedShare * sizing_.sag, nullptr);
     deal_ = deal_out(plan_.tiles(), pieces_, ranks_);
+    // Tables of arcs along contours take as much as all that is kept.
+    return_freed_memory();
     shared_.emplace(model_, plan_.nodes(), plan_.numbers(), boundaries(), deal_.piece_of,
                     deal_.pieces);
   }
@@ -199,6 +201,7 @@ class PiecesRun {
                 .has_quads = options_.quads.is_on,
                 .names = mesh_names(model_)});
     own_.resize(tiles().size());
+    drop_other_spaces(exchange.rank());
     mesh_tiles(exchange);
     mend_edges(exchange);
     const std::vector<TileSummary> summaries = gather_summaries(exchange);
@@ -227,6 +230,20 @@ class PiecesRun {
       if (deal_.rank_of(t) == rank) own.push_back(t);
     }
     return own;
+  }
+
+  /// A rank needs the control spaces of the patches that its tiles are of.
+  void drop_other_spaces(int rank) {
+    std::vector<char> is_kept(model_.patches.size(), 0);
+    for (std::size_t t = 0; t < tiles().size(); ++t) {
+      if (deal_.rank_of(t) == rank) is_kept[patch_of(t)] = 1;
+    }
+    plan_.keep_spaces(is_kept);
+    return_freed_memory();
+  }
+
+  std::size_t patch_of(std::size_t tile) const {
+    return static_cast<std::size_t>(tiles()[tile].boundary.patch);
   }
 
   void mesh_tiles(Exchange& exchange) {
@@ -335,6 +352,10 @@ class PiecesRun {
   }
 
   void mesh_together(const std::vector<std::size_t>& involved, int rank) {
+    const bool has_spaces = std::all_of(involved.begin(), involved.end(), [this](std::size_t t) {
+      return plan_.has_space(patch_of(t));
+    });
+    if (!has_spaces) plan_.restore_spaces(control_spaces());
     std::vector<PatchResult> results(involved.size());
     share_indices(involved.size(),
                   [&](std::size_t i) { results[i] = plan_.mesh_tile(involved[i]); });
