@@ -2,6 +2,7 @@
 #include "surfmesh/across/across.hh"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "surfmesh/across/dissolved_contours.hh"
@@ -32,6 +33,12 @@ std::vector<std::size_t> sheets_of(const Model& model, const std::vector<char>& 
   for (std::size_t p = 0; p < model.patches.size(); ++p) sheets.push_back(sets.find(p));
   return sheets;
 }
+
+/// What has become of a piece: nothing where it did not become better.
+struct ImprovedPiece {
+  std::vector<ReturningRegion> regions;
+  QueryCounts queries;
+};
 
 class Across {
  public:
@@ -79,30 +86,30 @@ class Across {
   }
 
   PutBackReport improve(const std::vector<FacePiece>& pieces, const std::vector<char>& is_held) {
-    std::vector<std::vector<RegionWork>> of_pieces(pieces.size());
+    std::vector<ImprovedPiece> improved(pieces.size());
     share_indices(pieces.size(),
-                  [&](std::size_t p) { of_pieces[p] = improve_piece(pieces[p], is_held); });
-    std::vector<RegionWork> works;
-    for (std::vector<RegionWork>& of_piece : of_pieces) {
-      for (RegionWork& work : of_piece) {
-        report_.queries += work.queries;
-        works.push_back(std::move(work));
-      }
+                  [&](std::size_t p) { improved[p] = improve_piece(pieces[p], is_held); });
+    std::vector<ReturningRegion> regions;
+    for (ImprovedPiece& piece : improved) {
+      report_.queries += piece.queries;
+      std::move(piece.regions.begin(), piece.regions.end(), std::back_inserter(regions));
     }
-    return put_back(works, result_);
+    return put_back(regions, result_);
   }
 
   /// A piece that does not become better as a whole may do so in some of its parts.
-  std::vector<RegionWork> improve_piece(const FacePiece& piece, const std::vector<char>& is_held) {
-    std::vector<RegionWork> works;
-    works.push_back(improve_region(input_, piece, is_held, context_));
-    if (!works.front().region.faces.empty()) return works;
+  ImprovedPiece improve_piece(const FacePiece& piece, const std::vector<char>& is_held) const {
+    ImprovedPiece improved;
+    const auto improve_part = [&](const FacePiece& part) {
+      const RegionWork work = improve_region(input_, part, is_held, context_);
+      improved.queries += work.queries;
+      if (!work.region.faces.empty()) improved.regions.emplace_back(work, result_);
+    };
+    improve_part(piece);
+    if (!improved.regions.empty()) return improved;
     const std::vector<FacePiece> parts = parts_of(result_, piece, is_held);
-    if (parts.size() == 1) return works;
-    for (const FacePiece& part : parts) {
-      works.push_back(improve_region(input_, part, is_held, context_));
-    }
-    return works;
+    if (parts.size() > 1) std::for_each(parts.begin(), parts.end(), improve_part);
+    return improved;
   }
 
   void improve_along(std::vector<VertexHandle> seam) {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "surfmesh/across/face_order.hh"
@@ -57,8 +57,8 @@ class SpareNumbers {
 
 class PutBack {
  public:
-  PutBack(std::span<const RegionWork> works, PolyMesh& result)
-      : works_(works),
+  PutBack(std::span<ReturningRegion> regions, PolyMesh& result)
+      : regions_(regions),
         result_(result),
         patch_of_(require(result, keys::face_patch)),
         contour_of_(require(result, keys::edge_contour)),
@@ -70,7 +70,9 @@ class PutBack {
         is_taken_(result.n_faces(), 0) {}
 
   PutBackReport run() {
-    survey();
+    share_indices(regions_.size(), [this](std::size_t r) {
+      for (const FaceHandle fh : regions_[r].taken()) is_taken_[index(fh)] = 1;
+    });
     number_rest();
     const FaceOrder order(result_, is_taken_, regions_);
     result_.resize(std::max(result_.n_vertices(), vertices_.bound()),
@@ -88,17 +90,6 @@ class PutBack {
   static decltype(keys::corner_beyond)::Handle attach_if_new(PolyMesh& result) {
     const auto handle = find(result, keys::corner_beyond);
     return handle.is_valid() ? handle : attach(result, keys::corner_beyond, 0);
-  }
-
-  void survey() {
-    std::vector<std::optional<ReturningRegion>> surveyed(works_.size());
-    share_indices(works_.size(), [&](std::size_t r) {
-      surveyed[r].emplace(works_[r], result_);
-      for (const FaceHandle fh : works_[r].region.faces) is_taken_[index(fh)] = 1;
-    });
-    for (std::optional<ReturningRegion>& region : surveyed) {
-      regions_.push_back(std::move(*region));
-    }
   }
 
   void number_rest() {
@@ -133,44 +124,44 @@ class PutBack {
   }
 
   void write_region(const ReturningRegion& region, std::map<int, std::size_t> numbers, int* sides) {
-    const PolyMesh& mesh = region.mesh();
-    region.for_each_face([&](FaceHandle own) {
-      const std::size_t number = numbers[region.in_patch(own).patch]++;
-      sides[number] = region.in_result(mesh.halfedge_handle(own)).idx();
-      std::size_t k = 0;
-      for_each_corner(mesh, own, [&](HalfedgeHandle heh) {
-        link(region, heh, FaceHandle(static_cast<int>(number)));
-        write_corner(region.in_patch(own), k++, region.in_result(mesh.prev_halfedge_handle(heh)));
-      });
+    region.for_each_face([&](int patch, std::span<const ReturningCorner> corners) {
+      const std::size_t number = numbers[patch]++;
+      sides[number] = region.in_result(corners.front().side).idx();
+      const ReturningCorner* before = &corners.back();
+      for (const ReturningCorner& corner : corners) {
+        link(region, *before, corner, FaceHandle(static_cast<int>(number)));
+        write_corner(corner, region.in_result(before->side));
+        before = &corner;
+      }
     });
   }
 
-  void link(const ReturningRegion& region, HalfedgeHandle heh, FaceHandle fh) {
-    const PolyMesh& mesh = region.mesh();
-    const HalfedgeHandle side = region.in_result(heh);
-    result_.set_vertex_handle(side, region.in_result(mesh.to_vertex_handle(heh)));
+  /// Let the side that leaves a corner of a face be followed by that of the next one.
+  void link(const ReturningRegion& region, const ReturningCorner& corner,
+            const ReturningCorner& next, FaceHandle fh) {
+    const HalfedgeHandle side = region.in_result(corner.side);
+    const HalfedgeHandle next_side = region.in_result(next.side);
+    const VertexHandle between = region.in_result(next.vertex);
+    result_.set_vertex_handle(side, between);
     result_.set_face_handle(side, fh);
-    result_.set_next_halfedge_handle(side, region.in_result(mesh.next_halfedge_handle(heh)));
-    if (!mesh.is_boundary(mesh.edge_handle(heh))) {
-      result_.property(contour_of_, result_.edge_handle(side)) = -1;
-    }
+    result_.set_next_halfedge_handle(side, next_side);
+    if (next.is_inner) result_.set_halfedge_handle(between, next_side);
+    if (region.is_new(corner.side)) result_.property(contour_of_, result_.edge_handle(side)) = -1;
   }
 
-  /// `corner` leads to the k-th corner of a face.
-  void write_corner(const FaceInPatch& face, std::size_t k, HalfedgeHandle corner) {
-    result_.property(uv_of_, corner) = face.uvs[k];
-    result_.property(metric_of_, corner) = face.metrics[k];
-    result_.property(beyond_, corner) = face.is_beyond[k] ? 1 : 0;
+  /// `into` leads to the corner.
+  void write_corner(const ReturningCorner& corner, HalfedgeHandle into) {
+    result_.property(uv_of_, into) = corner.uv;
+    result_.property(metric_of_, into) = corner.metric;
+    result_.property(beyond_, into) = corner.is_beyond ? 1 : 0;
   }
 
   void write_vertices(const ReturningRegion& region) {
-    region.for_each_inner_vertex([&](VertexHandle own, const VertexChart* moved) {
-      const VertexHandle vh = region.in_result(own);
-      result_.set_halfedge_handle(vh, region.in_result(region.mesh().halfedge_handle(own)));
-      if (!moved) return;
-      result_.set_point(vh, to_openmesh(moved->point));
-      report_.places[index(vh)] = moved->place;
-    });
+    for (const MovedVertex& moved : region.moved()) {
+      const VertexHandle vh = region.in_result(moved.vertex);
+      result_.set_point(vh, to_openmesh(moved.point));
+      report_.places[index(vh)] = moved.place;
+    }
     for (const auto& [vh, side] : region.relinked()) result_.set_halfedge_handle(vh, side);
   }
 
@@ -214,14 +205,13 @@ class PutBack {
     });
   }
 
-  std::span<const RegionWork> works_;
+  std::span<ReturningRegion> regions_;
   PolyMesh& result_;
   decltype(keys::face_patch)::Handle patch_of_;
   decltype(keys::edge_contour)::Handle contour_of_;
   decltype(keys::corner_uv)::Handle uv_of_;
   decltype(keys::corner_metric)::Handle metric_of_;
   decltype(keys::corner_beyond)::Handle beyond_;
-  std::vector<ReturningRegion> regions_;
   SpareNumbers vertices_, edges_;
   std::vector<char> is_taken_;  ///< by face of the result
   PutBackReport report_;
@@ -229,7 +219,7 @@ class PutBack {
 
 }  // namespace
 
-PutBackReport put_back(std::span<const RegionWork> regions, PolyMesh& result) {
+PutBackReport put_back(std::span<ReturningRegion> regions, PolyMesh& result) {
   return PutBack(regions, result).run();
 }
 

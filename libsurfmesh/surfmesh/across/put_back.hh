@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "surfmesh/across/region_work.hh"
+#include "surfmesh/across/returning_region.hh"
 
 namespace surfmesh {
 
@@ -32,6 +32,6 @@ struct PutBackReport {
 ///          (halfedge), and the elements
 /// Cost     about 0.2 µs per face of the regions, 10 ns for each other face, shared
 /// Pre      no face is in two regions; no edge within a region is on a contour
-PutBackReport put_back(std::span<const RegionWork> regions, PolyMesh& result);
+PutBackReport put_back(std::span<ReturningRegion> regions, PolyMesh& result);
 
 }  // namespace surfmesh
