@@ -9,6 +9,7 @@
 #include "surfmesh/across/put_back.hh"
 #include "surfmesh/assemble/orientation.hh"
 #include "surfmesh/core/disjoint_sets.hh"
+#include "surfmesh/core/freed_memory.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/quad_topology.hh"
@@ -65,6 +66,7 @@ class Across {
     clear_contours(regions.is_held);
     const std::vector<FacePiece> pieces = divide_in_pieces(result_, regions);
     if (pieces.empty()) return report_;
+    return_freed_memory();  // of assembly, which put_back finds no room in for its long arrays
     std::vector<VertexHandle> seam = seam_between(result_, pieces, regions.is_held);
     PutBackReport report = improve(pieces, regions.is_held);
     if (seam.empty()) return report_;
