@@ -3,64 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "support/expect_valid.hh"
-#include "support/models.hh"
+#include "support/pole_in_mesh.hh"
 #include "surfmesh/assemble/assemble.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/topology.hh"
 
 namespace surfmesh {
 namespace {
-
-/// The boundary of a cone's one patch with the ring around its apex taken out again.
-PatchBoundary boundary_with_pole(PatchBoundary boundary) {
-  const PoleFan fan = boundary.fans.at(0);
-  BoundaryLoop loop;
-  for (const BoundaryNode& node : boundary.loops.at(0)) {
-    if (node.vertex >= 0) {
-      loop.push_back(node);
-      if (node.contour >= 0) continue;
-      loop.back().contour = fan.contour_to;
-      loop.push_back({fan.sides.front(), fan.pole, -1});
-      loop.push_back({fan.sides.back(), fan.pole, fan.contour_from});
-    }
-  }
-  return {boundary.patch, {loop}, {}};
-}
-
-/// Two rows of faces along a loop, each half as far from the middle as the one before, and
-/// triangles around the middle.
-constexpr int kRows = 2;
-
-std::unique_ptr<PolyMesh> mesh_within(const BoundaryLoop& loop, Uv middle, bool has_quads) {
-  const int count = static_cast<int>(loop.size());
-  FaceList faces;
-  for (int k = 0; k < count; ++k) {
-    const int next = (k + 1) % count;
-    for (int from = 0; from < kRows * count; from += count) {
-      const std::array outer = {from + k, from + next},
-                       inner = {outer[0] + count, outer[1] + count};
-      if (has_quads) {
-        faces.add(std::array{outer[0], outer[1], inner[1], inner[0]});
-      } else {
-        faces.add(std::array{outer[0], outer[1], inner[1]});
-        faces.add(std::array{outer[0], inner[1], inner[0]});
-      }
-    }
-    faces.add(std::array{kRows * count + k, kRows * count + next, (kRows + 1) * count});
-  }
-  auto mesh = std::make_unique<PolyMesh>();
-  const auto vertex_count = static_cast<std::size_t>((kRows + 1) * count + 1);
-  build_faces(*mesh, vertex_count, faces, FirstSide::FromFirstCorner);
-  const auto uv = attach(*mesh, keys::vertex_uv, middle);
-  attach(*mesh, keys::vertex_metric, Metric{1, 0, 1});
-  for (int row = 0; row <= kRows; ++row) {
-    for (int k = 0; k < count; ++k) {
-      mesh->property(uv, VertexHandle(row * count + k)) =
-          lerp(loop[static_cast<std::size_t>(k)].uv, middle, 1 - std::pow(0.5, row));
-    }
-  }
-  return mesh;
-}
 
 struct Case {
   bool has_quads = false;
@@ -74,22 +23,14 @@ void PrintTo(const Case& a, std::ostream* out) {
 class ConeWithoutRing : public ::testing::TestWithParam<Case> {
  protected:
   void SetUp() override {
-    model_.patches[0].is_reversed = GetParam().is_turned;
-    const testing::UniformSizes fields(model_, 0.4);
-    const auto nodes = place_contour_nodes(model_, fields).contours;
-    const NodeNumbers numbers(model_, nodes);
-    PatchBoundary boundary =
-        boundary_with_pole(collect_boundary(model_, 0, nodes, numbers, fields[0]));
-    const Domain domain = model_.surface(0).domain();
-    auto mesh = mesh_within(boundary.loops[0], domain.at(0.5, 0.5), GetParam().has_quads);
-    given_faces_ = mesh->n_faces();
-    given_corners_ = mesh->n_halfedges() - boundary.loops[0].size();
-    std::vector<PatchMesh> patches;
-    patches.push_back(finish_patch(std::move(boundary), std::move(mesh), model_.surface(0)));
-    report_ = assemble(mesh_, model_, nodes, numbers, std::move(patches));
+    testing::PoleInMesh cone(GetParam().has_quads, GetParam().is_turned);
+    given_faces_ = cone.patches[0].mesh->n_faces();
+    given_corners_ = cone.patches[0].mesh->n_halfedges() - cone.patches[0].boundary.loops[0].size();
+    report_ = assemble(mesh_, cone.model, cone.nodes, cone.numbers, std::move(cone.patches));
+    model_ = std::move(cone.model);
   }
 
-  Model model_ = testing::cone_of(1);
+  Model model_;
   std::size_t given_faces_ = 0, given_corners_ = 0;
   AssembleReport report_;
   PolyMesh mesh_;

@@ -52,7 +52,7 @@ struct Rim {
 
   int count(double size, const SegmentBounds& bounds) const {
     const testing::FunctionField field = testing::isotropic_field_on(model.surface(use), size);
-    return segments_for_sag(model, use, MetricArc(*use.curve, field), bounds);
+    return segments_for_sag(model.surface(use), *use.curve, MetricArc(*use.curve, field), bounds);
   }
 };
 

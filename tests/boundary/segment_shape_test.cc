@@ -18,14 +18,14 @@ using testing::model_of;
 TEST(SegmentSag, IsThatOfAnArc) {
   const Model model = model_of({testing::cylinder(0, pi)});
   const ContourUse& use = model.contour(contour_index(model, "p0:v0")).uses.front();
-  EXPECT_NEAR(segment_sag(model, use, 0, 1), 1, 1e-14);
-  EXPECT_NEAR(segment_sag(model, use, 0.25, 0.5), 1 - std::cos(pi / 8), 1e-14);
+  EXPECT_NEAR(segment_sag(model.surface(use), *use.curve, 0, 1), 1, 1e-14);
+  EXPECT_NEAR(segment_sag(model.surface(use), *use.curve, 0.25, 0.5), 1 - std::cos(pi / 8), 1e-14);
 }
 
 TEST(SegmentSag, IsNothingOnAStraightLine) {
   const Model model = model_of({testing::cylinder(0, pi)});
   const ContourUse& use = model.contour(contour_index(model, "p0:u0")).uses.front();
-  EXPECT_LT(segment_sag(model, use, 0, 1), 1e-15);
+  EXPECT_LT(segment_sag(model.surface(use), *use.curve, 0, 1), 1e-15);
 }
 
 /// A contour that passes the north pole of the unit sphere at a small distance.

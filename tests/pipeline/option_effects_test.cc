@@ -80,6 +80,7 @@ const std::map<std::string_view, Case> kCases = {
     {"quads", {"on"}},
     {"quad_method", {"frontal", "torus.json", {{"quads", "on"}}}},
     {"quad_front", {"lee-lo", "torus.json", {{"quads", "on"}, {"quad_method", "frontal"}}}},
+    {"tile", {"100"}},
     {"threads", {"1"}},
     {"max_elements", {"10"}},
 };

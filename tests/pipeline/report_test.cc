@@ -63,6 +63,7 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
                                  "notices",
                                  "estimated_elements",
                                  "mesh",
+                                 "tiles",
                                  "patches",
                                  "groups",
                                  "surfaces",

@@ -24,7 +24,9 @@ struct TileGraph {
 using DealTiles = std::function<std::vector<int>(const TileGraph& graph, int pieces)>;
 
 /// Deal runs of tiles that follow each other: patches stay together, and the numbers of a piece
-/// follow each other, too.
+/// follow each other, too. A piece stays empty where a tile weighs more than its share.
+///
+/// Returns  the piece of each tile, ascending
 /// Cost     O(tiles)
 std::vector<int> deal_in_runs(const std::vector<double>& weights, int pieces);
 

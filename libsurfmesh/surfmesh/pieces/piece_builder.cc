@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/pieces/piece_builder.hh"
 
-#include <algorithm>
-#include <array>
-#include <span>
+#include <cstddef>
+#include <vector>
 
 namespace surfmesh {
 

@@ -38,12 +38,12 @@ void for_each_shared(const PatchBoundary& boundary, Visit visit) {
 SharedNumbers::SharedNumbers(const Model& model, const std::vector<ContourNodes>& nodes,
                              const NodeNumbers& numbers,
                              const std::vector<const PatchBoundary*>& boundaries,
-                             const std::vector<int>& piece_of)
+                             const std::vector<int>& piece_of, int pieces)
     : ids_(static_cast<std::size_t>(numbers.count()), -1),
-      points_(contour_points(model, nodes, numbers)) {
+      points_(contour_points(model, nodes, numbers)),
+      neighbours_(static_cast<std::size_t>(pieces)) {
   std::vector<Place> places;
   for (std::size_t t = 0; t < boundaries.size(); ++t) {
-    neighbours_.resize(std::max(neighbours_.size(), static_cast<std::size_t>(piece_of[t]) + 1));
     for_each_shared(*boundaries[t], [&](int number) {
       ids_[static_cast<std::size_t>(number)] = 0;
       places.push_back({number, piece_of[t]});

@@ -14,11 +14,11 @@ namespace surfmesh {
 /// boundaries of all tiles alone.
 class SharedNumbers {
  public:
-  /// `boundaries` and `piece_of` are by tile.
+  /// `boundaries` and `piece_of` are by tile; some of the `pieces` may have none.
   /// Cost     O(n log n) for the nodes on all boundaries
   SharedNumbers(const Model& model, const std::vector<ContourNodes>& nodes,
                 const NodeNumbers& numbers, const std::vector<const PatchBoundary*>& boundaries,
-                const std::vector<int>& piece_of);
+                const std::vector<int>& piece_of, int pieces);
 
   /// How many of them are vertices of the mesh: those that no tile has are left out.
   std::int64_t count() const { return count_; }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -32,34 +33,6 @@ SummedValues summed(const EdgeStatistics& edges) {
   count_bins(edges.histogram, sums);
   return sums;
 }
-
-/// Moments of values by face of which some are not set.
-class FaceValues {
- public:
-  void add(double value, bool is_marked) {
-    ++sums_.count;
-    sum_ += value;
-    squares_ += value * value;
-    sums_.min = sums_.count == 1 ? value : std::min(sums_.min, value);
-    sums_.max = sums_.count == 1 ? value : std::max(sums_.max, value);
-    if (is_marked) ++marked_;
-  }
-
-  SummedValues result() const {
-    SummedValues sums = sums_;
-    if (sums.count == 0) return sums;
-    const auto count = static_cast<double>(sums.count);
-    sums.mean = sum_ / count;
-    sums.stddev = std::sqrt(std::max(0.0, squares_ / count - sums.mean * sums.mean));
-    sums.share = static_cast<double>(marked_) / count;
-    return sums;
-  }
-
- private:
-  SummedValues sums_;
-  double sum_ = 0, squares_ = 0;
-  std::int64_t marked_ = 0;
-};
 
 SummedValues summed(const QualityStatistics& quality) {
   SummedValues sums{static_cast<std::int64_t>(quality.count),
@@ -100,9 +73,21 @@ SummedValues space_jacobians_of(const QuadStatistics& quads) {
 }
 
 SummedValues lengths_of(const PolyMesh& mesh) {
-  FaceValues lengths;
-  for (const EdgeHandle eh : mesh.edges()) lengths.add(mesh.calc_edge_length(eh), false);
-  return lengths.result();
+  std::vector<double> lengths;
+  lengths.reserve(mesh.n_edges());
+  for (const EdgeHandle eh : mesh.edges()) lengths.push_back(mesh.calc_edge_length(eh));
+  SummedValues sums;
+  if (lengths.empty()) return sums;
+  const auto count = static_cast<double>(lengths.size());
+  sums.count = static_cast<std::int64_t>(lengths.size());
+  sums.mean = std::accumulate(lengths.begin(), lengths.end(), 0.0) / count;
+  double squares = 0;
+  for (const double length : lengths) squares += (length - sums.mean) * (length - sums.mean);
+  sums.stddev = std::sqrt(squares / count);
+  const auto [least, greatest] = std::minmax_element(lengths.begin(), lengths.end());
+  sums.min = *least;
+  sums.max = *greatest;
+  return sums;
 }
 
 FacePlace place_of(const PolyMesh& mesh, int face) {

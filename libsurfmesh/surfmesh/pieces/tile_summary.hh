@@ -36,7 +36,7 @@ struct FacePlace {
 struct TileSummary {
   std::int64_t tile = 0;
   std::int64_t patch = 0;
-  std::int64_t own_vertices = 0;
+  std::int64_t own_vertices = 0;  ///< see TilePart; known when the tile is taken apart
   std::int64_t triangles = 0, quads = 0;
   double area = 0;
   SummedValues edges;            ///< metric lengths; share: in the unit range
@@ -45,7 +45,7 @@ struct TileSummary {
   SummedValues jacobians;        ///< of quads in the metric; share: flat
   SummedValues space_jacobians;  ///< of quads in space; share: folded
   std::int64_t inverted = 0;     ///< quads
-  double irregular_share = 0;
+  double irregular_share = 0;    ///< of the tile's inner vertices, see QuadStatistics
   FacePlace worst, worst_quad, worst_quad_in_space;
   std::int64_t turned = 0;  ///< triangles against the surface, see TurnedTriangles
   std::int64_t has_turned_place = 0, is_turned_by_surface = 0;
@@ -73,7 +73,8 @@ struct SummaryOfTiles {
   std::ptrdiff_t worst = -1, worst_quad = -1, worst_quad_in_space = -1;
 };
 
-/// Sum up tiles in their order: the same on every rank, whatever was made where.
+/// Sum up tiles in their order: the same on every rank, whatever was made where. Their irregular
+/// shares count by their quads.
 SummaryOfTiles sum_of(std::span<const TileSummary> tiles, std::size_t patch_count);
 
 }  // namespace surfmesh

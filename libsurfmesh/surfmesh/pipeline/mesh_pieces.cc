@@ -180,7 +180,8 @@ class PiecesRun {
     if (options_.quads.is_on) demands.parity = SegmentParity::EvenPatches;
     plan_.divide(demands, kCorrectedShare * sizing_.sag, nullptr);
     deal_ = deal_out(plan_.tiles(), pieces_, ranks_);
-    shared_.emplace(model_, plan_.nodes(), plan_.numbers(), boundaries(), deal_.piece_of);
+    shared_.emplace(model_, plan_.nodes(), plan_.numbers(), boundaries(), deal_.piece_of,
+                    deal_.pieces);
   }
 
   const std::vector<Tile>& tiles() const { return plan_.tiles(); }

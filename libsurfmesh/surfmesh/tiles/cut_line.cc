@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "surfmesh/boundary/metric_arc.hh"
@@ -119,7 +121,7 @@ class LineCut {
 
   std::vector<TilePolygon> run(int axis, double value) {
     if (!collect(axis, value) || !are_apart() || !have_good_angles()) return {};
-    if (!keep_their_distance() || do_cross()) return {};
+    if (!keep_their_distance() || has_crossing()) return {};
     CutPolygons divided = divide(polygon_, nodes_, plain_cuts());
     const bool is_divided = std::all_of(divided.beside.begin(), divided.beside.end(),
                                         [](const auto& pair) { return pair.first != pair.second; });
@@ -215,7 +217,7 @@ class LineCut {
     return false;
   }
 
-  bool do_cross() const {
+  bool has_crossing() const {
     bool is_any = false;
     for_each_side(polygon_, [&](SidePlace place) {
       const Uv a = uv(place), b = uv(next(polygon_, place));
@@ -241,17 +243,15 @@ class LineCut {
     return cuts;
   }
 
-  /// Give every part an even number of sides, from the leaves of a tree of parts on. The root is
-  /// even because all together are.
-  void even_out(const CutPolygons& divided) {
-    const std::size_t count = divided.parts.size();
-    std::vector<int> parity;
-    // Each cut is one side still.
-    for (const TilePolygon& part : divided.parts) {
-      parity.push_back(static_cast<int>(part.side_count() % 2));
-    }
-    std::vector<char> is_reached(count, 0);
-    std::vector<std::pair<std::size_t, std::size_t>> tree;  // cut, and the part beyond it
+  /// A cut, and the part beyond it as seen from the part from which it was reached.
+  struct Branch {
+    std::size_t cut, beyond;
+  };
+
+  /// Cuts that lead from the first part to all others, each after those that lead to it.
+  std::vector<Branch> tree_of_parts(const CutPolygons& divided) const {
+    std::vector<char> is_reached(divided.parts.size(), 0);
+    std::vector<Branch> tree;
     is_reached[0] = 1;
     for (bool grows = true; grows;) {
       grows = false;
@@ -264,19 +264,31 @@ class LineCut {
         grows = true;
       }
     }
+    return tree;
+  }
+
+  /// Give every part an even number of sides, from the leaves of a tree of parts on. The root is
+  /// even because all together are.
+  void even_out(const CutPolygons& divided) {
+    std::vector<int> parity;
+    // Each cut is one side still.
+    for (const TilePolygon& part : divided.parts) {
+      parity.push_back(static_cast<int>(part.side_count() % 2));
+    }
+    const std::vector<Branch> tree = tree_of_parts(divided);
     for (std::size_t c = 0; c < cuts_.size(); ++c) {
       const bool is_in_tree = std::any_of(tree.begin(), tree.end(),
-                                          [c](const auto& branch) { return branch.first == c; });
+                                          [c](const Branch& branch) { return branch.cut == c; });
       if (!is_in_tree) count_segments(divided, c, parity);
     }
     for (auto branch = tree.rbegin(); branch != tree.rend(); ++branch) {
-      const auto [c, beyond] = *branch;
       // The side that the cut counts as is replaced by its segments.
-      cuts_[c].set_parity(parity[beyond] == 0 ? 1 : 0);
-      count_segments(divided, c, parity);
+      cuts_[branch->cut].set_parity(parity[branch->beyond] == 0 ? 1 : 0);
+      count_segments(divided, branch->cut, parity);
     }
   }
 
+  /// Count the segments of a cut among the sides of both parts beside it, in place of one side.
   void count_segments(const CutPolygons& divided, std::size_t c, std::vector<int>& parity) const {
     const auto [a, b] = divided.beside[c];
     for (const std::size_t part : {a, b}) parity[part] = (parity[part] + cuts_[c].count() - 1) % 2;

@@ -25,8 +25,8 @@ struct CutRules {
 /// ends of one; they are appended to `nodes`. Of quads, each part has an even number of sides.
 ///
 /// Returns  the parts; none where a cut would be shorter than 2.5 units, come nearer than 0.6 units
-///          to a node, cross a side, or meet one under less than 39°, or if the line leaves the
-///          polygon whole
+///          to a node, cross a side, meet one under less than 39°, or end where another cut does,
+///          and none if the line leaves the polygon whole
 /// Cost     O(sides), and eight metric queries per unit of length
 std::vector<TilePolygon> divide_at(const TilePolygon& polygon, std::vector<TileNode>& nodes,
                                    int axis, double value, const CutRules& rules,

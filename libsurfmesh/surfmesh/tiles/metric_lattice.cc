@@ -8,6 +8,7 @@
 #include "surfmesh/metric/triangle.hh"
 
 namespace surfmesh::detail {
+
 MetricLattice::MetricLattice(const TilePolygon& polygon, const std::vector<TileNode>& nodes,
                              const MetricField& field)
     : box_(box_of(polygon, nodes)), densities_(kSide * kSide, 0) {
