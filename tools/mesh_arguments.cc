@@ -18,6 +18,9 @@ constexpr const char* kFooter =
 /// Numbers of pieces up to this one are taken: their files are in one folder.
 constexpr int kMostPieces = 1'000'000;
 
+/// Ranks of a dry run, likewise.
+constexpr int kMostRanks = 1'000'000;
+
 /// What deals tiles out to pieces, by the word for it.
 std::map<std::string, bool> ways_to_deal() {
   std::map<std::string, bool> ways = {{"runs", false}};
@@ -63,6 +66,12 @@ void MeshArguments::add_pieces(CLI::App& command, ShortHelp help) {
       "--pieces", pieces, "write pieces that are never in one place: .pvtu and .vtu");
   folder->type_name("FOLDER");
   if (help == ShortHelp::None) hide_in_short_help(command, folder);
+  hide_in_short_help(command,
+                     command
+                         .add_option("--ranks", ranks,
+                                     "with --dry-run: tell how so many ranks would share the work")
+                         ->type_name("N")
+                         ->check(CLI::Range(1, kMostRanks).description("")));
   hide_in_short_help(command, command
                                   .add_option("--piece-count", piece_count,
                                               "number of pieces; else one a rank, or by size")
@@ -82,8 +91,11 @@ void MeshArguments::check(const CLI::App& command) const {
   for (const char* other : {"--output", "--dry-run"}) {
     if (!pieces.empty() && command.count(other) > 0) throw CLI::ExcludesError("--pieces", other);
   }
+  if (ranks > 0 && !is_dry_run) throw CLI::RequiresError("--ranks", "--dry-run");
   for (const char* more : {"--piece-count", "--deal"}) {
-    if (pieces.empty() && command.count(more) > 0) throw CLI::RequiresError(more, "--pieces");
+    if (pieces.empty() && ranks == 0 && command.count(more) > 0) {
+      throw CLI::RequiresError(more, "--pieces");
+    }
   }
 }
 

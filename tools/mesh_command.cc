@@ -60,11 +60,16 @@ class MeshRun {
     return result;
   }
 
-  Report estimate(const std::string& path, Progress& progress) const {
+  Report estimate(const MeshArguments& arguments, Progress& progress) const {
     const ModelInput& input = input_.input();
-    Report report = at_input(
-        path, [&] { return estimate_mesh(input.model, input.sources, input.options, &progress); });
-    input_.describe(path, report);
+    Report report = at_input(arguments.input, [&] {
+      if (arguments.ranks == 0) {
+        return estimate_mesh(input.model, input.sources, input.options, &progress);
+      }
+      return estimate_pieces(input.model, input.sources, input.options, pieces_options(arguments),
+                             arguments.ranks, &progress);
+    });
+    input_.describe(arguments.input, report);
     throw_if_signalled();
     return report;
   }
@@ -177,7 +182,7 @@ int MeshCommand::run() const {
     run.read(arguments_, progress);
     const TextStyle style = text_style(arguments_.is_verbose);
     if (is_dry_run) {
-      Report report = run.estimate(input, progress);
+      Report report = run.estimate(arguments_, progress);
       run.write(report, arguments_.report);
       return finish(report, estimate_text(report, style), progress);
     }

@@ -5,6 +5,7 @@
 #include <exception>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "exit_status.hh"
 #include "mesh_arguments.hh"
@@ -30,6 +31,11 @@ TextStyle text_style(bool is_verbose);
 /// `surfmesh mesh`: read a cage or a model file, mesh it, write the mesh and the report.
 class MeshCommand {
  public:
+  MeshCommand() = default;
+
+  /// With arguments that were parsed elsewhere.
+  explicit MeshCommand(MeshArguments arguments) : arguments_(std::move(arguments)) {}
+
   /// Add the subcommand and its options to the program. The object must outlive the parsing.
   void add_to(CLI::App& app) { arguments_.add_to(app); }
 

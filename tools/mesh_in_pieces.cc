@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -19,7 +18,6 @@
 #include "surfmesh/formats/piece_file.hh"
 #include "surfmesh/formats/piece_folder.hh"
 #include "surfmesh/formats/piece_text.hh"
-#include "surfmesh/pipeline/mesh_pieces.hh"
 #include "terminal.hh"
 #ifdef SURFMESH_HAS_METIS
 #include "surfmesh_metis/deal_by_metis.hh"
@@ -69,24 +67,6 @@ void check_options(const PipelineOptions& options) {
               "normals, uv and texture have no place in a mesh that is written in pieces");
 }
 
-DealTiles way_to_deal([[maybe_unused]] const MeshArguments& arguments) {
-#ifdef SURFMESH_HAS_METIS
-  if (arguments.by_metis) return deal_by_metis;
-#endif
-  return nullptr;
-}
-
-/// How pieces and work are dealt out, in a line.
-std::string pieces_text(const PiecesReport& made) {
-  const auto& faces = made.faces_of_ranks;
-  const double sum = static_cast<double>(std::accumulate(faces.begin(), faces.end(), 0LL));
-  const double most =
-      faces.empty() ? 0 : static_cast<double>(*std::max_element(faces.begin(), faces.end()));
-  const double balance = sum > 0 ? most * static_cast<double>(faces.size()) / sum : 1;
-  return fmt::format("pieces {}, ranks {}, largest share {:.2f} of the mean, {:.1f} MB exchanged\n",
-                     made.pieces, made.ranks, balance, static_cast<double>(made.bytes_sent) / 1e6);
-}
-
 /// One run of the command on a rank.
 class PiecesRun {
  public:
@@ -103,9 +83,9 @@ class PiecesRun {
     });
     const std::unique_ptr<PieceOutput> output = make_output();
     GuardedSink sink(*output);
-    PiecesReport made = mesh(sink);
-    commit(made.report, *output);
-    return tell_of(made);
+    Report report = mesh(sink);
+    commit(report, *output);
+    return tell_of(report);
   }
 
  private:
@@ -116,9 +96,9 @@ class PiecesRun {
     return std::make_unique<PieceFile>(arguments_.output, exchange_);
   }
 
-  PiecesReport mesh(PieceSink& sink) {
+  Report mesh(PieceSink& sink) {
     const ModelInput& input = input_.input();
-    const PiecesOptions pieces{.pieces = arguments_.piece_count, .deal = way_to_deal(arguments_)};
+    const PiecesOptions pieces = pieces_options(arguments_);
     try {
       return mesh_pieces(input.model, input.sources, input.options, pieces, exchange_, sink,
                          &progress_);
@@ -146,14 +126,13 @@ class PiecesRun {
     commit_against_signals(status_of(report), [&] { output.commit(file ? &*file : nullptr); });
   }
 
-  int tell_of(const PiecesReport& made) {
+  int tell_of(const Report& report) {
     progress_.clear();
-    int status = status_of(made.report);
+    int status = status_of(report);
     if (!arguments_.is_quiet) {
-      const TextStyle style = text_style(arguments_.is_verbose);
-      status = print_summary(to_text(made.report, style) + pieces_text(made), status);
+      status = print_summary(to_text(report, text_style(arguments_.is_verbose)), status);
     }
-    print_notices(made.report.notices, arguments_.is_verbose);
+    print_notices(report.notices, arguments_.is_verbose);
     return status;
   }
 
@@ -174,6 +153,14 @@ int tell_agreed_failure(const AgreedError& error, Exchange& exchange, Progress& 
 }
 
 }  // namespace
+
+PiecesOptions pieces_options(const MeshArguments& arguments) {
+  PiecesOptions options{.pieces = arguments.piece_count};
+#ifdef SURFMESH_HAS_METIS
+  if (arguments.by_metis) options.deal = deal_by_metis;
+#endif
+  return options;
+}
 
 int mesh_in_pieces(const MeshArguments& arguments, Exchange& exchange,
                    const std::function<void(int)>& abort_all) {

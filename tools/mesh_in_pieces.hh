@@ -5,8 +5,12 @@
 
 #include "mesh_arguments.hh"
 #include "surfmesh/exchange/exchange.hh"
+#include "surfmesh/pipeline/mesh_pieces.hh"
 
 namespace surfmesh {
+
+/// What --piece-count and --deal say.
+PiecesOptions pieces_options(const MeshArguments& arguments);
 
 /// `surfmesh mesh` where no rank has the whole mesh: to a folder of pieces, or to a file of a
 /// format that can be written in pieces.

@@ -98,7 +98,16 @@ TEST_F(MpiProgram, PrintsOnceAndWritesOneReport) {
   std::size_t count = 0;
   for (std::size_t at = 0; (at = out_.find("triangles, ", at)) != std::string::npos; ++at) ++count;
   EXPECT_EQ(count, 1u) << out_;
-  EXPECT_NE(out_.find("pieces 3, ranks 3"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("pieces    3 on 3 ranks; "), std::string::npos) << out_;
+}
+
+TEST_F(MpiProgram, EstimatesForItsRanksInADryRun) {
+  EXPECT_EQ(run_ranks(3, "mesh '" + own_model("cube.obj") + "' --dry-run"), 0) << err_;
+  const std::string line = "pieces    3 on 3 ranks; ";
+  const std::size_t at = out_.find(line);
+  EXPECT_NE(at, std::string::npos) << out_;
+  EXPECT_EQ(out_.find(line, at + 1), std::string::npos) << "told twice: " << out_;
+  EXPECT_EQ(folder_.count(), 0);
 }
 
 TEST_F(MpiProgram, TellsOnceOfAnErrorAndLeavesNothing) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <ostream>
@@ -144,17 +146,17 @@ struct Given {
   PipelineOptions options;
 };
 
-PiecesReport mesh_on(int ranks, const Given& given, const PiecesOptions& pieces, Collected& all) {
-  std::vector<PiecesReport> reports(static_cast<std::size_t>(ranks));
+Report mesh_on(int ranks, const Given& given, const PiecesOptions& pieces, Collected& all) {
+  std::vector<Report> reports(static_cast<std::size_t>(ranks));
   testing::run_ranks(ranks, [&](Exchange& exchange) {
     CollectingSink sink(all);
     reports[static_cast<std::size_t>(exchange.rank())] =
         mesh_pieces(given.model, given.sources, given.options, pieces, exchange, sink);
   });
-  for (const PiecesReport& report : reports) {
-    EXPECT_EQ(report.report.mesh.triangles, reports[0].report.mesh.triangles);
-    EXPECT_EQ(report.report.edges, reports[0].report.edges);
-    EXPECT_EQ(report.bytes_sent, reports[0].bytes_sent);
+  for (const Report& report : reports) {
+    EXPECT_EQ(report.mesh.triangles, reports[0].mesh.triangles);
+    EXPECT_EQ(report.edges, reports[0].edges);
+    EXPECT_EQ(report.pieces->bytes_sent, reports[0].pieces->bytes_sent);
   }
   EXPECT_EQ(all.begun, ranks);
   EXPECT_EQ(all.finished, ranks);
@@ -170,16 +172,16 @@ TEST_P(Pieces, AreTheMeshOfOneProcess) {
   for (const int ranks : {1, 2, 3}) {
     for (const int count : {0, 5}) {
       Collected all;
-      const PiecesReport report = mesh_on(ranks, given, {.pieces = count}, all);
+      const Report report = mesh_on(ranks, given, {.pieces = count}, all);
       const PlainMesh mesh = joined(all.pieces);
       EXPECT_TRUE(corners_of(mesh) == corners_of(expected)) << ranks << " ranks, " << count;
-      EXPECT_EQ(report.report.mesh.vertices, mesh.points.size());
+      EXPECT_EQ(report.mesh.vertices, mesh.points.size());
       if (GetParam().is_oriented) {
         EXPECT_TRUE(mesh == expected) << ranks << " ranks, " << count;
       }
-      EXPECT_EQ(report.report.mesh.triangles, whole.report.mesh.triangles);
-      EXPECT_EQ(report.report.mesh.quads, whole.report.mesh.quads);
-      EXPECT_EQ(report.pieces, static_cast<int>(all.pieces.size()));
+      EXPECT_EQ(report.mesh.triangles, whole.report.mesh.triangles);
+      EXPECT_EQ(report.mesh.quads, whole.report.mesh.quads);
+      EXPECT_EQ(report.pieces->count, all.pieces.size());
     }
   }
 }
@@ -188,7 +190,7 @@ TEST_P(Pieces, ReportWhatTheMeshIs) {
   const Given given(GetParam());
   const Report whole = mesh_model(given.model, given.sources, given.options).report;
   Collected all;
-  const Report report = mesh_on(2, given, {.pieces = 4}, all).report;
+  const Report report = mesh_on(2, given, {.pieces = 4}, all);
   // Edges at the borders of tiles count twice.
   EXPECT_NEAR(report.edges.mean, whole.edges.mean, 0.01);
   EXPECT_NEAR(report.edges.stddev, whole.edges.stddev, 0.01);
@@ -200,6 +202,57 @@ TEST_P(Pieces, ReportWhatTheMeshIs) {
   for (std::size_t p = 0; p < report.patches.size(); ++p) {
     EXPECT_EQ(report.patches[p].triangles, whole.patches[p].triangles);
     EXPECT_EQ(report.patches[p].quads, whole.patches[p].quads);
+  }
+}
+
+/// How many sides each edge of a mesh has.
+std::map<std::pair<std::int64_t, std::int64_t>, int> sides_of_edges(const PlainMesh& mesh) {
+  std::map<std::pair<std::int64_t, std::int64_t>, int> sides;
+  for (const Face& face : mesh.faces) {
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const std::int64_t next = face[i + 1 == face.size() ? 0 : i + 1];
+      ++sides[{std::min(face[i], next), std::max(face[i], next)}];
+    }
+  }
+  return sides;
+}
+
+TEST_P(Pieces, KnowWhetherTheMeshIsClosed) {
+  const Given given(GetParam());
+  Collected all;
+  const Report report = mesh_on(2, given, {.pieces = 4}, all);
+  const PlainMesh mesh = joined(all.pieces);
+  const auto sides = sides_of_edges(mesh);
+  EXPECT_EQ(report.mesh.euler,
+            std::ssize(mesh.points) - std::ssize(sides) + std::ssize(mesh.faces));
+  EXPECT_EQ(report.mesh.is_closed, std::none_of(sides.begin(), sides.end(),
+                                                [](const auto& edge) { return edge.second == 1; }));
+  if (!GetParam().is_oriented) return;
+  const Report whole = mesh_model(given.model, given.sources, given.options).report;
+  EXPECT_EQ(report.mesh.euler, whole.mesh.euler);
+  EXPECT_EQ(report.mesh.is_closed, whole.mesh.is_closed);
+}
+
+TEST_P(Pieces, AreForetold) {
+  const Given given(GetParam());
+  Collected all;
+  const Report made = mesh_on(3, given, {.pieces = 4}, all);
+  const Report foretold =
+      estimate_pieces(given.model, given.sources, given.options, {.pieces = 4}, 3);
+  EXPECT_EQ(foretold.tiles.count, made.tiles.count);
+  EXPECT_EQ(foretold.pieces->count, made.pieces->count);
+  EXPECT_EQ(foretold.pieces->of_several_pieces, made.pieces->of_several_pieces);
+  EXPECT_EQ(foretold.pieces->of_several_ranks, made.pieces->of_several_ranks);
+  const auto sent = static_cast<double>(made.pieces->bytes_sent);
+  // Chords, which nobody knows before there are triangles, are most with sizes that change fast.
+  EXPECT_LE(static_cast<double>(foretold.pieces->bytes_sent), sent);
+  EXPECT_NEAR(static_cast<double>(foretold.pieces->bytes_sent), sent, 0.2 * sent);
+  ASSERT_EQ(foretold.pieces->faces_of_ranks.size(), 3U);
+  EXPECT_TRUE(foretold.pieces->seconds_of_ranks.empty());
+  const double mean = static_cast<double>(made.mesh.triangles + made.mesh.quads) / 3;
+  for (std::size_t rank = 0; rank < 3; ++rank) {
+    EXPECT_NEAR(static_cast<double>(foretold.pieces->faces_of_ranks[rank]),
+                static_cast<double>(made.pieces->faces_of_ranks[rank]), 0.2 * mean);
   }
 }
 
@@ -268,12 +321,29 @@ TEST(PiecesOf, AnErrorOnOneRankIsThatOfAllRanks) {
 
 TEST(PiecesOf, ADealTellsHowEvenlyTrianglesAreDealt) {
   const Given given({"sphere.json"});
-  const PiecesEstimate estimate = estimate_pieces(given.model, given.sources, given.options, {}, 4);
-  ASSERT_EQ(estimate.triangles_of_ranks.size(), 4U);
-  for (const double triangles : estimate.triangles_of_ranks) {
-    EXPECT_NEAR(triangles, estimate.triangles / 4, 0.3 * estimate.triangles / 4);
+  const Report report = estimate_pieces(given.model, given.sources, given.options, {}, 4);
+  const Report::Pieces& pieces = *report.pieces;
+  EXPECT_EQ(pieces.count, 4U);
+  ASSERT_EQ(pieces.faces_of_ranks.size(), 4U);
+  for (const std::size_t triangles : pieces.faces_of_ranks) {
+    EXPECT_NEAR(static_cast<double>(triangles), report.estimated_elements / 4,
+                0.3 * report.estimated_elements / 4);
   }
-  EXPECT_GT(estimate.shared_vertices, 0);
+  EXPECT_NEAR(pieces.largest_share(), 1.15, 0.15);
+  EXPECT_GT(pieces.of_several_ranks, 0U);
+}
+
+TEST(PiecesOf, OneRankSendsNothing) {
+  const Given given({"sphere.json"});
+  Collected all;
+  const Report made = mesh_on(1, given, {.pieces = 3}, all);
+  EXPECT_EQ(made.pieces->bytes_sent, 0U);
+  EXPECT_EQ(made.pieces->of_several_ranks, 0U);
+  EXPECT_GT(made.pieces->of_several_pieces, 0U);
+  EXPECT_EQ(made.pieces->faces_of_ranks, std::vector<std::size_t>{made.mesh.triangles});
+  const Report foretold =
+      estimate_pieces(given.model, given.sources, given.options, {.pieces = 3}, 1);
+  EXPECT_EQ(foretold.pieces->bytes_sent, 0U);
 }
 
 }  // namespace

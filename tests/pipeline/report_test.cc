@@ -64,6 +64,7 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
                                  "estimated_elements",
                                  "mesh",
                                  "tiles",
+                                 "pieces",
                                  "patches",
                                  "groups",
                                  "surfaces",
@@ -125,6 +126,48 @@ TEST(ReportJson, HasTheFigures) {
   EXPECT_EQ(json["quads"]["fraction"], 0.5);
   EXPECT_EQ(json["edges"]["histogram"], Json::parse(R"([{"from": 0.0, "to": 0.25, "count": 7}])"));
   EXPECT_TRUE(json["sag"]["asked"].is_null());
+}
+
+TEST(ReportJson, TellsOfTilesAndPieces) {
+  Report report = example();
+  Json json = Json::parse(to_json(report));
+  EXPECT_TRUE(json["tiles"].is_null());
+  EXPECT_TRUE(json["pieces"].is_null());
+  report.tiles = {12, 2};
+  report.pieces = {.count = 3,
+                   .faces_of_ranks = {10, 30},
+                   .seconds_of_ranks = {0.5, 0.75},
+                   .of_several_pieces = 7,
+                   .of_several_ranks = 4,
+                   .bytes_sent = 1000};
+  json = Json::parse(to_json(report));
+  EXPECT_EQ(json["tiles"], Json::parse(R"({"count": 12, "refused": 2})"));
+  EXPECT_EQ(json["pieces"], Json::parse(R"({"count": 3, "ranks": 2, "faces_of_ranks": [10, 30],
+                            "largest_share": 1.5, "seconds_of_ranks": [0.5, 0.75],
+                            "vertices_of_several_pieces": 7, "vertices_of_several_ranks": 4,
+                            "bytes_sent": 1000})"));
+  report.pieces->seconds_of_ranks.clear();
+  json = Json::parse(to_json(report));
+  EXPECT_TRUE(json["pieces"]["seconds_of_ranks"].is_null());
+}
+
+TEST(ReportText, TellsOfTilesAndPieces) {
+  Report report = example();
+  EXPECT_EQ(to_text(report, {.is_long = true}).find("tile"), std::string::npos);
+  report.tiles = {12, 2};
+  EXPECT_EQ(to_text(report).find("tile"), std::string::npos);
+  EXPECT_NE(to_text(report, {.is_long = true})
+                .find("tiles     12 tiles of 1 patch; 2 stay larger than asked"),
+            std::string::npos);
+  report.pieces.emplace();
+  report.pieces->count = 3;
+  report.pieces->faces_of_ranks = {10, 30};
+  report.pieces->of_several_pieces = 7;
+  const std::string text = to_text(report);
+  EXPECT_NE(text.find("pieces    3 on 2 ranks; 7 vertices in several pieces, 0 on several ranks"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("the largest share is 1.50 of that"), std::string::npos) << text;
 }
 
 TEST(ReportJson, TellsNoticesAsData) {

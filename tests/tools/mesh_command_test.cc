@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <sstream>
 #include <string>
 
@@ -287,6 +288,44 @@ TEST_F(MeshProgram, EstimatesInADryRun) {
   }
   EXPECT_EQ(mesh("wave.json", "--dry-run"), 0);
   EXPECT_EQ(folder_.count(), 1);
+}
+
+TEST_F(MeshProgram, TellsHowRanksWouldShareTheWork) {
+  const std::string dry = "mesh '" + own_model("wave.json") + "' --hmax 1% --tile 500 --dry-run ";
+  EXPECT_EQ(run(dry + "--ranks 8 --piece-count 16 --report report.json"), 0) << err_;
+  EXPECT_EQ(folder_.count(), 1);
+  EXPECT_NE(out_.find("pieces    16 on 8 ranks; "), std::string::npos) << out_;
+  EXPECT_NE(out_.find("MB sent in all"), std::string::npos) << out_;
+  const Json pieces = report()["pieces"];
+  EXPECT_EQ(pieces["count"], 16);
+  EXPECT_EQ(pieces["ranks"], 8);
+  EXPECT_NEAR(pieces["largest_share"].get<double>(), 1.1, 0.1);
+  const auto of_ranks = pieces["faces_of_ranks"].get<std::vector<double>>();
+  EXPECT_NEAR(std::accumulate(of_ranks.begin(), of_ranks.end(), 0.0),
+              report()["estimated_elements"].get<double>(), 10);
+  EXPECT_GT(report()["tiles"]["count"], 16);
+  EXPECT_TRUE(report()["mesh"].is_null());
+}
+
+TEST_F(MeshProgram, TakesRanksInADryRunOnly) {
+  const std::string wave = "mesh '" + own_model("wave.json") + "' ";
+  expect_wrong_usage(run(wave + "-o a.obj --ranks 4"), "--ranks requires --dry-run");
+  expect_wrong_usage(run(wave + "--dry-run --piece-count 4"), "--piece-count requires --pieces");
+}
+
+TEST_F(MeshProgram, TellsOfPiecesInItsReport) {
+  EXPECT_EQ(run("mesh '" + own_model("sphere.json") +
+                "' --hmax 3% --tile 500 --pieces mesh --piece-count 3 --report report.json"),
+            0)
+      << err_;
+  const Json pieces = report()["pieces"];
+  EXPECT_EQ(pieces["count"], 3);
+  EXPECT_EQ(pieces["ranks"], 1);
+  EXPECT_EQ(pieces["faces_of_ranks"], Json::array({report()["mesh"]["triangles"]}));
+  EXPECT_EQ(pieces["seconds_of_ranks"].size(), 1u);
+  EXPECT_EQ(pieces["bytes_sent"], 0);
+  EXPECT_EQ(report()["mesh"]["closed"], true);
+  EXPECT_EQ(report()["mesh"]["euler"], 2);
 }
 
 TEST_F(MeshProgram, TellsThatASagChangesAnEstimate) {

@@ -2,9 +2,11 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <string>
+#include <utility>
 
 #include "exit_status.hh"
 #include "mesh_arguments.hh"
+#include "mesh_command.hh"
 #include "mesh_in_pieces.hh"
 #include "run_program.hh"
 #include "signals.hh"
@@ -22,6 +24,13 @@ constexpr const char* kFooter =
     "  mpirun -n 4 surfmesh-mpi mesh wing.step --hmax 1% -o wing.obj        to one file\n"
     "Exit status as that of surfmesh.\n";
 
+/// Rank 0 alone tells how all of them would share the work, unless others are asked about.
+int estimate(surfmesh::MeshArguments arguments, const surfmesh::Exchange& exchange) {
+  if (exchange.rank() != 0) return surfmesh::kDone;
+  if (arguments.ranks == 0) arguments.ranks = exchange.size();
+  return surfmesh::MeshCommand(std::move(arguments)).run();
+}
+
 int run(int argc, char** argv) {
   surfmesh::MpiExchange exchange;
   if (exchange.rank() != 0) {
@@ -35,6 +44,7 @@ int run(int argc, char** argv) {
   surfmesh::MeshArguments arguments;
   arguments.add_to(app, surfmesh::ShortHelp::MostUsed);
   return surfmesh::run_program(app, argc, argv, [&] {
+    if (arguments.is_dry_run) return estimate(arguments, exchange);
     return surfmesh::mesh_in_pieces(arguments, exchange, surfmesh::MpiSession::abort);
   });
 }

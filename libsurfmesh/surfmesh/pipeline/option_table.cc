@@ -253,7 +253,9 @@ constexpr auto kTable = std::to_array<Option>({
     {kMeshing, false, "", "version of .msh files, binary or text",
      number(
          ranges::kMsh, [](auto& o) -> auto& { return o.output.msh; })},
-    {kMeshing, false, "triangles", "parts into which larger patches are cut; 0 leaves them whole",
+    {kMeshing, false, "triangles",
+     "parts into which larger patches are cut, to share their work and save memory traffic; the "
+     "mesh hardly differs",
      number(
          ranges::kTile, [](auto& o) -> auto& { return o.tile; })},
     {kMeshing, true, "threads",

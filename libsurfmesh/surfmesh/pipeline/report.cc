@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -40,6 +41,27 @@ Json notices_json(const Report& report) {
 Json mesh_json(const Report::Mesh& mesh) {
   return {{"vertices", mesh.vertices}, {"triangles", mesh.triangles}, {"quads", mesh.quads},
           {"patches", mesh.patches},   {"closed", mesh.is_closed},    {"euler", mesh.euler}};
+}
+
+/// Null where nothing is cut, as for an estimate of the number of elements alone.
+Json tiles_json(const Report::Tiles& tiles) {
+  if (tiles.count == 0) return nullptr;
+  return {{"count", tiles.count}, {"refused", tiles.refused}};
+}
+
+/// Null for a mesh in one piece.
+Json pieces_json(const std::optional<Report::Pieces>& pieces) {
+  if (!pieces) return nullptr;
+  Json seconds = nullptr;
+  if (!pieces->seconds_of_ranks.empty()) seconds = pieces->seconds_of_ranks;
+  return {{"count", pieces->count},
+          {"ranks", pieces->faces_of_ranks.size()},
+          {"faces_of_ranks", pieces->faces_of_ranks},
+          {"largest_share", pieces->largest_share()},
+          {"seconds_of_ranks", seconds},
+          {"vertices_of_several_pieces", pieces->of_several_pieces},
+          {"vertices_of_several_ranks", pieces->of_several_ranks},
+          {"bytes_sent", pieces->bytes_sent}};
 }
 
 /// Null for what is not known.
@@ -242,8 +264,7 @@ Json seconds_json(const Report& report) {
 }
 
 /// Null in the report of an estimate, which has no mesh.
-constexpr std::array<const char*, 13> kFiguresOfMesh = {"mesh",
-                                                        "tiles",
+constexpr std::array<const char*, 12> kFiguresOfMesh = {"mesh",
                                                         "patches",
                                                         "groups",
                                                         "edge_lengths",
@@ -257,6 +278,13 @@ constexpr std::array<const char*, 13> kFiguresOfMesh = {"mesh",
                                                         "triangles_per_second_in_all"};
 
 }  // namespace
+
+double Report::Pieces::largest_share() const {
+  const double all = std::accumulate(faces_of_ranks.begin(), faces_of_ranks.end(), 0.0);
+  if (all == 0) return 1;
+  const std::size_t most = *std::max_element(faces_of_ranks.begin(), faces_of_ranks.end());
+  return static_cast<double>(most * faces_of_ranks.size()) / all;
+}
 
 double Report::triangles_per_second() const {
   const double meshing = seconds.sum(is_meshing);
@@ -279,7 +307,8 @@ std::string to_json(const Report& report) {
       {"notices", notices_json(report)},
       {"estimated_elements", std::round(report.estimated_elements)},
       {"mesh", mesh_json(report.mesh)},
-      {"tiles", {{"count", report.tiles.count}, {"refused", report.tiles.refused}}},
+      {"tiles", tiles_json(report.tiles)},
+      {"pieces", pieces_json(report.pieces)},
       {"patches", patches_json(report.patches)},
       {"groups", groups_json(report.patches)},
       {"surfaces", surfaces_json(report.surfaces)},

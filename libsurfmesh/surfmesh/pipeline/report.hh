@@ -38,6 +38,19 @@ struct Report {
     std::size_t refused = 0;  ///< that stay larger than asked, for no line cuts them well
   };
 
+  /// A mesh that is made in pieces by one or more ranks.
+  struct Pieces {
+    std::size_t count = 0;
+    std::vector<std::size_t> faces_of_ranks;  ///< by rank, in the report of an estimate foretold
+    std::vector<double> seconds_of_ranks;     ///< processor time; empty in that of an estimate
+    std::size_t of_several_pieces = 0;        ///< vertices
+    std::size_t of_several_ranks = 0;         ///< vertices
+    std::size_t bytes_sent = 0;               ///< by all ranks together
+
+    /// The most faces of a rank, in the mean number of a rank; 1 if there are none.
+    double largest_share() const;
+  };
+
   /// Numbers of control faces by interpolation.
   struct Classes {
     std::size_t single = 0;
@@ -84,6 +97,7 @@ struct Report {
   double estimated_elements = 0;  ///< known before the mesh is made, see TriangleEstimate
   Mesh mesh;
   Tiles tiles;
+  std::optional<Pieces> pieces;  ///< none of a mesh in one piece
   std::vector<PatchMeasure> patches;
   EdgeStatistics edges;       ///< in the metric of the control space
   QualityStatistics quality;  ///< likewise

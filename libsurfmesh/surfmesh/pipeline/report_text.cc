@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,8 @@ using detail::TextTable;
 
 /// Of more patches nobody reads the rows.
 constexpr std::size_t kMostPatches = 10;
+
+constexpr double kBytesOfMegabyte = 1e6;
 
 /// The faces of a mesh: "12 quads, 1 triangle".
 std::string faces_text(const Report::Mesh& mesh) {
@@ -40,6 +43,38 @@ void add_mesh(const Report& report, TextTable& table) {
                                 counted(mesh.patches, "patch", "patches")));
   table.add("", fmt::format("{}, Euler characteristic {}{}", mesh.is_closed ? "closed" : "open",
                             mesh.euler, irregular_text(report.quads)));
+}
+
+/// The parts that are meshed by themselves; nothing where it is not known how patches are cut.
+void add_tiles(const Report& report, TextTable& table) {
+  const Report::Tiles& tiles = report.tiles;
+  if (tiles.count == 0) return;
+  std::string text = fmt::format("{} of {}", counted(tiles.count, "tile", "tiles"),
+                                 counted(report.mesh.patches, "patch", "patches"));
+  if (tiles.refused > 0) {
+    text += fmt::format("; {} stay larger than asked, for no line cuts them well", tiles.refused);
+  }
+  table.add("tiles", text);
+}
+
+/// How pieces and work are dealt out.
+void add_pieces(const Report& report, TextTable& table) {
+  if (!report.pieces) return;
+  const Report::Pieces& pieces = *report.pieces;
+  const std::size_t ranks = pieces.faces_of_ranks.size();
+  table.add("pieces", fmt::format("{} on {}; {} in several pieces, {} on several ranks",
+                                  pieces.count, counted(ranks, "rank", "ranks"),
+                                  counted(pieces.of_several_pieces, "vertex", "vertices"),
+                                  pieces.of_several_ranks));
+  if (ranks < 2) return;
+  const double faces =
+      std::accumulate(pieces.faces_of_ranks.begin(), pieces.faces_of_ranks.end(), 0.0);
+  table.add("",
+            fmt::format("{:.3g} {} a rank on average, the largest share is {:.2f} of that; "
+                        "{:.3g} MB sent in all",
+                        faces / static_cast<double>(ranks),
+                        report.options.quads.is_on ? "quads" : "triangles", pieces.largest_share(),
+                        static_cast<double>(pieces.bytes_sent) / kBytesOfMegabyte));
 }
 
 bool has_mostly_quads(const Report& report) { return report.quads.count > report.quality.count; }
@@ -231,6 +266,8 @@ std::string estimate_text(const Report& report, const TextStyle& style) {
   if (report.options.sizing.sag) {
     table.add("", "the sag changes sizes where a first mesh shows it, and so the number");
   }
+  add_tiles(report, table);
+  add_pieces(report, table);
   if (!style.is_long) add_control(report.control, table);
   add_time(report, table);
   table.add("notices", detail::notices_text(report.notices));
@@ -252,6 +289,8 @@ std::string to_text(const Report& report, const TextStyle& style) {
   add_surfaces(report, table);
   add_sag(report.sag, table);
   if (report.facets) detail::add_facets(*report.facets, table);
+  if (style.is_long) add_tiles(report, table);
+  add_pieces(report, table);
   if (!style.is_long) add_control(report.control, table);
   add_time(report, table);
   add_speed(report, table);

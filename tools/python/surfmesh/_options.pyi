@@ -65,5 +65,6 @@ class Options(TypedDict, total=False):
     uv: Union[bool, str]
     texture: Union[bool, str]
     msh: str
+    tile: Union[int, str]
     threads: Union[int, str]
     max_elements: Union[int, str]

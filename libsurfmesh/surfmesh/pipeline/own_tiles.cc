@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surfmesh/pipeline/own_tiles.hh"
+
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "surfmesh/assemble/orientation.hh"
+#include "surfmesh/core/error.hh"
+#include "surfmesh/core/parallel.hh"
+#include "surfmesh/exchange/agree_on_error.hh"
+#include "surfmesh/pieces/improper_tiles.hh"
+#include "surfmesh/pipeline/for_each_patch.hh"
+
+namespace surfmesh::detail {
+namespace {
+
+/// Rounds in which edges that tiles make improper together are mended: one is enough, for new
+/// edges have new vertices.
+constexpr int kMaxRounds = 3;
+
+/// Keeps the error of the least tile, of those that several threads meet.
+class FirstError {
+ public:
+  /// Call `body`, and keep its error besides throwing it.
+  template <class Body>
+  void watch(std::size_t tile, Body body) {
+    try {
+      body();
+    } catch (const Error& thrown) {
+      const std::lock_guard lock(mutex_);
+      const auto index = static_cast<std::int64_t>(tile);
+      if (!error_ || index < error_->index) error_ = {index, thrown.code(), thrown.what()};
+      throw;
+    }
+  }
+
+  const std::optional<RankError>& get() const { return error_; }
+
+ private:
+  std::mutex mutex_;
+  std::optional<RankError> error_;
+};
+
+/// Count what is left of faces that collapse, and those of fans.
+void count_loose(const Piece& piece, TileSummary& summary) {
+  const PolyMesh& mesh = *piece.source.mesh;
+  for (const CollapsedFace& collapsed : piece.collapsed) {
+    --(mesh.valence(collapsed.face) == 3 ? summary.triangles : summary.quads);
+  }
+  for (const LooseFace& face : piece.loose_faces) {
+    ++(face.count == 3 ? summary.triangles : summary.quads);
+  }
+}
+
+}  // namespace
+
+OwnTiles::OwnTiles(PiecesPlan& plan, Exchange& exchange)
+    : plan_(plan),
+      exchange_(exchange),
+      is_turned_(orient_patches(plan.model()).is_turned),
+      tiles_(plan.tiles().size()) {}
+
+void OwnTiles::mesh() {
+  FirstError error;
+  plan_.drop_other_spaces(exchange_.rank());
+  const std::vector<std::size_t> own = largest_first();
+  agree_on_errors_of(exchange_, [&] {
+    std::vector<std::size_t> order(own.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    try {
+      share_and_tell("mesh", order, plan_.context(), [&](std::size_t i) {
+        error.watch(own[i], [&] { keep(own[i], plan_.mesh().mesh_tile(own[i])); });
+      });
+    } catch (const Error&) {
+      if (!error.get()) throw;
+    }
+  });
+  agree_on_error(exchange_, error.get());
+  check_count();
+}
+
+/// The tiles of this rank.
+std::vector<std::size_t> OwnTiles::largest_first() const {
+  std::vector<std::size_t> own;
+  for (const std::size_t t : detail::largest_first(plan_.tiles())) {
+    if (is_own(t)) own.push_back(t);
+  }
+  return own;
+}
+
+/// Each rank alone may have made few enough elements.
+void OwnTiles::check_count() {
+  const RunContext& context = plan_.context();
+  const auto elements = sum_all(exchange_, static_cast<std::int64_t>(context.elements()));
+  if (static_cast<std::size_t>(elements) <= context.max_elements()) return;
+  agree_on_errors_of(exchange_, [&] { context.throw_too_many_elements(); });
+}
+
+/// Keep what is needed of a tile, and free its mesh.
+void OwnTiles::keep(std::size_t t, PatchResult result) {
+  OwnTile own;
+  own.chords = shared_edges(result.mesh).chords;
+  own.summary = summary_of(t, result);
+  {
+    const std::lock_guard lock(mutex_);
+    seconds_ += result.seconds;
+    queries_ += result.queries;
+  }
+  const NodeNumbers& numbers = plan_.mesh().numbers();
+  const bool is_turned = is_turned_[result.mesh.patch()] != 0;
+  const Piece piece = surveyed(std::move(result.mesh), numbers, is_turned);
+  own.part = part_of(piece, numbers.count());
+  own.summary.own_vertices = static_cast<std::int64_t>(own.part.own_count());
+  count_loose(piece, own.summary);
+  tiles_[t] = std::move(own);
+}
+
+void OwnTiles::mend_edges() {
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const std::vector<std::size_t> improper = find_improper();
+    if (improper.empty()) return;
+    agree_on_errors_of(exchange_, [&] { mesh_together(improper); });
+  }
+}
+
+std::vector<std::size_t> OwnTiles::find_improper() const {
+  std::vector<TileEdge> chords;
+  for (std::size_t t = 0; t < tiles_.size(); ++t) {
+    for (const EdgeEnds ends : tiles_[t].chords) {
+      chords.push_back({static_cast<std::int64_t>(t), ends});
+    }
+  }
+  return improper_tiles(plan_.tiles(), chords, exchange_);
+}
+
+/// Every rank meshes all of them, and keeps its own.
+void OwnTiles::mesh_together(const std::vector<std::size_t>& tiles) {
+  plan_.need_spaces(tiles);
+  std::vector<PatchResult> results(tiles.size());
+  share_indices(tiles.size(),
+                [&](std::size_t i) { results[i] = plan_.mesh().mesh_tile(tiles[i]); });
+  std::vector<PatchMesh> meshes;
+  for (PatchResult& result : results) meshes.push_back(std::move(result.mesh));
+  for (const auto& [i, turned] : plan_.mesh().make_proper(meshes)) results[i].turned = turned;
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    results[i].mesh = std::move(meshes[i]);
+    if (is_own(tiles[i])) keep(tiles[i], std::move(results[i]));
+  }
+}
+
+std::vector<TileSummary> OwnTiles::gather_summaries() const {
+  std::vector<TileSummary> mine;
+  for (std::size_t t = 0; t < tiles_.size(); ++t) {
+    if (is_own(t)) mine.push_back(tiles_[t].summary);
+  }
+  std::vector<TileSummary> all(tiles_.size());
+  for (const std::vector<TileSummary>& of_rank : gather_all(exchange_, mine)) {
+    for (const TileSummary& summary : of_rank) {
+      all[static_cast<std::size_t>(summary.tile)] = summary;
+    }
+  }
+  return all;
+}
+
+TilePart OwnTiles::take_part(std::size_t tile) { return std::exchange(tiles_[tile].part, {}); }
+
+}  // namespace surfmesh::detail
