@@ -15,6 +15,7 @@
 #include "support/expect_valid.hh"
 #include "support/models.hh"
 #include "surfmesh/across/dissolved_contours.hh"
+#include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/topology.hh"
@@ -239,6 +240,12 @@ TEST(ImproveAcross, IsTheSameOnAnyNumberOfThreadsInSeveralPieces) {
     for (const VertexHandle vh : first.vertices()) {
       ASSERT_EQ(improved.after.point(vh), first.point(vh));
     }
+    const MeshArrays now = mesh_arrays(improved.after), before = mesh_arrays(first);
+    EXPECT_EQ(now.faces, before.faces);
+    EXPECT_EQ(now.patches, before.patches);
+    EXPECT_EQ(now.contours, before.contours);
+    EXPECT_EQ(now.uvs, before.uvs);
+    EXPECT_EQ(now.beyond, before.beyond);
   }
 }
 
