@@ -6,6 +6,18 @@
 
 namespace surfmesh {
 
+void PieceBuilder::reserve(const std::vector<const TilePart*>& parts) {
+  std::size_t points = 0, faces = 0, corners = 0;
+  for (const TilePart* part : parts) {
+    points += part->points.size();
+    faces += part->faces.size();
+    corners += part->faces.corner_count();
+  }
+  piece_.points.reserve(points);
+  piece_.faces.reserve(faces, corners);
+  piece_.patches.reserve(faces);
+}
+
 void PieceBuilder::add(std::size_t tile, TilePart part) {
   std::vector<int> shared;
   for (std::size_t i = 0; i < part.shared.size(); ++i) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "surfmesh/core/freed_memory.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/exchange/agree_on_error.hh"
 #include "surfmesh/pieces/number_piece.hh"
@@ -64,10 +65,25 @@ class PiecesRun {
     });
   }
 
-  MeshPiece built(int piece, const std::vector<std::int64_t>& first_own) {
-    PieceBuilder builder;
+  /// The tiles of a piece, ascending.
+  std::vector<std::size_t> tiles_of(int piece) const {
+    std::vector<std::size_t> tiles;
     for (std::size_t t = 0; t < plan_.tiles().size(); ++t) {
-      if (plan_.deal().piece_of[t] == piece) builder.add(t, tiles_.take_part(t));
+      if (plan_.deal().piece_of[t] == piece) tiles.push_back(t);
+    }
+    return tiles;
+  }
+
+  /// Memory of parts goes back to the system as they are freed, for the piece that takes theirs.
+  MeshPiece built(int piece, const std::vector<std::int64_t>& first_own) {
+    const std::vector<std::size_t> tiles = tiles_of(piece);
+    PieceBuilder builder;
+    std::vector<const TilePart*> parts;
+    for (const std::size_t t : tiles) parts.push_back(&tiles_.part(t));
+    builder.reserve(parts);
+    for (const std::size_t t : tiles) {
+      return_freed_memory();
+      builder.add(t, tiles_.take_part(t));
     }
     return numbered(std::move(builder), piece, plan_.shared(), first_own);
   }

@@ -47,9 +47,10 @@ Report mesh_pieces(const Model& model, const Sources& sources, const PipelineOpt
 /// Foretell how a number of ranks would mesh a model in pieces, from its tiles alone: as
 /// estimate_mesh does, with Report::tiles and Report::pieces.
 ///
-/// Error    of the faces of a rank: that of the estimated elements. The bytes sent are fewer than in
-///          the run, mostly by 1 to 3 %, by a fifth where sizes change fast: chords between nodes on
-///          boundaries are not known yet (`Pieces.AreForetold`), and the sink is not
+/// Error    of the faces of a rank: that of the estimated elements. The bytes sent are fewer than
+/// in
+///          the run, mostly by 1 to 3 %, by a fifth where sizes change fast: chords between nodes
+///          on boundaries are not known yet (`Pieces.AreForetold`), and the sink is not
 /// Cost     that of mesh_pieces before any tile is meshed
 /// Throws   as mesh_model
 Report estimate_pieces(const Model& model, const Sources& sources, const PipelineOptions& options,

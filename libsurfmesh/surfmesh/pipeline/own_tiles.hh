@@ -33,6 +33,8 @@ class OwnTiles {
   /// The summaries of the tiles of all ranks, in their order.
   std::vector<TileSummary> gather_summaries() const;
 
+  const TilePart& part(std::size_t tile) const { return tiles_[tile].part; }
+
   /// Hand the part of a tile over: it is not here afterwards.
   TilePart take_part(std::size_t tile);
 
