@@ -35,23 +35,21 @@ TEST(CutRegion, TakesAllFacesWithTheirPoints) {
   }
 }
 
-TEST(CutRegion, KnowsTheSidesAtItsBorder) {
+TEST(CutRegion, KnowsItsSidesInTheResult) {
   const PolyMesh grid = testing::plane_grid(3, 2);
   const FacePiece piece = {FaceHandle(2), FaceHandle(3)};  // the middle square below
   const RegionMesh region = cut_region(grid, piece, std::vector<char>(grid.n_edges(), 0));
   testing::expect_valid(*region.mesh);
   EXPECT_EQ(region.faces, piece);
   EXPECT_EQ(region.mesh->n_vertices(), 4u);
+  ASSERT_EQ(region.sides.size(), region.mesh->n_edges());
   for (const EdgeHandle eh : region.mesh->edges()) {
-    const HalfedgeHandle rim = region.rim[index(eh)];
-    ASSERT_EQ(rim.is_valid(), region.mesh->is_boundary(eh));
-    if (!rim.is_valid()) continue;
-    HalfedgeHandle own = region.mesh->halfedge_handle(eh, 0);
-    if (region.mesh->is_boundary(own)) own = region.mesh->halfedge_handle(eh, 1);
+    const HalfedgeHandle own = region.mesh->halfedge_handle(eh, 0);
+    const HalfedgeHandle side = region.sides[index(eh)];
     EXPECT_EQ(region.vertices[index(region.mesh->from_vertex_handle(own))],
-              grid.from_vertex_handle(rim).idx());
+              grid.from_vertex_handle(side).idx());
     EXPECT_EQ(region.vertices[index(region.mesh->to_vertex_handle(own))],
-              grid.to_vertex_handle(rim).idx());
+              grid.to_vertex_handle(side).idx());
   }
 }
 

@@ -2,12 +2,14 @@
 #include "surfmesh/across/across.hh"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "surfmesh/across/dissolved_contours.hh"
 #include "surfmesh/across/put_back.hh"
 #include "surfmesh/assemble/orientation.hh"
 #include "surfmesh/core/disjoint_sets.hh"
+#include "surfmesh/core/freed_memory.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/quad_topology.hh"
@@ -33,6 +35,12 @@ std::vector<std::size_t> sheets_of(const Model& model, const std::vector<char>& 
   return sheets;
 }
 
+/// What has become of a piece: nothing where it did not become better.
+struct ImprovedPiece {
+  std::vector<ReturningRegion> regions;
+  QueryCounts queries;
+};
+
 class Across {
  public:
   Across(PolyMesh& result, const Model& model, const std::vector<const MetricField*>& fields,
@@ -51,88 +59,64 @@ class Across {
 
   /// First inside the pieces, then across the edges between them.
   AcrossReport run() {
-    SmoothRegions regions = choose_regions(result_, input_.model, is_dissolved_, between_tiles_);
+    const SmoothRegions regions =
+        choose_regions(result_, input_.model, is_dissolved_, between_tiles_);
     report_.faces =
         static_cast<std::size_t>(std::count(regions.is_chosen.begin(), regions.is_chosen.end(), 1));
+    clear_contours(regions.is_held);
     const std::vector<FacePiece> pieces = divide_in_pieces(result_, regions);
-    if (pieces.empty()) {
-      clear_contours(regions.is_held);
-      return report_;
-    }
-    const std::vector<VertexHandle> seam = seam_of(pieces, regions.is_held);
-    PutBackReport now = improve(pieces, regions.is_held);
+    if (pieces.empty()) return report_;
+    return_freed_memory();  // of assembly, which put_back finds no room in for its long arrays
+    std::vector<VertexHandle> seam = seam_between(result_, pieces, regions.is_held);
+    PutBackReport report = improve(pieces, regions.is_held);
     if (seam.empty()) return report_;
-    input_.places = std::move(now.places);
-    improve_along(seam, now.numbers);
+    for (VertexHandle& vh : seam) vh = report.now(vh);
+    input_.places = std::move(report.places);
+    improve_along(std::move(seam));
     return report_;
   }
 
  private:
   /// Edges that are not held are no longer on contours.
   void clear_contours(const std::vector<char>& is_held) {
-    const auto contour_of = require(result_, keys::edge_contour);
-    for (const EdgeHandle eh : result_.edges()) {
-      if (is_held[index(eh)] == 0) result_.property(contour_of, eh) = -1;
-    }
-  }
-
-  /// The vertices of the edges between pieces.
-  std::vector<VertexHandle> seam_of(const std::vector<FacePiece>& pieces,
-                                    const std::vector<char>& is_held) const {
-    std::vector<int> piece_of(result_.n_faces(), -1);
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-      for (const FaceHandle fh : pieces[p]) piece_of[index(fh)] = static_cast<int>(p);
-    }
-    std::vector<VertexHandle> seam;
-    for (const EdgeHandle eh : result_.edges()) {
-      const HalfedgeHandle heh = result_.halfedge_handle(eh, 0);
-      if (is_held[index(eh)] != 0 || result_.is_boundary(eh)) continue;
-      const int left = piece_of[index(result_.face_handle(heh))];
-      const int right = piece_of[index(result_.face_handle(result_.opposite_halfedge_handle(heh)))];
-      if (left == right || left < 0 || right < 0) continue;
-      seam.push_back(result_.from_vertex_handle(heh));
-      seam.push_back(result_.to_vertex_handle(heh));
-    }
-    std::sort(seam.begin(), seam.end());
-    seam.erase(std::unique(seam.begin(), seam.end()), seam.end());
-    return seam;
+    auto& contours = result_.property(require(result_, keys::edge_contour)).data_vector();
+    share_ranges(contours.size(), [&](std::size_t first, std::size_t end) {
+      for (std::size_t e = first; e < end; ++e) {
+        if (is_held[e] == 0) contours[e] = -1;
+      }
+    });
   }
 
   PutBackReport improve(const std::vector<FacePiece>& pieces, const std::vector<char>& is_held) {
-    std::vector<std::vector<RegionWork>> of_pieces(pieces.size());
+    std::vector<ImprovedPiece> improved(pieces.size());
     share_indices(pieces.size(),
-                  [&](std::size_t p) { of_pieces[p] = improve_piece(pieces[p], is_held); });
-    std::vector<RegionWork> works;
-    for (std::vector<RegionWork>& of_piece : of_pieces) {
-      for (RegionWork& work : of_piece) {
-        report_.queries += work.queries;
-        works.push_back(std::move(work));
-      }
+                  [&](std::size_t p) { improved[p] = improve_piece(pieces[p], is_held); });
+    std::vector<ReturningRegion> regions;
+    for (ImprovedPiece& piece : improved) {
+      report_.queries += piece.queries;
+      std::move(piece.regions.begin(), piece.regions.end(), std::back_inserter(regions));
     }
-    return put_back(works, is_held, result_);
+    return put_back(regions, result_);
   }
 
   /// A piece that does not become better as a whole may do so in some of its parts.
-  std::vector<RegionWork> improve_piece(const FacePiece& piece, const std::vector<char>& is_held) {
-    std::vector<RegionWork> works;
-    works.push_back(improve_region(input_, piece, is_held, context_));
-    if (!works.front().region.faces.empty()) return works;
+  ImprovedPiece improve_piece(const FacePiece& piece, const std::vector<char>& is_held) const {
+    ImprovedPiece improved;
+    const auto improve_part = [&](const FacePiece& part) {
+      const RegionWork work = improve_region(input_, part, is_held, context_);
+      improved.queries += work.queries;
+      if (!work.region.faces.empty()) improved.regions.emplace_back(work, result_);
+    };
+    improve_part(piece);
+    if (!improved.regions.empty()) return improved;
     const std::vector<FacePiece> parts = parts_of(result_, piece, is_held);
-    if (parts.size() == 1) return works;
-    for (const FacePiece& part : parts) {
-      works.push_back(improve_region(input_, part, is_held, context_));
-    }
-    return works;
+    if (parts.size() > 1) std::for_each(parts.begin(), parts.end(), improve_part);
+    return improved;
   }
 
-  /// `numbers` are those that vertices of the seam have now.
-  void improve_along(const std::vector<VertexHandle>& seam, const std::vector<int>& numbers) {
-    std::vector<VertexHandle> left;
-    for (const VertexHandle vh : seam) {
-      if (numbers[index(vh)] >= 0) left.push_back(VertexHandle(numbers[index(vh)]));
-    }
-    const SmoothRegions regions = choose_all(result_, input_.model);
-    improve(pieces_along(result_, regions.is_chosen, regions.is_held, left), regions.is_held);
+  void improve_along(std::vector<VertexHandle> seam) {
+    const SmoothRegions regions = choose_along(result_, input_.model, std::move(seam));
+    improve(connected_pieces(result_, regions), regions.is_held);
   }
 
   PolyMesh& result_;

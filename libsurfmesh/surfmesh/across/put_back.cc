@@ -1,87 +1,89 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/across/put_back.hh"
 
-#include <cassert>
-#include <numeric>
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
 #include <utility>
 
+#include "surfmesh/across/face_order.hh"
+#include "surfmesh/across/returning_region.hh"
 #include "surfmesh/core/mesh_arrays.hh"
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/topology.hh"
 
 namespace surfmesh {
 namespace {
 
-/// Stands for the result in place of the number of a region.
-constexpr int kOfResult = -1;
-
-/// A face of the new result.
-struct FaceSource {
-  FaceHandle face;
-  int region = kOfResult;
-  int patch = -1;
-};
-
-/// A region on its way back, with the numbers of its vertices and corners in the new result.
-class ReturningRegion {
+/// Numbers of elements of one kind for those that regions could not number themselves: such as
+/// other regions have given up, then new ones.
+class SpareNumbers {
  public:
-  explicit ReturningRegion(const RegionWork& work) : work_(work), mesh_(*work.region.mesh) {}
+  explicit SpareNumbers(std::size_t count) : bound_(count) {}
 
-  const PolyMesh& mesh() const { return mesh_; }
-  std::size_t face_bound() const { return work_.editor->face_bound(); }
-  bool is_used(FaceHandle fh) const { return work_.editor->is_used(fh); }
-  const FaceInPatch& in_patch(FaceHandle fh) const { return work_.faces[index(fh)]; }
+  void add(const std::vector<int>& given_up) {
+    free_.insert(free_.end(), given_up.begin(), given_up.end());
+  }
 
-  /// Call `visit(vertex, origin, moved)` for each vertex that is left: the vertex of the result
-  /// that it was, -1 for a new one, and its chart, null if it is where it was.
-  template <class Visit>
-  void for_each_vertex(Visit visit) const {
-    for (std::size_t v = 0; v < work_.editor->vertex_bound(); ++v) {
-      const VertexHandle vh(static_cast<int>(v));
-      if (!work_.editor->is_used(vh)) continue;
-      visit(vh, work_.origin(vh), work_.is_moved(vh) ? &work_.charts[v] : nullptr);
+  int take() {
+    if (free_.empty()) return static_cast<int>(bound_++);
+    const int number = free_.back();
+    free_.pop_back();
+    return number;
+  }
+
+  /// All numbers in use are below this.
+  std::size_t bound() const { return bound_; }
+
+  /// Call `move(from, to)` for elements that take the place of such as are gone: the last ones.
+  template <class Move>
+  void close_gaps(Move move) {
+    // The greatest first: then the last element is never one that is gone.
+    std::sort(free_.begin(), free_.end(), std::greater<>());
+    for (const int gap : free_) {
+      const int last = static_cast<int>(--bound_);
+      if (last != gap) move(last, gap);
     }
+    free_.clear();
   }
-
-  /// The halfedge of the result that a side at the border was; invalid for other sides.
-  HalfedgeHandle rim(HalfedgeHandle heh) const {
-    if (!mesh_.is_boundary(mesh_.opposite_halfedge_handle(heh))) return HalfedgeHandle();
-    return work_.region.rim[index(mesh_.edge_handle(heh))];
-  }
-
-  std::vector<int> vertex_numbers;  ///< of the new result, by vertex
-  std::vector<int> corner_numbers;  ///< of the new result, by halfedge
 
  private:
-  const RegionWork& work_;
-  const PolyMesh& mesh_;
+  std::size_t bound_;
+  std::vector<int> free_;
 };
 
-/// Builds the new result.
 class PutBack {
  public:
-  PutBack(std::span<const RegionWork> regions, const std::vector<char>& is_held, PolyMesh& result)
-      : is_held_(is_held),
+  PutBack(std::span<ReturningRegion> regions, PolyMesh& result)
+      : regions_(regions),
         result_(result),
         patch_of_(require(result, keys::face_patch)),
         contour_of_(require(result, keys::edge_contour)),
         uv_of_(require(result, keys::corner_uv)),
         metric_of_(require(result, keys::corner_metric)),
         beyond_(attach_if_new(result)),
-        is_taken_(result.n_faces(), 0) {
-    for (const RegionWork& work : regions) {
-      regions_.emplace_back(work);
-      for (const FaceHandle fh : work.region.faces) is_taken_[index(fh)] = 1;
-    }
-  }
+        vertices_(result.n_vertices()),
+        edges_(result.n_edges()),
+        is_taken_(result.n_faces(), 0) {}
 
   PutBackReport run() {
-    order_faces();
-    number_vertices();
-    collect_faces();
-    find_twins();
-    rebuild();
-    return {std::move(vertices_), std::move(places_)};
+    share_indices(regions_.size(), [this](std::size_t r) {
+      for (const FaceHandle fh : regions_[r].taken()) is_taken_[index(fh)] = 1;
+    });
+    number_rest();
+    const FaceOrder order(result_, is_taken_, regions_);
+    result_.resize(std::max(result_.n_vertices(), vertices_.bound()),
+                   std::max(result_.n_edges(), edges_.bound()),
+                   std::max(result_.n_faces(), order.count()));
+    report_.places.resize(result_.n_vertices());
+    write_faces(order);
+    close_gaps();
+    report_.places.resize(vertices_.bound());
+    result_.resize(vertices_.bound(), edges_.bound(), order.count());
+    return std::move(report_);
   }
 
  private:
@@ -90,212 +92,135 @@ class PutBack {
     return handle.is_valid() ? handle : attach(result, keys::corner_beyond, 0);
   }
 
-  ReturningRegion& region(int r) { return regions_[static_cast<std::size_t>(r)]; }
-  const ReturningRegion& region(int r) const { return regions_[static_cast<std::size_t>(r)]; }
-
-  const PolyMesh& mesh_of(const FaceSource& source) const {
-    return source.region == kOfResult ? result_ : region(source.region).mesh();
-  }
-
-  /// Call `visit` with the faces that were not taken, then with those of the regions.
-  template <class Visit>
-  void for_each_source(Visit visit) const {
-    for (const FaceHandle fh : result_.faces()) {
-      if (is_taken_[index(fh)] == 0) {
-        visit(FaceSource{fh, kOfResult, result_.property(patch_of_, fh)});
-      }
+  void number_rest() {
+    for (const ReturningRegion& region : regions_) {
+      vertices_.add(region.vertices().given_up);
+      edges_.add(region.edges().given_up);
     }
-    for (std::size_t r = 0; r < regions_.size(); ++r) {
-      for (std::size_t f = 0; f < regions_[r].face_bound(); ++f) {
-        const FaceHandle fh(static_cast<int>(f));
-        if (!regions_[r].is_used(fh)) continue;
-        visit(FaceSource{fh, static_cast<int>(r), regions_[r].in_patch(fh).patch});
+    for (ReturningRegion& region : regions_) {
+      for (const int v : region.vertices().wanting) {
+        region.set_number(VertexHandle(v), vertices_.take());
       }
+      for (const int e : region.edges().wanting) region.set_number(EdgeHandle(e), edges_.take());
     }
   }
 
-  /// List the faces in the order of their patches.
-  void order_faces() {
-    std::vector<std::size_t> next(1, 0);  // by patch: how many faces there are before, and so far
-    for_each_source([&](const FaceSource& source) {
-      const auto patch = static_cast<std::size_t>(source.patch);
-      if (patch + 2 > next.size()) next.resize(patch + 2, 0);
-      ++next[patch + 1];
+  /// Regions and runs of faces write to different elements, so that all may be written at once. The
+  /// halfedges of the faces wait, for the place of a face may still be that of another one.
+  void write_faces(const FaceOrder& order) {
+    const auto sides = std::make_unique_for_overwrite<int[]>(order.count());
+    share_indices(regions_.size(), [&](std::size_t r) {
+      write_region(regions_[r], order.numbers_of(r), sides.get());
+      write_vertices(regions_[r]);
     });
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    order_.resize(next.back());
-    for_each_source([&](const FaceSource& source) {
-      order_[next[static_cast<std::size_t>(source.patch)]++] = source;
+    share_indices(order.runs().size(),
+                  [&](std::size_t i) { number_run(order.runs()[i], sides.get()); });
+    share_ranges(order.count(), [&](std::size_t first, std::size_t end) {
+      for (std::size_t f = first; f < end; ++f) {
+        result_.set_halfedge_handle(FaceHandle(static_cast<int>(f)), HalfedgeHandle(sides[f]));
+      }
+    });
+    write_patches(order.first_of_patches());
+  }
+
+  void write_region(const ReturningRegion& region, std::map<int, std::size_t> numbers, int* sides) {
+    region.for_each_face([&](int patch, std::span<const ReturningCorner> corners) {
+      const std::size_t number = numbers[patch]++;
+      sides[number] = region.in_result(corners.front().side).idx();
+      const ReturningCorner* before = &corners.back();
+      for (const ReturningCorner& corner : corners) {
+        link(region, *before, corner, FaceHandle(static_cast<int>(number)));
+        write_corner(corner, region.in_result(before->side));
+        before = &corner;
+      }
     });
   }
 
-  /// Vertices that were there keep their order; new ones come last.
-  void number_vertices() {
-    vertices_.assign(result_.n_vertices(), -1);
-    for (const FaceHandle fh : result_.faces()) {
-      if (is_taken_[index(fh)] != 0) continue;
-      for_each_vertex_of(result_, fh,
-                         [this](int vertex) { vertices_[static_cast<std::size_t>(vertex)] = 0; });
+  /// Let the side that leaves a corner of a face be followed by that of the next one.
+  void link(const ReturningRegion& region, const ReturningCorner& corner,
+            const ReturningCorner& next, FaceHandle fh) {
+    const HalfedgeHandle side = region.in_result(corner.side);
+    const HalfedgeHandle next_side = region.in_result(next.side);
+    const VertexHandle between = region.in_result(next.vertex);
+    result_.set_vertex_handle(side, between);
+    result_.set_face_handle(side, fh);
+    result_.set_next_halfedge_handle(side, next_side);
+    if (next.is_inner) result_.set_halfedge_handle(between, next_side);
+    if (region.is_new(corner.side)) result_.property(contour_of_, result_.edge_handle(side)) = -1;
+  }
+
+  /// `into` leads to the corner.
+  void write_corner(const ReturningCorner& corner, HalfedgeHandle into) {
+    result_.property(uv_of_, into) = corner.uv;
+    result_.property(metric_of_, into) = corner.metric;
+    result_.property(beyond_, into) = corner.is_beyond ? 1 : 0;
+  }
+
+  void write_vertices(const ReturningRegion& region) {
+    for (const MovedVertex& moved : region.moved()) {
+      const VertexHandle vh = region.in_result(moved.vertex);
+      result_.set_point(vh, to_openmesh(moved.point));
+      report_.places[index(vh)] = moved.place;
     }
-    for (const ReturningRegion& returning : regions_) {
-      returning.for_each_vertex([this](VertexHandle, int origin, const VertexChart*) {
-        if (origin >= 0) vertices_[static_cast<std::size_t>(origin)] = 0;
-      });
-    }
-    for (std::size_t v = 0; v < vertices_.size(); ++v) {
-      if (vertices_[v] < 0) continue;
-      vertices_[v] = static_cast<int>(points_.size());
-      points_.push_back(result_.point(VertexHandle(static_cast<int>(v))));
-    }
-    places_.resize(points_.size());
-    for (ReturningRegion& returning : regions_) {
-      returning.vertex_numbers.assign(returning.mesh().n_vertices(), -1);
-      returning.for_each_vertex([&](VertexHandle vh, int origin, const VertexChart* moved) {
-        int& number = returning.vertex_numbers[index(vh)];
-        number = origin >= 0 ? vertices_[static_cast<std::size_t>(origin)]
-                             : static_cast<int>(points_.size());
-        if (origin < 0) {
-          points_.emplace_back();
-          places_.emplace_back();
-        }
-        if (!moved) return;
-        points_[static_cast<std::size_t>(number)] = to_openmesh(moved->point);
-        places_[static_cast<std::size_t>(number)] = moved->place;
-      });
+    for (const auto& [vh, side] : region.relinked()) result_.set_halfedge_handle(vh, side);
+  }
+
+  void number_run(const FaceRun& run, int* sides) {
+    std::size_t number = run.number;
+    for (std::size_t f = run.first; f < run.end; ++f) {
+      if (is_taken_[f] != 0) continue;
+      const FaceHandle before(static_cast<int>(f)), now(static_cast<int>(number));
+      sides[number++] = result_.halfedge_handle(before).idx();
+      if (now == before) continue;
+      for_each_corner(result_, before,
+                      [&](HalfedgeHandle heh) { result_.set_face_handle(heh, now); });
     }
   }
 
-  int vertex_of(const FaceSource& source, HalfedgeHandle heh) const {
-    const std::size_t v = index(mesh_of(source).from_vertex_handle(heh));
-    return source.region == kOfResult ? vertices_[v] : region(source.region).vertex_numbers[v];
+  void write_patches(const std::vector<std::size_t>& first_of_patches) {
+    auto& patches = result_.property(patch_of_).data_vector();
+    share_indices(first_of_patches.size() - 1, [&](std::size_t p) {
+      std::fill(patches.begin() + static_cast<std::ptrdiff_t>(first_of_patches[p]),
+                patches.begin() + static_cast<std::ptrdiff_t>(first_of_patches[p + 1]),
+                static_cast<int>(p));
+    });
   }
 
-  /// List the faces, with what their corners and sides hold.
-  void collect_faces() {
-    corner_of_.assign(result_.n_halfedges(), -1);
-    for (ReturningRegion& returning : regions_) {
-      returning.corner_numbers.assign(returning.mesh().n_halfedges(), -1);
-    }
-    reserve();
-    std::vector<int> cycle;
-    for (const FaceSource& source : order_) {
-      cycle.clear();
-      for_each_corner(mesh_of(source), source.face, [&](HalfedgeHandle heh) {
-        add_corner(source, heh, cycle.size());
-        cycle.push_back(vertex_of(source, heh));
-      });
-      faces_.add(cycle);
-    }
-  }
-
-  void reserve() {
-    std::size_t corners = result_.n_halfedges();
-    for (const ReturningRegion& returning : regions_) corners += returning.mesh().n_halfedges();
-    faces_.reserve(order_.size(), corners);
-    uvs_.reserve(corners);
-    metrics_.reserve(corners);
-    is_beyond_.reserve(corners);
-    contours_.reserve(corners);
-  }
-
-  /// Add what a face holds at the origin of its k-th side, and that side.
-  void add_corner(const FaceSource& source, HalfedgeHandle heh, std::size_t k) {
-    const auto corner = static_cast<int>(uvs_.size());
-    HalfedgeHandle old = heh;
-    if (source.region == kOfResult) {
-      const HalfedgeHandle before = result_.prev_halfedge_handle(heh);
-      uvs_.push_back(result_.property(uv_of_, before));
-      metrics_.push_back(result_.property(metric_of_, before));
-      is_beyond_.push_back(result_.property(beyond_, before));
-    } else {
-      ReturningRegion& returning = region(source.region);
-      const FaceInPatch& face = returning.in_patch(source.face);
-      uvs_.push_back(face.uvs[k]);
-      metrics_.push_back(face.metrics[k]);
-      is_beyond_.push_back(face.is_beyond[k] ? 1 : 0);
-      returning.corner_numbers[index(heh)] = corner;
-      old = returning.rim(heh);
-    }
-    // Neighbours across the border of a region know the side that it was.
-    if (old.is_valid()) corner_of_[index(old)] = corner;
-    const bool is_held = old.is_valid() && is_held_[index(result_.edge_handle(old))] != 0;
-    contours_.push_back(is_held ? result_.property(contour_of_, result_.edge_handle(old)) : -1);
-  }
-
-  void find_twins() {
-    twins_.reserve(uvs_.size());
-    for (const FaceSource& source : order_) {
-      for_each_corner(mesh_of(source), source.face,
-                      [&](HalfedgeHandle heh) { twins_.push_back(twin_of(source, heh)); });
-    }
-  }
-
-  int twin_of(const FaceSource& source, HalfedgeHandle heh) const {
-    HalfedgeHandle old = heh;
-    if (source.region != kOfResult) {
-      const ReturningRegion& returning = region(source.region);
-      old = returning.rim(heh);
-      if (!old.is_valid()) {
-        return returning.corner_numbers[index(returning.mesh().opposite_halfedge_handle(heh))];
+  void close_gaps() {
+    vertices_.close_gaps([this](int from, int to) {
+      const VertexHandle last(from), gap(to);
+      detail::renumber_element(result_, last, gap);
+      result_.set_point(gap, result_.point(last));
+      report_.places[index(gap)] = report_.places[index(last)];
+      report_.numbers.emplace(from, to);
+    });
+    edges_.close_gaps([this](int from, int to) {
+      const EdgeHandle last(from), gap(to);
+      detail::renumber_element(result_, last, gap);
+      result_.copy_all_properties(last, gap, true);
+      for (const unsigned k : {0u, 1u}) {
+        result_.copy_all_properties(result_.halfedge_handle(last, k),
+                                    result_.halfedge_handle(gap, k), true);
       }
-    }
-    const HalfedgeHandle opposite = result_.opposite_halfedge_handle(old);
-    return result_.is_boundary(opposite) ? kOpenSide : corner_of_[index(opposite)];
+    });
   }
 
-  void rebuild() {
-    result_.resize(0, 0, 0);
-    [[maybe_unused]] const Separation separation =
-        build_faces(result_, points_.size(), faces_, FirstSide::FromFirstCorner, twins_);
-    assert(separation.copied.empty());  // no fan was taken apart
-    for (std::size_t v = 0; v < points_.size(); ++v) {
-      result_.set_point(VertexHandle(static_cast<int>(v)), points_[v]);
-    }
-    for (const EdgeHandle eh : result_.edges()) result_.property(contour_of_, eh) = -1;
-    for (std::size_t f = 0; f < order_.size(); ++f) {
-      const FaceHandle fh(static_cast<int>(f));
-      result_.property(patch_of_, fh) = order_[f].patch;
-      std::size_t corner = faces_.first_corner(f);
-      for_each_corner(result_, fh, [&](HalfedgeHandle heh) {
-        const HalfedgeHandle into = result_.prev_halfedge_handle(heh);
-        result_.property(uv_of_, into) = uvs_[corner];
-        result_.property(metric_of_, into) = metrics_[corner];
-        result_.property(beyond_, into) = is_beyond_[corner];
-        if (contours_[corner] >= 0) {
-          result_.property(contour_of_, result_.edge_handle(heh)) = contours_[corner];
-        }
-        ++corner;
-      });
-    }
-  }
-
-  const std::vector<char>& is_held_;
+  std::span<ReturningRegion> regions_;
   PolyMesh& result_;
   decltype(keys::face_patch)::Handle patch_of_;
   decltype(keys::edge_contour)::Handle contour_of_;
   decltype(keys::corner_uv)::Handle uv_of_;
   decltype(keys::corner_metric)::Handle metric_of_;
   decltype(keys::corner_beyond)::Handle beyond_;
+  SpareNumbers vertices_, edges_;
   std::vector<char> is_taken_;  ///< by face of the result
-  std::vector<ReturningRegion> regions_;
-  std::vector<FaceSource> order_;        ///< by face of the new result
-  std::vector<int> vertices_;            ///< of the new result, by vertex of the old one
-  std::vector<PolyMesh::Point> points_;  ///< of the new result
-  std::vector<SurfacePlace> places_;     ///< likewise, of moved vertices
-  FaceList faces_;
-  std::vector<int> corner_of_;  ///< by halfedge of the old result; -1 for none
-  std::vector<Uv> uvs_;         ///< by corner of the new result, like the following
-  std::vector<Metric> metrics_;
-  std::vector<int> is_beyond_;
-  std::vector<int> contours_;
-  std::vector<int> twins_;
+  PutBackReport report_;
 };
 
 }  // namespace
 
-PutBackReport put_back(std::span<const RegionWork> regions, const std::vector<char>& is_held,
-                       PolyMesh& result) {
-  return PutBack(regions, is_held, result).run();
+PutBackReport put_back(std::span<ReturningRegion> regions, PolyMesh& result) {
+  return PutBack(regions, result).run();
 }
 
 }  // namespace surfmesh

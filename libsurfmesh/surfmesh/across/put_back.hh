@@ -2,26 +2,36 @@
 #pragma once
 
 #include <span>
+#include <unordered_map>
 #include <vector>
 
-#include "surfmesh/across/region_work.hh"
+#include "surfmesh/across/returning_region.hh"
 
 namespace surfmesh {
 
 /// What has become of the vertices of a result.
 struct PutBackReport {
-  std::vector<int> numbers;          ///< by vertex before, now; -1 for those that are gone
-  std::vector<SurfacePlace> places;  ///< by vertex now, of those that were moved; else no patch
+  std::unordered_map<int, int> numbers;  ///< of vertices that have another one now, or on the way
+  std::vector<SurfacePlace> places;      ///< by vertex, of those that were moved; else no patch
+
+  /// The vertex that one which is still there is now.
+  VertexHandle now(VertexHandle vh) const {
+    for (auto it = numbers.find(vh.idx()); it != numbers.end(); it = numbers.find(vh.idx())) {
+      vh = VertexHandle(it->second);
+    }
+    return vh;
+  }
 };
 
-/// Put the faces of regions back into the result that they were taken from. Faces are in the order
-/// of their patches afterwards.
+/// Put the faces of regions back into the result that they were taken from, whose faces are in the
+/// order of their patches, and are so afterwards.
 ///
-/// `is_held` are the edges that stay on their contours; all others become edges within patches.
-/// Writes   all of the result
-/// Cost     about 0.5 µs per face of the result
-/// Pre      no face is in two regions
-PutBackReport put_back(std::span<const RegionWork> regions, const std::vector<char>& is_held,
-                       PolyMesh& result);
+/// Nothing else changes but the numbers of faces, and those of the last vertices and edges, which
+/// take the places of such as are gone.
+/// Writes   point(), surf:patch (face), surf:contour (edge), surf:uv, surf:metric, surf:beyond
+///          (halfedge), and the elements
+/// Cost     about 0.2 µs per face of the regions, 10 ns for each other face, shared
+/// Pre      no face is in two regions; no edge within a region is on a contour
+PutBackReport put_back(std::span<ReturningRegion> regions, PolyMesh& result);
 
 }  // namespace surfmesh

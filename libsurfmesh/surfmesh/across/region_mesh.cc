@@ -82,14 +82,14 @@ RegionMesh cut_region(const PolyMesh& result, const FacePiece& piece,
     mesh.set_point(VertexHandle(static_cast<int>(v)),
                    result.point(VertexHandle(region.vertices[v])));
   }
-  region.rim.resize(mesh.n_edges());
+  region.sides.resize(mesh.n_edges());
   std::size_t corner = 0;
   for (const FaceHandle fh : mesh.faces()) {
     for_each_corner(mesh, fh, [&](HalfedgeHandle heh) {
-      if (twins[corner] == kOpenSide) {
-        region.rim[index(mesh.edge_handle(heh))] = corners.sides[corner];
-      }
-      ++corner;
+      const EdgeHandle eh = mesh.edge_handle(heh);
+      const HalfedgeHandle side = corners.sides[corner++];
+      region.sides[index(eh)] =
+          heh == mesh.halfedge_handle(eh, 0) ? side : result.opposite_halfedge_handle(side);
     });
   }
   return region;

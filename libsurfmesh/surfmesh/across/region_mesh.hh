@@ -12,9 +12,9 @@ namespace surfmesh {
 /// Faces of a result as a mesh of their own, cut along edges that must stay as they are.
 struct RegionMesh {
   std::unique_ptr<PolyMesh> mesh;
-  std::vector<int> vertices;        ///< of the result, by vertex; those at cuts have several
-  FacePiece faces;                  ///< of the result, by face
-  std::vector<HalfedgeHandle> rim;  ///< of the result, by edge; invalid but at the border
+  std::vector<int> vertices;          ///< of the result, by vertex; those at cuts have several
+  FacePiece faces;                    ///< of the result, by face
+  std::vector<HalfedgeHandle> sides;  ///< of the result, by edge: what its first halfedge was
 };
 
 /// Take the faces of a piece out of a result. Edges between two of them become the border of the

@@ -2,12 +2,18 @@
 #include "surfmesh/across/smooth_regions.hh"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "surfmesh/core/mesh_arrays.hh"
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/quad_topology.hh"
+#include "surfmesh/core/range_sums.hh"
+#include "surfmesh/core/shared_sets.hh"
 #include "surfmesh/quality/face_corners.hh"
 
 namespace surfmesh {
@@ -40,29 +46,73 @@ bool is_sharp(const PolyMesh& mesh, EdgeHandle eh) {
   return normal_of(mesh, a).dot(normal_of(mesh, b)) < kSharpEdge;
 }
 
-/// Choose the faces around vertices, then around theirs, ring by ring.
-void choose_rings(const PolyMesh& mesh, std::vector<char> is_near, std::vector<char>& is_chosen) {
+/// What ranges find, one after the other.
+template <class Handle>
+struct Found {
+  std::vector<Handle> handles;
+
+  Found& operator+=(const Found& other) {
+    handles.insert(handles.end(), other.handles.begin(), other.handles.end());
+    return *this;
+  }
+};
+
+/// Call `visit(handle, found)` for all elements of a kind, shared; it adds to `found` what it
+/// finds.
+/// Returns  all that were found, in the order of the elements
+template <class Element, class Handle, class Visit>
+std::vector<Handle> find_among(std::size_t count, Visit visit) {
+  return sum_of_ranges(count,
+                       [&](std::size_t first, std::size_t end) {
+                         Found<Handle> own;
+                         for (std::size_t i = first; i < end; ++i) {
+                           visit(Element(static_cast<int>(i)), own.handles);
+                         }
+                         return own;
+                       })
+      .handles;
+}
+
+/// Call `visit` with all elements of a kind, shared.
+template <class Element, class Visit>
+void for_each_shared(std::size_t count, Visit visit) {
+  share_ranges(count, [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) visit(Element(static_cast<int>(i)));
+  });
+}
+
+/// Mark an element, which other threads may do at the same time.
+/// Returns  true for the first one to do so
+bool mark(std::vector<char>& is_marked, std::size_t i) {
+  const std::atomic_ref<char> flag(is_marked[i]);
+  return flag.load(std::memory_order_relaxed) == 0 &&
+         flag.exchange(1, std::memory_order_relaxed) == 0;
+}
+
+/// Choose the faces around vertices, then around theirs, ring by ring. Which thread finds a vertex
+/// first is a matter of chance, and so is the order of a front, but not what is in it.
+void choose_rings(const PolyMesh& mesh, std::vector<VertexHandle> front,
+                  std::vector<char>& is_chosen) {
+  std::vector<char> is_near(mesh.n_vertices(), 0);
+  for (const VertexHandle vh : front) is_near[index(vh)] = 1;
   for (int ring = 0; ring < kRings; ++ring) {
-    std::vector<FaceHandle> fresh;
-    for (const FaceHandle fh : mesh.faces()) {
-      if (is_chosen[index(fh)] != 0) continue;
-      for_each_vertex_of(mesh, fh, [&](int vertex) {
-        if (is_near[static_cast<std::size_t>(vertex)] != 0) is_chosen[index(fh)] = 1;
-      });
-      if (is_chosen[index(fh)] != 0) fresh.push_back(fh);
-    }
-    for (const FaceHandle fh : fresh) {
-      for_each_vertex_of(mesh, fh,
-                         [&](int vertex) { is_near[static_cast<std::size_t>(vertex)] = 1; });
-    }
+    front = find_among<std::size_t, VertexHandle>(
+        front.size(), [&](std::size_t i, std::vector<VertexHandle>& next) {
+          for (const HalfedgeHandle heh : mesh.voh_range(front[i])) {
+            const FaceHandle fh = mesh.face_handle(heh);
+            if (!fh.is_valid() || !mark(is_chosen, index(fh))) continue;
+            for_each_vertex_of(mesh, fh, [&](int vertex) {
+              if (mark(is_near, static_cast<std::size_t>(vertex))) next.emplace_back(vertex);
+            });
+          }
+        });
   }
 }
 
-/// A range of vertices as marks, by vertex.
-std::vector<char> marked(const VertexRange& range, std::size_t count) {
-  std::vector<char> is_marked(count, 0);
-  std::fill(is_marked.begin() + range.first, is_marked.begin() + range.end, 1);
-  return is_marked;
+std::vector<VertexHandle> all_of(const VertexRange& range) {
+  std::vector<VertexHandle> vertices;
+  for (int v = range.first; v < range.end; ++v) vertices.emplace_back(v);
+  return vertices;
 }
 
 /// The sides of patches that are poles.
@@ -90,6 +140,9 @@ class PoleSides {
   }
 
   bool empty(int patch) const { return sides_[static_cast<std::size_t>(patch)].empty(); }
+  bool empty() const {
+    return std::all_of(sides_.begin(), sides_.end(), [](const auto& own) { return own.empty(); });
+  }
 
  private:
   std::vector<std::vector<std::pair<Uv, Uv>>> sides_;  ///< by patch
@@ -99,13 +152,14 @@ void leave_out_poles(const PolyMesh& result, const Model& model, std::vector<cha
   const auto patch_of = require(result, keys::face_patch);
   const auto uv_of = require(result, keys::corner_uv);
   const PoleSides poles(model);
-  for (const FaceHandle fh : result.faces()) {
+  if (poles.empty()) return;
+  for_each_shared<FaceHandle>(result.n_faces(), [&](FaceHandle fh) {
     const int patch = result.property(patch_of, fh);
-    if (poles.empty(patch)) continue;
+    if (is_chosen[index(fh)] == 0 || poles.empty(patch)) return;
     for_each_corner(result, fh, [&](HalfedgeHandle corner) {
       if (poles.is_on_pole(patch, result.property(uv_of, corner))) is_chosen[index(fh)] = 0;
     });
-  }
+  });
 }
 
 void choose_patches(const PolyMesh& result, const Model& model,
@@ -118,32 +172,56 @@ void choose_patches(const PolyMesh& result, const Model& model,
       is_open[static_cast<std::size_t>(use.patch)] = 1;
     }
   }
-  for (const FaceHandle fh : result.faces()) {
+  for_each_shared<FaceHandle>(result.n_faces(), [&](FaceHandle fh) {
     is_chosen[index(fh)] = is_open[static_cast<std::size_t>(result.property(patch_of, fh))];
-  }
+  });
 }
 
-/// The faces that are left, in parts that edges connect which are not held.
-std::vector<FacePiece> connected_parts(const PolyMesh& mesh, std::vector<char> is_left,
-                                       const std::vector<char>& is_held) {
+/// Faces in parts that edges connect which are not held. The parts are in the order of their first
+/// faces, and the faces of each in their own order.
+///
+/// `place_of` tells the place of a face among them, -1 for others.
+template <class PlaceOf>
+std::vector<FacePiece> connected_parts(const PolyMesh& mesh, const FacePiece& faces,
+                                       const std::vector<char>& is_held, PlaceOf place_of) {
+  SharedSets sets(faces.size());
+  for_each_shared<int>(faces.size(), [&](int place) {
+    const auto own = static_cast<std::size_t>(place);
+    for_each_corner(mesh, faces[own], [&](HalfedgeHandle heh) {
+      if (is_held[index(mesh.edge_handle(heh))] != 0) return;
+      const FaceHandle beyond = mesh.face_handle(mesh.opposite_halfedge_handle(heh));
+      const int other = beyond.is_valid() ? place_of(beyond) : -1;
+      if (other > place) sets.unite(own, static_cast<std::size_t>(other));
+    });
+  });
   std::vector<FacePiece> parts;
-  for (const FaceHandle fh : mesh.faces()) {
-    if (is_left[index(fh)] == 0) continue;
-    FacePiece& part = parts.emplace_back(FacePiece{fh});
-    is_left[index(fh)] = 0;
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      for_each_corner(mesh, part[i], [&](HalfedgeHandle heh) {
-        const FaceHandle beyond = mesh.face_handle(mesh.opposite_halfedge_handle(heh));
-        if (!beyond.is_valid() || is_left[index(beyond)] == 0 ||
-            is_held[index(mesh.edge_handle(heh))] != 0) {
-          return;
-        }
-        is_left[index(beyond)] = 0;
-        part.push_back(beyond);
-      });
+  std::vector<std::size_t> part_of(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const std::size_t first = sets.find(i);
+    if (first == i) {
+      part_of[i] = parts.size();
+      parts.emplace_back();
     }
+    part_of[i] = part_of[first];
+    parts[part_of[i]].push_back(faces[i]);
   }
   return parts;
+}
+
+/// The same for a few faces of a large mesh.
+std::vector<FacePiece> connected_parts(const PolyMesh& mesh, const FacePiece& faces,
+                                       const std::vector<char>& is_held) {
+  return connected_parts(mesh, faces, is_held, [&faces](FaceHandle fh) {
+    const auto found = std::lower_bound(faces.begin(), faces.end(), fh);
+    return found == faces.end() || *found != fh ? -1 : static_cast<int>(found - faces.begin());
+  });
+}
+
+/// The faces that are marked.
+FacePiece marked_faces(const std::vector<char>& is_marked) {
+  return find_among<FaceHandle, FaceHandle>(is_marked.size(), [&](FaceHandle fh, FacePiece& found) {
+    if (is_marked[index(fh)] != 0) found.push_back(fh);
+  });
 }
 
 /// A face and where it is.
@@ -152,26 +230,49 @@ struct PlacedFace {
   Vec3 middle;
 };
 
-using PlacedFaces = std::vector<PlacedFace>::iterator;
+using PlacedFaces = std::span<PlacedFace>;
 
-/// Halve faces along the longest side of their box until they are few.
-void halve(PlacedFaces first, PlacedFaces last, std::vector<FacePiece>& pieces) {
-  const auto count = static_cast<std::size_t>(last - first);
-  if (count <= kMostFaces) {
-    FacePiece& piece = pieces.emplace_back();
-    for (auto it = first; it != last; ++it) piece.push_back(it->face);
-    return;
-  }
+/// Halve faces along the longest side of their box.
+std::array<PlacedFaces, 2> halves(PlacedFaces faces) {
   Eigen::AlignedBox3d box;
-  for (auto it = first; it != last; ++it) box.extend(it->middle);
+  for (const PlacedFace& face : faces) box.extend(face.middle);
   Eigen::Index axis = 0;
   box.sizes().maxCoeff(&axis);
-  const auto middle = first + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(first, middle, last, [axis](const PlacedFace& a, const PlacedFace& b) {
-    return a.middle[axis] != b.middle[axis] ? a.middle[axis] < b.middle[axis] : a.face < b.face;
+  const std::size_t half = faces.size() / 2;
+  const auto middle = faces.begin() + static_cast<std::ptrdiff_t>(half);
+  std::nth_element(
+      faces.begin(), middle, faces.end(), [axis](const PlacedFace& a, const PlacedFace& b) {
+        return a.middle[axis] != b.middle[axis] ? a.middle[axis] < b.middle[axis] : a.face < b.face;
+      });
+  return {faces.first(half), faces.subspan(half)};
+}
+
+/// Halve faces, and the halves, until they are few.
+void halve(const PolyMesh& mesh, const FacePiece& part, std::vector<FacePiece>& pieces) {
+  std::vector<PlacedFace> placed(part.size());
+  for_each_shared<int>(part.size(), [&](int i) {
+    const FaceHandle fh = part[static_cast<std::size_t>(i)];
+    placed[static_cast<std::size_t>(i)] = {fh, to_eigen(mesh.calc_face_centroid(fh))};
   });
-  halve(first, middle, pieces);
-  halve(middle, last, pieces);
+  std::vector<PlacedFaces> blocks = {placed};
+  while (blocks.back().size() > kMostFaces) {  // none is larger
+    std::vector<PlacedFaces> smaller(2 * blocks.size());
+    share_indices(blocks.size(), [&](std::size_t b) {
+      const auto [first, second] = halves(blocks[b]);
+      smaller[2 * b] = first;
+      smaller[2 * b + 1] = second;
+    });
+    blocks = std::move(smaller);
+  }
+  for (const PlacedFaces block : blocks) {
+    FacePiece& piece = pieces.emplace_back();
+    for (const PlacedFace& face : block) piece.push_back(face.face);
+  }
+}
+
+void sort_each(std::vector<FacePiece>& pieces) {
+  share_indices(pieces.size(),
+                [&](std::size_t p) { std::sort(pieces[p].begin(), pieces[p].end()); });
 }
 
 }  // namespace
@@ -183,49 +284,52 @@ SmoothRegions choose_regions(const PolyMesh& result, const Model& model,
   SmoothRegions regions;
   regions.is_held.assign(result.n_edges(), 0);
   regions.is_chosen.assign(result.n_faces(), 0);
-  std::vector<char> is_near(result.n_vertices(), 0);
-  for (const EdgeHandle eh : result.edges()) {
-    const int contour = result.property(contour_of, eh);
-    if (contour < 0) continue;
-    if (is_dissolved[static_cast<std::size_t>(contour)] == 0 || is_sharp(result, eh)) {
-      regions.is_held[index(eh)] = 1;
-      continue;
-    }
-    const HalfedgeHandle heh = result.halfedge_handle(eh, 0);
-    is_near[index(result.from_vertex_handle(heh))] = 1;
-    is_near[index(result.to_vertex_handle(heh))] = 1;
-  }
+  std::vector<VertexHandle> near = find_among<EdgeHandle, VertexHandle>(
+      result.n_edges(), [&](EdgeHandle eh, std::vector<VertexHandle>& found) {
+        const int contour = result.property(contour_of, eh);
+        if (contour < 0) return;
+        if (is_dissolved[static_cast<std::size_t>(contour)] == 0 || is_sharp(result, eh)) {
+          regions.is_held[index(eh)] = 1;
+          return;
+        }
+        const HalfedgeHandle heh = result.halfedge_handle(eh, 0);
+        found.push_back(result.from_vertex_handle(heh));
+        found.push_back(result.to_vertex_handle(heh));
+      });
   if (has_quads(result)) {
     choose_patches(result, model, is_dissolved, regions.is_chosen);
-    choose_rings(result, marked(between_tiles, result.n_vertices()), regions.is_chosen);
-  } else {
-    choose_rings(result, std::move(is_near), regions.is_chosen);
+    near = all_of(between_tiles);
   }
+  choose_rings(result, std::move(near), regions.is_chosen);
   leave_out_poles(result, model, regions.is_chosen);
   return regions;
 }
 
-SmoothRegions choose_all(const PolyMesh& result, const Model& model) {
+SmoothRegions choose_along(const PolyMesh& result, const Model& model,
+                           std::vector<VertexHandle> seam) {
   const auto contour_of = require(result, keys::edge_contour);
   SmoothRegions regions;
-  regions.is_chosen.assign(result.n_faces(), 1);
-  for (const EdgeHandle eh : result.edges()) {
-    regions.is_held.push_back(result.property(contour_of, eh) >= 0);
-  }
+  regions.is_held.resize(result.n_edges());
+  regions.is_chosen.assign(result.n_faces(), 0);
+  for_each_shared<EdgeHandle>(result.n_edges(), [&](EdgeHandle eh) {
+    regions.is_held[index(eh)] = result.property(contour_of, eh) >= 0;
+  });
+  choose_rings(result, std::move(seam), regions.is_chosen);
   leave_out_poles(result, model, regions.is_chosen);
   return regions;
 }
 
 std::vector<FacePiece> divide_in_pieces(const PolyMesh& result, const SmoothRegions& regions) {
+  const FacePiece chosen = marked_faces(regions.is_chosen);
+  std::vector<int> places(result.n_faces(), -1);
+  for_each_shared<int>(chosen.size(),
+                       [&](int i) { places[index(chosen[static_cast<std::size_t>(i)])] = i; });
   std::vector<FacePiece> pieces;
   FacePiece small;
-  for (FacePiece& part : connected_parts(result, regions.is_chosen, regions.is_held)) {
+  for (FacePiece& part : connected_parts(result, chosen, regions.is_held,
+                                         [&](FaceHandle fh) { return places[index(fh)]; })) {
     if (part.size() > kMostFaces) {
-      std::vector<PlacedFace> faces;
-      for (const FaceHandle fh : part) {
-        faces.push_back({fh, to_eigen(result.calc_face_centroid(fh))});
-      }
-      halve(faces.begin(), faces.end(), pieces);
+      halve(result, part, pieces);
       continue;
     }
     small.insert(small.end(), part.begin(), part.end());
@@ -234,29 +338,43 @@ std::vector<FacePiece> divide_in_pieces(const PolyMesh& result, const SmoothRegi
     small.clear();
   }
   if (!small.empty()) pieces.push_back(std::move(small));
-  for (FacePiece& piece : pieces) std::sort(piece.begin(), piece.end());
+  sort_each(pieces);
   return pieces;
 }
 
 std::vector<FacePiece> parts_of(const PolyMesh& result, const FacePiece& piece,
                                 const std::vector<char>& is_held) {
-  std::vector<char> is_left(result.n_faces(), 0);
-  for (const FaceHandle fh : piece) is_left[index(fh)] = 1;
-  std::vector<FacePiece> parts = connected_parts(result, std::move(is_left), is_held);
-  for (FacePiece& part : parts) std::sort(part.begin(), part.end());
-  return parts;
+  return connected_parts(result, piece, is_held);
 }
 
-std::vector<FacePiece> pieces_along(const PolyMesh& result, const std::vector<char>& is_chosen,
-                                    const std::vector<char>& is_held,
-                                    const std::vector<VertexHandle>& seam) {
-  std::vector<char> is_near(result.n_vertices(), 0), is_taken(result.n_faces(), 0);
-  for (const VertexHandle vh : seam) is_near[index(vh)] = 1;
-  choose_rings(result, std::move(is_near), is_taken);
-  for (std::size_t f = 0; f < is_taken.size(); ++f) is_taken[f] &= is_chosen[f];
-  std::vector<FacePiece> pieces = connected_parts(result, std::move(is_taken), is_held);
-  for (FacePiece& piece : pieces) std::sort(piece.begin(), piece.end());
-  return pieces;
+std::vector<FacePiece> connected_pieces(const PolyMesh& result, const SmoothRegions& regions) {
+  return connected_parts(result, marked_faces(regions.is_chosen), regions.is_held);
+}
+
+std::vector<VertexHandle> seam_between(const PolyMesh& result, const std::vector<FacePiece>& pieces,
+                                       const std::vector<char>& is_held) {
+  std::vector<int> piece_of(result.n_faces(), -1);
+  share_indices(pieces.size(), [&](std::size_t p) {
+    for (const FaceHandle fh : pieces[p]) piece_of[index(fh)] = static_cast<int>(p);
+  });
+  std::vector<std::vector<VertexHandle>> of_pieces(pieces.size());
+  share_indices(pieces.size(), [&](std::size_t p) {
+    for (const FaceHandle fh : pieces[p]) {
+      for_each_corner(result, fh, [&](HalfedgeHandle heh) {
+        const FaceHandle beyond = result.face_handle(result.opposite_halfedge_handle(heh));
+        if (is_held[index(result.edge_handle(heh))] != 0 || !beyond.is_valid()) return;
+        // The piece before sees the edge, too.
+        if (piece_of[index(beyond)] <= static_cast<int>(p)) return;
+        of_pieces[p].push_back(result.from_vertex_handle(heh));
+        of_pieces[p].push_back(result.to_vertex_handle(heh));
+      });
+    }
+  });
+  std::vector<VertexHandle> seam;
+  for (const auto& own : of_pieces) seam.insert(seam.end(), own.begin(), own.end());
+  std::sort(seam.begin(), seam.end());
+  seam.erase(std::unique(seam.begin(), seam.end()), seam.end());
+  return seam;
 }
 
 }  // namespace surfmesh

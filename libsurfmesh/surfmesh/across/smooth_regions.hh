@@ -30,10 +30,11 @@ SmoothRegions choose_regions(const PolyMesh& result, const Model& model,
                              const std::vector<char>& is_dissolved,
                              const VertexRange& between_tiles = {});
 
-/// Choose all faces but those at poles, of a result whose edges on dissolved contours are no longer
-/// marked.
+/// Choose the faces within three rings of vertices, but those at poles, of a result whose edges on
+/// dissolved contours are no longer marked. All edges that are on contours are held.
 /// Reads    as choose_regions
-SmoothRegions choose_all(const PolyMesh& result, const Model& model);
+SmoothRegions choose_along(const PolyMesh& result, const Model& model,
+                           std::vector<VertexHandle> seam);
 
 /// Divide chosen faces into pieces of about 8,192: large parts that edges connect which are not
 /// held are halved along their box, small ones are put together.
@@ -43,16 +44,16 @@ SmoothRegions choose_all(const PolyMesh& result, const Model& model);
 std::vector<FacePiece> divide_in_pieces(const PolyMesh& result, const SmoothRegions& regions);
 
 /// The parts of a piece that edges connect which are not held.
-/// Cost     O(faces of the result)
+/// Cost     O(n log n) for the faces of the piece
 std::vector<FacePiece> parts_of(const PolyMesh& result, const FacePiece& piece,
                                 const std::vector<char>& is_held);
 
-/// The faces within three rings of vertices between pieces, as pieces that do not touch.
-///
-/// `is_chosen` are the faces that may be taken, `is_held` the edges that no piece reaches across.
-/// Cost     O(faces)
-std::vector<FacePiece> pieces_along(const PolyMesh& result, const std::vector<char>& is_chosen,
-                                    const std::vector<char>& is_held,
-                                    const std::vector<VertexHandle>& seam);
+/// The chosen faces, in pieces that edges connect which are not held.
+/// Cost     O(faces of the result), shared, and O(n log n) for the chosen ones
+std::vector<FacePiece> connected_pieces(const PolyMesh& result, const SmoothRegions& regions);
+
+/// The vertices of the edges between pieces that are not held, by their numbers.
+std::vector<VertexHandle> seam_between(const PolyMesh& result, const std::vector<FacePiece>& pieces,
+                                       const std::vector<char>& is_held);
 
 }  // namespace surfmesh

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -34,7 +35,7 @@ class FaceList {
   /// The arrays themselves: the vertices of all corners, and the first corner of each face with
   /// corner_count() at the end.
   std::span<const int> vertices() const { return vertices_; }
-  std::span<const std::size_t> offsets() const { return first_; }
+  std::span<const std::uint32_t> offsets() const { return first_; }
 
   std::span<int> vertices() { return vertices_; }
 
@@ -56,7 +57,7 @@ class FaceList {
 
   void add(std::span<const int> vertices) {
     vertices_.insert(vertices_.end(), vertices.begin(), vertices.end());
-    first_.push_back(vertices_.size());
+    first_.push_back(static_cast<std::uint32_t>(vertices_.size()));
   }
 
   void reserve(std::size_t faces, std::size_t corners) {
@@ -68,7 +69,7 @@ class FaceList {
 
  private:
   std::vector<int> vertices_;
-  std::vector<std::size_t> first_ = {0};
+  std::vector<std::uint32_t> first_ = {0};  ///< a list of more than 4e9 corners takes 16 GB
 };
 
 /// A mesh in flat arrays, as a viewer or Python takes it and as files have it: its faces may make

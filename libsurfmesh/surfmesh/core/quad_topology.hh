@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <array>
+#include <atomic>
+#include <cstddef>
 
 #include "surfmesh/core/mesh.hh"
+#include "surfmesh/core/parallel.hh"
 
 namespace surfmesh {
 
@@ -17,9 +19,15 @@ inline bool is_at_quad(const PolyMesh& mesh, HalfedgeHandle heh) {
 }
 
 /// True if a face is a quad.
+/// Cost     O(faces), shared
 inline bool has_quads(const PolyMesh& mesh) {
-  return std::any_of(mesh.faces_begin(), mesh.faces_end(),
-                     [&](FaceHandle fh) { return is_at_quad(mesh, mesh.halfedge_handle(fh)); });
+  std::atomic<bool> is_found = false;
+  share_ranges(mesh.n_faces(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t f = first; f < end && !is_found; ++f) {
+      if (is_at_quad(mesh, mesh.halfedge_handle(FaceHandle(static_cast<int>(f))))) is_found = true;
+    }
+  });
+  return is_found;
 }
 
 /// The sides of the quad of a halfedge, from that on.

@@ -34,7 +34,6 @@ class SharedSets {
     }
   }
 
- private:
   /// The least number of the set of i so far.
   std::size_t find(std::size_t i) {
     for (;;) {
@@ -47,6 +46,7 @@ class SharedSets {
     }
   }
 
+ private:
   std::vector<std::atomic<std::size_t>> parents_;
 };
 

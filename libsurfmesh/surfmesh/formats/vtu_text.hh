@@ -19,7 +19,7 @@ inline constexpr std::string_view kType<int> = "Int32";
 template <>
 inline constexpr std::string_view kType<std::int64_t> = "Int64";
 template <>
-inline constexpr std::string_view kType<std::size_t> = "UInt64";
+inline constexpr std::string_view kType<std::uint32_t> = "UInt32";
 template <>
 inline constexpr std::string_view kType<std::uint8_t> = "UInt8";
 

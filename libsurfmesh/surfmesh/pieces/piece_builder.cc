@@ -6,14 +6,8 @@
 
 namespace surfmesh {
 
-void PieceBuilder::reserve(const std::vector<const TilePart*>& parts) {
-  std::size_t points = 0, faces = 0, corners = 0;
-  for (const TilePart* part : parts) {
-    points += part->points.size();
-    faces += part->faces.size();
-    corners += part->faces.corner_count();
-  }
-  piece_.points.reserve(points);
+void PieceBuilder::reserve(std::size_t vertices, std::size_t faces, std::size_t corners) {
+  piece_.points.reserve(vertices);
   piece_.faces.reserve(faces, corners);
   piece_.patches.reserve(faces);
 }

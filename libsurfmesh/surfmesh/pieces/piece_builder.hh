@@ -27,9 +27,8 @@ struct PieceNumbers {
 /// Puts the parts of tiles together to one piece of a mesh.
 class PieceBuilder {
  public:
-  /// Take memory for the vertices and faces of a number of parts, so that none is moved as they
-  /// come.
-  void reserve(const std::vector<const TilePart*>& parts);
+  /// Make room for all parts at once, so that they need not be there twice.
+  void reserve(std::size_t vertices, std::size_t faces, std::size_t corners);
 
   /// Add a part, with the number of its tile. Shared vertices may be there already.
   void add(std::size_t tile, TilePart part);

@@ -20,6 +20,10 @@
 namespace surfmesh {
 namespace {
 
+/// Parts of tiles that are added to a piece before their memory is given back: a rank with one
+/// large piece would else need twice as much.
+constexpr std::size_t kPartsAtOnce = 2;
+
 ElementKind element_kind(const PipelineOptions& options) {
   return options.quads.is_on ? ElementKind::Quads : ElementKind::Triangles;
 }
@@ -27,7 +31,7 @@ ElementKind element_kind(const PipelineOptions& options) {
 /// What a rank does once it is known who meshes which tile.
 class PiecesRun {
  public:
-  PiecesRun(const detail::PiecesPlan& plan, Exchange& exchange, PieceSink& sink)
+  PiecesRun(detail::PiecesPlan& plan, Exchange& exchange, PieceSink& sink)
       : plan_(plan), exchange_(exchange), sink_(sink), tiles_(plan, exchange) {}
 
   Report make() {
@@ -65,7 +69,17 @@ class PiecesRun {
     });
   }
 
-  /// The tiles of a piece, ascending.
+  MeshPiece built(int piece, const std::vector<std::int64_t>& first_own) {
+    PieceBuilder builder;
+    const std::vector<std::size_t> tiles = tiles_of(piece);
+    make_room(tiles, builder);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+      builder.add(tiles[i], tiles_.take_part(tiles[i]));
+      if (i % kPartsAtOnce == 0) return_freed_memory();
+    }
+    return numbered(std::move(builder), piece, plan_.shared(), first_own);
+  }
+
   std::vector<std::size_t> tiles_of(int piece) const {
     std::vector<std::size_t> tiles;
     for (std::size_t t = 0; t < plan_.tiles().size(); ++t) {
@@ -74,18 +88,15 @@ class PiecesRun {
     return tiles;
   }
 
-  /// Memory of parts goes back to the system as they are freed, for the piece that takes theirs.
-  MeshPiece built(int piece, const std::vector<std::int64_t>& first_own) {
-    const std::vector<std::size_t> tiles = tiles_of(piece);
-    PieceBuilder builder;
-    std::vector<const TilePart*> parts;
-    for (const std::size_t t : tiles) parts.push_back(&tiles_.part(t));
-    builder.reserve(parts);
+  void make_room(const std::vector<std::size_t>& tiles, PieceBuilder& builder) const {
+    std::size_t vertices = 0, faces = 0, corners = 0;
     for (const std::size_t t : tiles) {
-      return_freed_memory();
-      builder.add(t, tiles_.take_part(t));
+      const TilePart& part = tiles_.part(t);
+      vertices += part.points.size();
+      faces += part.faces.size();
+      corners += part.faces.corner_count();
     }
-    return numbered(std::move(builder), piece, plan_.shared(), first_own);
+    builder.reserve(vertices, faces, corners);
   }
 
   Report::Pieces pieces(const std::vector<TileSummary>& summaries, double seconds) {
@@ -102,7 +113,7 @@ class PiecesRun {
     return pieces;
   }
 
-  const detail::PiecesPlan& plan_;
+  detail::PiecesPlan& plan_;
   Exchange& exchange_;
   PieceSink& sink_;
   detail::OwnTiles tiles_;

@@ -21,15 +21,36 @@ void MeshPlan::take_spaces(ControlSpaces made) {
   report_.control.kind = effective_kind(options_.control);
   report_.control.precision = made.precision;
   count_nodes();
+  make_fields();
+  estimate();
+  if (auto notice = notice_of_fine_cage(model_, fields_)) {
+    report_.notices.push_back(std::move(*notice));
+  }
+}
+
+void MeshPlan::make_fields() {
+  surface_fields_.clear();
+  fields_.clear();
   for (std::size_t p = 0; p < spaces_.size(); ++p) {
     surface_fields_.push_back(
         std::make_unique<SurfaceMetricField>(*model_.patches[p].surface, *spaces_[p]));
     fields_.push_back(surface_fields_.back().get());
   }
-  estimate();
-  if (auto notice = notice_of_fine_cage(model_, fields_)) {
-    report_.notices.push_back(std::move(*notice));
+}
+
+void MeshPlan::keep_spaces(const std::vector<char>& is_kept) {
+  for (std::size_t p = 0; p < spaces_.size(); ++p) {
+    if (is_kept[p] != 0) continue;
+    fields_[p] = nullptr;
+    surface_fields_[p].reset();
+    spaces_[p].reset();
   }
+}
+
+void MeshPlan::restore_spaces(ControlSpaces made) {
+  const StageClock clock(report_.seconds[Stage::Control]);
+  spaces_ = std::move(made.spaces);
+  make_fields();
 }
 
 void MeshPlan::count_nodes() {

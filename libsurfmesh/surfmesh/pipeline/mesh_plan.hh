@@ -42,6 +42,15 @@ class MeshPlan {
   /// Throws   as place_contour_nodes and cut_patches
   void divide(const ContourDemands& demands, double corrected_sag, PatchCache* cache);
 
+  /// Drop the control spaces of all but some patches, by patch 1 for those that stay: tiles of the
+  /// others cannot be meshed until restore_spaces().
+  void keep_spaces(const std::vector<char>& is_kept);
+
+  /// Take the same control spaces again as in take_spaces().
+  void restore_spaces(ControlSpaces made);
+
+  bool has_space(std::size_t patch) const { return spaces_[patch] != nullptr; }
+
   /// Mesh a tile, which by itself makes no edge of the result improper.
   ///
   /// Tiles may be meshed by several threads at once, and again.
@@ -60,6 +69,7 @@ class MeshPlan {
   const std::vector<Tile>& tiles() const { return tiles_.tiles; }
 
  private:
+  void make_fields();
   void count_nodes();
   void count_classes(const PolyMesh& mesh);
   void estimate();

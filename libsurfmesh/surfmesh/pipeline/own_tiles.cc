@@ -57,7 +57,7 @@ void count_loose(const Piece& piece, TileSummary& summary) {
 
 }  // namespace
 
-OwnTiles::OwnTiles(const PiecesPlan& plan, Exchange& exchange)
+OwnTiles::OwnTiles(PiecesPlan& plan, Exchange& exchange)
     : plan_(plan),
       exchange_(exchange),
       is_turned_(orient_patches(plan.model()).is_turned),
@@ -65,6 +65,7 @@ OwnTiles::OwnTiles(const PiecesPlan& plan, Exchange& exchange)
 
 void OwnTiles::mesh() {
   FirstError error;
+  plan_.drop_other_spaces(exchange_.rank());
   const std::vector<std::size_t> own = largest_first();
   agree_on_errors_of(exchange_, [&] {
     std::vector<std::size_t> order(own.size());
@@ -137,6 +138,7 @@ std::vector<std::size_t> OwnTiles::find_improper() const {
 
 /// Every rank meshes all of them, and keeps its own.
 void OwnTiles::mesh_together(const std::vector<std::size_t>& tiles) {
+  plan_.need_spaces(tiles);
   std::vector<PatchResult> results(tiles.size());
   share_indices(tiles.size(),
                 [&](std::size_t i) { results[i] = plan_.mesh().mesh_tile(tiles[i]); });

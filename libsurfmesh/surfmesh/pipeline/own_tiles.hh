@@ -20,7 +20,7 @@ namespace surfmesh::detail {
 /// The plan must outlive it. All ranks call the functions that exchange something together.
 class OwnTiles {
  public:
-  OwnTiles(const PiecesPlan& plan, Exchange& exchange);
+  OwnTiles(PiecesPlan& plan, Exchange& exchange);
 
   /// Mesh all tiles of this rank.
   /// Throws   AgreedError, that of the least tile of all ranks
@@ -33,6 +33,7 @@ class OwnTiles {
   /// The summaries of the tiles of all ranks, in their order.
   std::vector<TileSummary> gather_summaries() const;
 
+  /// The part of a tile of this rank.
   const TilePart& part(std::size_t tile) const { return tiles_[tile].part; }
 
   /// Hand the part of a tile over: it is not here afterwards.
@@ -56,7 +57,7 @@ class OwnTiles {
   std::vector<std::size_t> find_improper() const;
   void mesh_together(const std::vector<std::size_t>& tiles);
 
-  const PiecesPlan& plan_;
+  PiecesPlan& plan_;
   Exchange& exchange_;
   std::vector<char> is_turned_;  ///< by patch
   std::vector<OwnTile> tiles_;   ///< by tile; those of other ranks are empty

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/pipeline/pieces_plan.hh"
 
+#include <algorithm>
 #include <utility>
 
+#include "surfmesh/core/freed_memory.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/options_of_model.hh"
@@ -57,10 +59,31 @@ void PiecesPlan::make(const PiecesOptions& pieces, int ranks) {
   context_.begin_mesh();
   mesh_.take_spaces(control_spaces());
   divide();
+  // Tables of arcs along contours take as much as all that is kept.
+  return_freed_memory();
   deal_ = deal_out(tiles(), pieces.pieces, pieces.deal, ranks);
   std::vector<const PatchBoundary*> boundaries;
   for (const Tile& tile : tiles()) boundaries.push_back(&tile.boundary);
   shared_.emplace(model_, mesh_.nodes(), mesh_.numbers(), boundaries, deal_.piece_of, deal_.pieces);
+}
+
+void PiecesPlan::drop_other_spaces(int rank) {
+  std::vector<char> is_kept(model_.patches.size(), 0);
+  for (std::size_t t = 0; t < tiles().size(); ++t) {
+    if (deal_.rank_of(t) == rank) is_kept[patch_of(t)] = 1;
+  }
+  mesh_.keep_spaces(is_kept);
+  return_freed_memory();
+}
+
+void PiecesPlan::need_spaces(const std::vector<std::size_t>& tiles) {
+  const bool has_all = std::all_of(tiles.begin(), tiles.end(),
+                                   [this](std::size_t t) { return mesh_.has_space(patch_of(t)); });
+  if (!has_all) mesh_.restore_spaces(control_spaces());
+}
+
+std::size_t PiecesPlan::patch_of(std::size_t tile) const {
+  return static_cast<std::size_t>(tiles()[tile].boundary.patch);
 }
 
 void PiecesPlan::begin_report() {

@@ -29,6 +29,12 @@ class PiecesPlan {
   /// Throws   as make_control_spaces, place_contour_nodes and cut_patches
   void make(const PiecesOptions& pieces, int ranks);
 
+  /// Drop the control spaces of patches of which a rank has no tiles.
+  void drop_other_spaces(int rank);
+
+  /// Have the control spaces of all these tiles, if need be by making all of them again.
+  void need_spaces(const std::vector<std::size_t>& tiles);
+
   const Model& model() const { return model_; }
   const RunContext& context() const { return context_; }
   const PipelineOptions& options() const { return options_; }  ///< those that take effect
@@ -41,6 +47,7 @@ class PiecesPlan {
   const Report& report() const { return report_; }
 
  private:
+  std::size_t patch_of(std::size_t tile) const;
   void begin_report();
   ControlSpaces control_spaces();
   void divide();
