@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "completion_command.hh"
 
+#include <fmt/format.h>
+
 #include "bash_completion.hh"
 #include "exit_status.hh"
 #include "standard_output.hh"
@@ -11,7 +13,7 @@ namespace {
 
 constexpr const char* kFooter =
     "For this shell alone:\n"
-    "  source <(surfmesh completion bash)\n"
+    "  source <({0} completion bash)\n"
     "An installed surfmesh has both scripts where the shells look for them.\n";
 
 }  // namespace
@@ -20,7 +22,7 @@ void CompletionCommand::add_to(CLI::App& app) {
   program_ = &app;
   CLI::App* command = app.add_subcommand(
       "completion", "Print a script by which a shell completes command lines of surfmesh.");
-  command->footer(kFooter);
+  command->footer(fmt::format(kFooter, app.get_name()));
   command->add_option("SHELL", shell_, "the shell that reads it")
       ->required()
       ->option_text("bash|zsh")

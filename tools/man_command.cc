@@ -17,8 +17,8 @@ namespace {
 
 constexpr const char* kFooter =
     "Examples:\n"
-    "  surfmesh man mesh | man -l -    show the page of a command\n"
-    "  surfmesh man --folder man1      write surfmesh.1, surfmesh-mesh.1 and the others\n";
+    "  {0} man mesh | man -l -    show the page of a command\n"
+    "  {0} man --folder man1      write {0}.1, {0}-mesh.1 and the others\n";
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void ManCommand::add_to(CLI::App& app) {
   program_ = &app;
   CLI::App* command =
       app.add_subcommand("man", "Print a manual page of surfmesh or one of its commands.");
-  command->footer(kFooter);
+  command->footer(fmt::format(kFooter, app.get_name()));
   CLI::Option* page =
       command->add_option("COMMAND", command_, "the command; without it, the page of surfmesh")
           ->type_name("COMMAND")

@@ -110,6 +110,20 @@ TEST_F(MpiProgram, EstimatesForItsRanksInADryRun) {
   EXPECT_EQ(folder_.count(), 0);
 }
 
+TEST_F(MpiProgram, HasCompletionsAndManualPages) {
+  EXPECT_EQ(run_ranks(2, "completion bash"), 0) << err_;
+  write_text(folder_ / "completion", out_);
+  EXPECT_EQ(shell("bash -n completion"), 0) << err_;
+  write_text(folder_ / "ask",
+             "source ./completion\nCOMP_WORDS=(surfmesh-mpi mesh --piece-c)\nCOMP_CWORD=2\n"
+             "_surfmesh-mpi\necho \"${COMPREPLY[@]}\"\n");
+  EXPECT_EQ(shell("bash ask"), 0) << err_;
+  EXPECT_NE(out_.find("--piece-count"), std::string::npos) << out_ << err_;
+  EXPECT_EQ(run_ranks(2, "man mesh"), 0) << err_;
+  EXPECT_NE(out_.find(".TH SURFMESH\\-MPI\\-MESH 1"), std::string::npos) << out_.substr(0, 200);
+  EXPECT_EQ(out_.find(".TH", out_.find(".TH") + 1), std::string::npos) << "printed twice";
+}
+
 TEST_F(MpiProgram, TellsOnceOfAnErrorAndLeavesNothing) {
   const std::string cube = "mesh '" + own_model("cube.obj") + "' ";
   const std::vector<std::tuple<std::string, int, std::string>> cases = {

@@ -4,7 +4,9 @@
 #include <string>
 #include <utility>
 
+#include "completion_command.hh"
 #include "exit_status.hh"
+#include "man_command.hh"
 #include "mesh_arguments.hh"
 #include "mesh_command.hh"
 #include "mesh_in_pieces.hh"
@@ -24,12 +26,43 @@ constexpr const char* kFooter =
     "  mpirun -n 4 surfmesh-mpi mesh wing.step --hmax 1% -o wing.obj        to one file\n"
     "Exit status as that of surfmesh.\n";
 
-/// Rank 0 alone tells how all of them would share the work, unless others are asked about.
-int estimate(surfmesh::MeshArguments arguments, const surfmesh::Exchange& exchange) {
-  if (exchange.rank() != 0) return surfmesh::kDone;
-  if (arguments.ranks == 0) arguments.ranks = exchange.size();
-  return surfmesh::MeshCommand(std::move(arguments)).run();
-}
+/// The commands of the program.
+class CommandLine {
+ public:
+  CommandLine() {
+    app_.set_version_flag("--version", "surfmesh " SURFMESH_VERSION);
+    app_.footer(kFooter);
+    app_.require_subcommand(1);
+    arguments_.add_to(app_, surfmesh::ShortHelp::MostUsed);
+    completion_.add_to(app_);
+    man_.add_to(app_);
+  }
+
+  CLI::App& app() { return app_; }
+
+  /// Returns an exit status.
+  int run(surfmesh::Exchange& exchange) const {
+    if (!app_.got_subcommand("mesh")) return exchange.rank() == 0 ? describe() : surfmesh::kDone;
+    if (arguments_.is_dry_run) return estimate(exchange);
+    return surfmesh::mesh_in_pieces(arguments_, exchange, surfmesh::MpiSession::abort);
+  }
+
+ private:
+  int describe() const { return app_.got_subcommand("man") ? man_.run() : completion_.run(); }
+
+  /// Rank 0 alone tells how all of them would share the work, unless others are asked about.
+  int estimate(const surfmesh::Exchange& exchange) const {
+    if (exchange.rank() != 0) return surfmesh::kDone;
+    surfmesh::MeshArguments asked = arguments_;
+    if (asked.ranks == 0) asked.ranks = exchange.size();
+    return surfmesh::MeshCommand(std::move(asked)).run();
+  }
+
+  CLI::App app_{"Mesh as surfmesh does, by the processes that mpirun starts.", "surfmesh-mpi"};
+  surfmesh::MeshArguments arguments_;
+  surfmesh::CompletionCommand completion_;
+  surfmesh::ManCommand man_;
+};
 
 int run(int argc, char** argv) {
   surfmesh::MpiExchange exchange;
@@ -37,16 +70,8 @@ int run(int argc, char** argv) {
     surfmesh::be_silent(true);
     surfmesh::be_silent_on_signals();
   }
-  CLI::App app("Mesh as surfmesh does, by the processes that mpirun starts.", "surfmesh-mpi");
-  app.set_version_flag("--version", "surfmesh " SURFMESH_VERSION);
-  app.footer(kFooter);
-  app.require_subcommand(1);
-  surfmesh::MeshArguments arguments;
-  arguments.add_to(app, surfmesh::ShortHelp::MostUsed);
-  return surfmesh::run_program(app, argc, argv, [&] {
-    if (arguments.is_dry_run) return estimate(arguments, exchange);
-    return surfmesh::mesh_in_pieces(arguments, exchange, surfmesh::MpiSession::abort);
-  });
+  CommandLine line;
+  return surfmesh::run_program(line.app(), argc, argv, [&] { return line.run(exchange); });
 }
 
 }  // namespace
