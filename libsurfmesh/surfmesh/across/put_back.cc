@@ -220,7 +220,6 @@ class PutBack {
 }  // namespace
 
 PutBackReport put_back(std::span<ReturningRegion> regions, PolyMesh& result) {
-  if (regions.empty()) return {};
   return PutBack(regions, result).run();
 }
 
