@@ -67,7 +67,9 @@ void check_arguments(const MeshArguments& arguments) {
 void check_options(const PipelineOptions& options) {
   if (!options.output.normals && !options.output.uv && !options.output.texture) return;
   throw Error(ErrorCode::InvalidOption,
-              "normals, uv and texture have no place in a mesh that is written in pieces");
+              "a mesh in pieces has no normals, (u,v) or texture coordinates: leave out --normals, "
+              "--uv and --texture, or normals, uv and texture of a model file; surfmesh mesh "
+              "without --pieces writes them");
 }
 
 /// One run of the command on a rank.
