@@ -91,11 +91,12 @@ void MeshArguments::check(const CLI::App& command) const {
   for (const char* other : {"--output", "--dry-run"}) {
     if (!pieces.empty() && command.count(other) > 0) throw CLI::ExcludesError("--pieces", other);
   }
-  if (ranks > 0 && !is_dry_run) throw CLI::RequiresError("--ranks", "--dry-run");
+  if (command.count("--ranks") > 0 && !is_dry_run) {
+    throw CLI::RequiresError("--ranks", "--dry-run");
+  }
+  const bool has_pieces = !pieces.empty() || (is_dry_run && ranks > 0);
   for (const char* more : {"--piece-count", "--deal"}) {
-    if (pieces.empty() && ranks == 0 && command.count(more) > 0) {
-      throw CLI::RequiresError(more, "--pieces");
-    }
+    if (!has_pieces && command.count(more) > 0) throw CLI::RequiresError(more, "--pieces");
   }
 }
 

@@ -16,7 +16,7 @@ struct MeshArguments {
   std::string pieces;     ///< a folder; empty for none
   std::string report;     ///< empty for none
   int piece_count = 0;    ///< 0: see PiecesOptions
-  int ranks = 0;          ///< of which a dry run tells; 0 for none
+  int ranks = 0;          ///< of which a dry run tells, by default those set here; 0 for none
   bool by_metis = false;  ///< tiles are dealt out to pieces by METIS
   Settings named = {};    ///< by flags of their own
   Settings set = {};      ///< by --set, which beats them

@@ -38,6 +38,9 @@ class GuardedSink final : public PieceSink {
   void write(int piece, const MeshPiece& mesh) override { output_.write(piece, mesh); }
   void finish() override { output_.finish(); }
 
+  /// Remove nothing from now on.
+  void release() { guard_.reset(); }
+
  private:
   PieceOutput& output_;
   std::optional<RemovedOnSignal> guard_;
@@ -64,7 +67,9 @@ void check_arguments(const MeshArguments& arguments) {
 void check_options(const PipelineOptions& options) {
   if (!options.output.normals && !options.output.uv && !options.output.texture) return;
   throw Error(ErrorCode::InvalidOption,
-              "normals, uv and texture have no place in a mesh that is written in pieces");
+              "a mesh in pieces has no normals, (u,v) or texture coordinates: leave out --normals, "
+              "--uv and --texture, or normals, uv and texture of a model file; surfmesh mesh "
+              "without --pieces writes them");
 }
 
 /// One run of the command on a rank.
@@ -84,7 +89,7 @@ class PiecesRun {
     const std::unique_ptr<PieceOutput> output = make_output();
     GuardedSink sink(*output);
     Report report = mesh(sink);
-    commit(report, *output);
+    commit(report, *output, sink);
     return tell_of(report);
   }
 
@@ -107,11 +112,14 @@ class PiecesRun {
     }
   }
 
-  void commit(Report& report, PieceOutput& output) {
+  void commit(Report& report, PieceOutput& output, GuardedSink& sink) {
     input_.describe(arguments_.input, report);
     report.output = arguments_.pieces.empty() ? arguments_.output : arguments_.pieces;
     report.wall_seconds = input_.seconds_so_far();
     if (exchange_.rank() != 0) {
+      // Rank 0 waits for this before it puts all in its place. Then the name of what is temporary
+      // is free for others, and this rank may not know of it yet where a signal ends it.
+      sink.release();
       agree_on_error(exchange_, std::nullopt);
       return output.commit(nullptr);
     }

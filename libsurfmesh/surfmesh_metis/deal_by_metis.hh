@@ -6,8 +6,9 @@
 namespace surfmesh {
 
 /// Deal tiles so that few nodes are in more than one piece, and no piece is more than about 3 %
-/// heavier than the mean where the tiles allow that. Pieces are numbered by their first tiles. A
-/// DealTiles.
+/// heavier than the mean where the tiles allow that. Pieces are numbered by their first tiles.
+/// METIS may make fewer than `pieces`, mostly where they have few tiles: the last ones are empty
+/// then. A DealTiles.
 ///
 /// Cost     some milliseconds for a thousand tiles
 /// Throws   Limit if METIS has no memory

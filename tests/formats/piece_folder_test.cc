@@ -123,6 +123,25 @@ TEST(PieceFolder, ReplacesNoFolderWithOtherFiles) {
   EXPECT_EQ(read_text(folder / "mesh/notes.txt"), "mine");
 }
 
+TEST(PieceFolder, ReplacesNoFolderThatGetsOtherFilesMeanwhile) {
+  const TestFolder folder;
+  write_strip(folder / "mesh", 2);
+  const std::string before = read_text(folder / "mesh/mesh_0000.vtu");
+  {
+    SerialExchange exchange;
+    PieceFolder pieces(folder / "mesh", exchange);
+    fill(pieces, exchange, 6);
+    write_text(folder / "mesh/notes.txt", "mine");
+    EXPECT_EQ(error_of([&] { pieces.commit(nullptr); }),
+              "io: cannot write " + (folder / "mesh").string() +
+                  ": it is replaced as a whole, and has notes.txt in it");
+  }
+  EXPECT_EQ(files_of(folder.path()), std::set<std::string>{"mesh"});
+  EXPECT_EQ(files_of(folder / "mesh").size(), 4u);
+  EXPECT_EQ(read_text(folder / "mesh/notes.txt"), "mine");
+  EXPECT_EQ(read_text(folder / "mesh/mesh_0000.vtu"), before);
+}
+
 TEST(PieceFolder, TellsWhereNoFolderCanBe) {
   const TestFolder folder;
   write_text(folder / "file", "");

@@ -22,6 +22,9 @@ namespace fs = std::filesystem;
 
 using Milliseconds = std::chrono::milliseconds;
 
+const std::string kPython = "/usr/bin/python3";
+constexpr const char* kNoVtk = "no VTK here; tools/setup.sh --readers installs it";
+
 /// Runs the program as several ranks.
 class MpiProgram : public Program {
  protected:
@@ -41,6 +44,8 @@ class MpiProgram : public Program {
   int run_ranks(int ranks, const std::string& arguments) {
     return shell(command(ranks, arguments));
   }
+
+  bool has_vtk() { return shell(kPython + " -c 'import vtkmodules.vtkIOXML, numpy'") == 0; }
 
   std::set<std::string> files() const {
     std::set<std::string> names;
@@ -92,6 +97,43 @@ TEST_F(MpiProgram, WritesPiecesThatTogetherAreTheMeshOfOneProcess) {
   }
 }
 
+/// Compares the cells of a.vtu with those of all pieces in mesh/, by the positions of their
+/// corners.
+constexpr const char* kCompareByVtk = R"(
+from collections import Counter
+from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+def cells(reader, name):
+    reader.SetFileName(name)
+    reader.Update()
+    grid = reader.GetOutput()
+    points = vtk_to_numpy(grid.GetPoints().GetData())
+    corners = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    offsets = vtk_to_numpy(grid.GetCells().GetOffsetsArray())
+    patches = vtk_to_numpy(grid.GetCellData().GetArray("patch"))
+    return Counter((patch, points[corners[begin:end]].tobytes())
+                   for patch, begin, end in zip(patches, offsets, offsets[1:]))
+
+whole = cells(vtkXMLUnstructuredGridReader(), "a.vtu")
+together = cells(vtkXMLPUnstructuredGridReader(), "mesh/mesh.pvtu")
+print(sum(whole.values()), "cells,", "equal" if whole == together else "different")
+)";
+
+TEST_F(MpiProgram, WritesPiecesThatVtkReadsAsTheMeshOfOneProcess) {
+  if (!has_vtk()) GTEST_SKIP() << kNoVtk;
+  write_text(folder_ / "compare.py", kCompareByVtk);
+  for (const std::string more : {"", " --quads on"}) {
+    const std::string arguments =
+        "mesh '" + own_model("knob.obj") + "' --hmax 2% --tile 1000" + more;
+    ASSERT_EQ(run(arguments + " --across off -o a.vtu"), 0) << err_;
+    ASSERT_EQ(run_ranks(3, arguments + " --pieces mesh --piece-count 5"), 0) << err_;
+    EXPECT_EQ(shell(kPython + " compare.py"), 0) << err_;
+    EXPECT_TRUE(out_.ends_with(" cells, equal\n")) << out_;
+    EXPECT_GT(std::stoi(out_), 1000);
+  }
+}
+
 TEST_F(MpiProgram, PrintsOnceAndWritesOneReport) {
   EXPECT_EQ(run_ranks(3, "mesh '" + own_model("cube.obj") + "' --pieces mesh --report r.json"), 0);
   EXPECT_EQ(files(), (std::set<std::string>{"mesh", "r.json"}));
@@ -108,6 +150,14 @@ TEST_F(MpiProgram, EstimatesForItsRanksInADryRun) {
   EXPECT_NE(at, std::string::npos) << out_;
   EXPECT_EQ(out_.find(line, at + 1), std::string::npos) << "told twice: " << out_;
   EXPECT_EQ(folder_.count(), 0);
+}
+
+TEST_F(MpiProgram, EstimatesHowPiecesAreDealtOutInADryRun) {
+  const std::string dry = "mesh '" + own_model("cube.obj") + "' --dry-run --deal runs ";
+  EXPECT_EQ(run_ranks(3, dry + "--piece-count 2"), 0) << err_;
+  EXPECT_TRUE(says("pieces    2 on 3 ranks; ")) << out_;
+  EXPECT_EQ(run_ranks(3, dry + "--piece-count 2 --ranks 4"), 0) << err_;
+  EXPECT_TRUE(says("pieces    2 on 4 ranks; ")) << out_;
 }
 
 TEST_F(MpiProgram, HasCompletionsAndManualPages) {
@@ -130,7 +180,9 @@ TEST_F(MpiProgram, TellsOnceOfAnErrorAndLeavesNothing) {
       {"mesh none.obj -o a.obj", 1, "cannot read none.obj"},
       {cube, 2, "--output is required\nsurfmesh-mpi mesh --help tells more"},
       {cube + "-o a.stl", 1, "ranks can write .obj and .ply"},
-      {cube + "-o a.obj --normals", 1, "normals, uv and texture have no place"},
+      {cube + "-o a.obj --normals", 1, "leave out --normals, --uv and --texture"},
+      {cube + "-o a.obj --piece-count 2", 2, "--piece-count requires --pieces"},
+      {cube + "-o a.obj --ranks 2", 2, "--ranks requires --dry-run"},
       {cube + "-o none/a.obj", 1, "there is no folder none"},
       {cube + "--pieces mesh --max-elements 10", 1, "max_elements"},
   };
@@ -175,6 +227,21 @@ class RunningRanks {
     if (rank < all.size()) kill(all[rank], number);
   }
 
+  /// Nameless files in which ranks keep what belongs into a file of all.
+  int count_spools() const {
+    int count = 0;
+    for (const pid_t rank : ranks()) {
+      std::error_code ignored;
+      for (const auto& open :
+           fs::directory_iterator("/proc/" + std::to_string(rank) + "/fd", ignored)) {
+        const std::string target = fs::read_symlink(open.path(), ignored).string();
+        const bool is_spool = target.find(".surfmesh-spool-") != std::string::npos;
+        if (is_spool && target.ends_with(" (deleted)")) ++count;
+      }
+    }
+    return count;
+  }
+
  private:
   std::vector<pid_t> ranks() const {
     const std::string task = "/proc/" + std::to_string(process_) + "/task";
@@ -196,8 +263,25 @@ bool has_piece(const fs::path& folder) {
   return fs::exists(folder / ".surfmesh-0.tmp/mesh_0000.vtu", ignored);
 }
 
-/// Ranks stand still where some pieces are written. One of them gets a signal, then all go on.
-TEST_F(MpiProgram, LeavesNothingAndKeepsAnOlderOutputWhereARankEnds) {
+class EndedRanks : public MpiProgram {
+ protected:
+  /// Ranks stand still as soon as the run is under way. One of them gets a signal, then all go on.
+  template <class IsUnderWay>
+  void end_rank(const RunningRanks& running, std::size_t rank, int number,
+                IsUnderWay is_under_way) {
+    while (!is_under_way() && !running.has_ended()) std::this_thread::sleep_for(Milliseconds(1));
+    running.signal_ranks(SIGSTOP);
+    const bool is_in_time = is_under_way();
+    running.signal_rank(rank, number);
+    running.signal_ranks(SIGCONT);
+    const int status = running.wait();
+    ASSERT_TRUE(is_in_time) << "the run was over too soon\n" << read_text(folder_ / "log");
+    EXPECT_EQ(status, 128 + number) << read_text(folder_ / "log");
+    fs::remove(folder_ / "log");
+  }
+};
+
+TEST_F(EndedRanks, LeaveNoPiecesAndKeepAnOlderOutput) {
   const std::string wave =
       "mesh '" + own_model("wave.json") + "' --threads 1 --pieces mesh --hmax ";
   ASSERT_EQ(run_ranks(2, wave + "3%"), 0) << err_;
@@ -205,17 +289,27 @@ TEST_F(MpiProgram, LeavesNothingAndKeepsAnOlderOutputWhereARankEnds) {
   for (const int number : {SIGKILL, SIGTERM}) {
     const RunningRanks running(folder_.path(),
                                command(3, wave + "0.3% --hmin 0.3% --piece-count 30 --tile 5000"));
-    while (!has_piece(folder_.path()) && !running.has_ended()) {
-      std::this_thread::sleep_for(Milliseconds(1));
-    }
-    running.signal_ranks(SIGSTOP);
-    EXPECT_TRUE(has_piece(folder_.path())) << "the run was over too soon";
-    running.signal_rank(1, number);
-    running.signal_ranks(SIGCONT);
-    EXPECT_EQ(running.wait(), 128 + number) << read_text(folder_ / "log");
-    fs::remove(folder_ / "log");
+    const auto is_under_way = [this] { return has_piece(folder_.path()); };
+    ASSERT_NO_FATAL_FAILURE(end_rank(running, 1, number, is_under_way));
     EXPECT_EQ(files(), std::set<std::string>{"mesh"}) << number;
     EXPECT_EQ(read_text(folder_ / "mesh/mesh_0000.vtu"), older);
+  }
+}
+
+/// Here the first rank ends: it is the one that made the temporary file of all.
+TEST_F(EndedRanks, LeaveNothingOfASingleFileAndKeepAnOlderOne) {
+  const std::string wave =
+      "mesh '" + own_model("wave.json") + "' --threads 1 --tile 5000 -o mesh.obj --hmax ";
+  ASSERT_EQ(run_ranks(2, wave + "3%"), 0) << err_;
+  const std::string older = read_text(folder_ / "mesh.obj");
+  for (const int number : {SIGKILL, SIGTERM}) {
+    const RunningRanks running(folder_.path(), command(3, wave + "0.3% --hmin 0.3%"));
+    const auto is_under_way = [&] {
+      return fs::exists(folder_ / ".surfmesh-0.tmp") && running.count_spools() == 6;
+    };
+    ASSERT_NO_FATAL_FAILURE(end_rank(running, 0, number, is_under_way));
+    EXPECT_EQ(files(), std::set<std::string>{"mesh.obj"}) << number;
+    EXPECT_EQ(read_text(folder_ / "mesh.obj"), older);
   }
 }
 
@@ -237,14 +331,11 @@ TEST_F(MpiProgram, WorksAsItsDocumentShows) {
     ++count;
   }
   EXPECT_GE(count, 2);
-  const std::string python = "/usr/bin/python3";
-  if (shell(python + " -c 'import vtkmodules.vtkIOXML, numpy'") != 0) {
-    GTEST_SKIP() << "no VTK here; tools/setup.sh --readers installs it";
-  }
+  if (!has_vtk()) GTEST_SKIP() << kNoVtk;
   const std::string begin = "```python\n";
   const std::size_t at = document.find(begin) + begin.size();
   write_text(folder_ / "read.py", document.substr(at, document.find("```", at) - at));
-  EXPECT_EQ(shell(python + " read.py"), 0) << err_;
+  EXPECT_EQ(shell(kPython + " read.py"), 0) << err_;
   EXPECT_NE(out_.find("vertices shared with piece 3"), std::string::npos) << out_;
 }
 

@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <string>
-#include <utility>
 
 #include "completion_command.hh"
 #include "exit_status.hh"
@@ -29,7 +28,9 @@ constexpr const char* kFooter =
 /// The commands of the program.
 class CommandLine {
  public:
-  CommandLine() {
+  /// A dry run tells how `ranks` would share the work, unless others are asked about.
+  explicit CommandLine(int ranks) {
+    arguments_.ranks = ranks;
     app_.set_version_flag("--version", "surfmesh " SURFMESH_VERSION);
     app_.footer(kFooter);
     app_.require_subcommand(1);
@@ -43,20 +44,14 @@ class CommandLine {
   /// Returns an exit status.
   int run(surfmesh::Exchange& exchange) const {
     if (!app_.got_subcommand("mesh")) return exchange.rank() == 0 ? describe() : surfmesh::kDone;
-    if (arguments_.is_dry_run) return estimate(exchange);
+    if (arguments_.is_dry_run) return exchange.rank() == 0 ? estimate() : surfmesh::kDone;
     return surfmesh::mesh_in_pieces(arguments_, exchange, surfmesh::MpiSession::abort);
   }
 
  private:
   int describe() const { return app_.got_subcommand("man") ? man_.run() : completion_.run(); }
 
-  /// Rank 0 alone tells how all of them would share the work, unless others are asked about.
-  int estimate(const surfmesh::Exchange& exchange) const {
-    if (exchange.rank() != 0) return surfmesh::kDone;
-    surfmesh::MeshArguments asked = arguments_;
-    if (asked.ranks == 0) asked.ranks = exchange.size();
-    return surfmesh::MeshCommand(std::move(asked)).run();
-  }
+  int estimate() const { return surfmesh::MeshCommand(arguments_).run(); }
 
   CLI::App app_{"Mesh as surfmesh does, by the processes that mpirun starts.", "surfmesh-mpi"};
   surfmesh::MeshArguments arguments_;
@@ -70,7 +65,7 @@ int run(int argc, char** argv) {
     surfmesh::be_silent(true);
     surfmesh::be_silent_on_signals();
   }
-  CommandLine line;
+  CommandLine line(exchange.size());
   return surfmesh::run_program(line.app(), argc, argv, [&] { return line.run(exchange); });
 }
 

@@ -39,8 +39,8 @@ class LooseFaceMaker {
 
   void add_collapsed(FaceHandle fh) {
     const bool is_kept = add(copy_of(fh), fh.idx() - dropped_);
-    piece_.collapsed.push_back({fh, !is_kept});
     if (!is_kept) ++dropped_;
+    piece_.collapsed.push_back({fh, !is_kept, dropped_});
   }
 
   /// After all that collapse.

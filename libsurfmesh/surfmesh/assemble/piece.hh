@@ -40,6 +40,7 @@ struct LooseFace {
 struct CollapsedFace {
   FaceHandle face;
   bool is_dropped = false;  ///< less than a triangle is left
+  int dropped_so_far = 0;   ///< how many are dropped up to this one
 };
 
 /// An edge of a piece's mesh that is not copied with its two sides.

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <span>
+#include <vector>
 
 #include "surfmesh/assemble/piece.hh"
 
@@ -45,17 +47,15 @@ class PlacedPiece {
 
   /// The number that a face has in the result, if it is copied.
   FaceHandle number(FaceHandle fh) const {
-    int dropped = 0;
-    for (const CollapsedFace& collapsed : piece_.collapsed) {
-      if (collapsed.is_dropped && collapsed.face < fh) ++dropped;
-    }
+    const auto next = first_collapsed_from(fh);
+    const int dropped = next == piece_.collapsed.begin() ? 0 : std::prev(next)->dropped_so_far;
     return FaceHandle(piece_.first_face + fh.idx() - dropped);
   }
 
   bool is_copied(FaceHandle fh) const {
-    return fh.is_valid() &&
-           std::none_of(piece_.collapsed.begin(), piece_.collapsed.end(),
-                        [fh](const CollapsedFace& collapsed) { return collapsed.face == fh; });
+    if (!fh.is_valid()) return false;
+    const auto next = first_collapsed_from(fh);
+    return next == piece_.collapsed.end() || next->face != fh;
   }
 
   /// Call `visit(side)` for the sides of a face in the order that they have in the result.
@@ -90,6 +90,13 @@ class PlacedPiece {
   }
 
  private:
+  std::vector<CollapsedFace>::const_iterator first_collapsed_from(FaceHandle fh) const {
+    const auto is_before = [](const CollapsedFace& collapsed, FaceHandle face) {
+      return collapsed.face < face;
+    };
+    return std::lower_bound(piece_.collapsed.begin(), piece_.collapsed.end(), fh, is_before);
+  }
+
   const Piece& piece_;
   const PolyMesh& mesh_;
 };

@@ -144,6 +144,7 @@ void PieceFolder::finish() {
 }
 
 void PieceFolder::publish() {
+  check_old();  // once more: since begin(), others may have put files there
   std::error_code ignored;
   if (const fs::file_status status = fs::status(folder_, ignored); fs::exists(status)) {
     fs::permissions(temporary_, status.permissions(), ignored);

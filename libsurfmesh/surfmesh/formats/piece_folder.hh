@@ -34,6 +34,7 @@ class PieceFolder final : public PieceOutput {
   /// Throws   AgreedError of code Io
   void finish() override;
 
+  /// Throws   AgreedError of code Io, as where the folder has got other files since begin()
   void commit(OutputFile* with) override;
   std::filesystem::path temporary() const override { return temporary_; }
 
