@@ -64,7 +64,8 @@ void PiecesPlan::make(const PiecesOptions& pieces, int ranks) {
   deal_ = deal_out(tiles(), pieces.pieces, pieces.deal, ranks);
   std::vector<const PatchBoundary*> boundaries;
   for (const Tile& tile : tiles()) boundaries.push_back(&tile.boundary);
-  shared_.emplace(model_, mesh_.nodes(), mesh_.numbers(), boundaries, deal_.piece_of, deal_.pieces);
+  shared_.emplace(model_, mesh_.nodes(), mesh_.numbers(), boundaries, deal_.piece_of,
+                  deal_.rank_of_piece);
 }
 
 void PiecesPlan::drop_other_spaces(int rank) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
-#include <set>
 
 #include "surfmesh/core/mesh_names.hh"
 #include "surfmesh/pipeline/tile_notices.hh"
@@ -137,20 +136,9 @@ void report_tiles(const PiecesPlan& plan, const std::vector<TileSummary>& summar
 }
 
 void count_shared(const PiecesPlan& plan, Report::Pieces& pieces) {
-  const TileDeal& deal = plan.deal();
-  std::set<int> of_pieces, of_ranks;
-  for (int piece = 0; piece < deal.pieces; ++piece) {
-    const int rank = deal.rank_of_piece[static_cast<std::size_t>(piece)];
-    for (const SharedWithPiece& neighbour : plan.shared().neighbours(piece)) {
-      const std::vector<int>& vertices = neighbour.vertices;
-      of_pieces.insert(vertices.begin(), vertices.end());
-      if (deal.rank_of_piece[static_cast<std::size_t>(neighbour.piece)] == rank) continue;
-      of_ranks.insert(vertices.begin(), vertices.end());
-    }
-  }
-  pieces.count = static_cast<std::size_t>(deal.pieces);
-  pieces.of_several_pieces = of_pieces.size();
-  pieces.of_several_ranks = of_ranks.size();
+  pieces.count = static_cast<std::size_t>(plan.deal().pieces);
+  pieces.of_several_pieces = plan.shared().of_several_pieces();
+  pieces.of_several_ranks = plan.shared().of_several_ranks();
 }
 
 }  // namespace surfmesh::detail
