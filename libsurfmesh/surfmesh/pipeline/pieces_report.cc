@@ -63,7 +63,7 @@ void take_sums(const Model& model, const std::vector<TileSummary>& summaries,
   report.edges = all.edges;
   report.quality = all.quality;
   report.quads = all.quad_statistics;
-  report.lengths = {all.lengths.min, all.lengths.mean, all.lengths.max};
+  report.lengths = {all.lengths.min, all.lengths.moments.mean(), all.lengths.max};
   report.refine = all.refine;
   report.worst = place_of(model, summaries, all.worst, &TileSummary::worst);
   report.worst_quad = place_of(model, summaries, all.worst_quad, &TileSummary::worst_quad);
