@@ -20,13 +20,13 @@
 #include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/assemble/vertex_copies.hh"
 #include "surfmesh/core/error.hh"
-#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/range_sums.hh"
 #include "surfmesh/core/validate.hh"
 #include "surfmesh/patch/mesh_patch.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/counted_surfaces.hh"
+#include "surfmesh/pipeline/do_or_cancel.hh"
 #include "surfmesh/pipeline/face_notices.hh"
 #include "surfmesh/pipeline/for_each_patch.hh"
 #include "surfmesh/pipeline/mesh_plan.hh"
@@ -150,7 +150,7 @@ class Run {
     turned_.clear();
     std::vector<PatchResult> results(plan_.tiles().size());
     share_and_tell("mesh", detail::largest_first(plan_.tiles()), context_,
-                   [&](std::size_t t) { results[t] = plan_.mesh_tile(t); });
+                   [&](std::size_t t) { results[t] = plan_.mesh_tile(t, context_); });
     for (PatchResult& result : results) {
       report_.seconds += result.seconds;
       report_.control.queries += result.queries;
@@ -342,21 +342,6 @@ void add_texture(const Model& model, const PipelineOptions& options, MeshResult&
   carry_texture(model, result.mesh);
 }
 
-/// Of a cancelled run no other error counts, for which patch was at work then is a matter of
-/// chance.
-template <class Work>
-void do_or_cancel(const RunContext& context, Work work) {
-  try {
-    tell_out_of_memory(work, [&] {
-      return fmt::format("at {} {} in finished patches", context.elements(),
-                         name(context.element_kind()));
-    });
-  } catch (const Error&) {
-    if (context.was_cancelled()) context.throw_if_cancelled();
-    throw;
-  }
-}
-
 ElementKind element_kind(const PipelineOptions& options) {
   return options.quads.is_on ? ElementKind::Quads : ElementKind::Triangles;
 }
@@ -418,7 +403,7 @@ MeshResult mesh_model(const Model& model, const Sources& sources, const Pipeline
   double serial_seconds = 0;
   with_threads(options.threads, [&] {
     const SerialClock clock(serial_seconds);
-    do_or_cancel(context, [&] {
+    detail::do_or_cancel(context, "patches", [&] {
       mesh_as_asked(model, sources, options, context, result);
       add_normals(model, options, context, result);
       add_texture(model, options, result);
@@ -444,7 +429,7 @@ Report estimate_mesh(const Model& model, const Sources& sources, const PipelineO
   double serial_seconds = 0;
   with_threads(options.threads, [&] {
     const SerialClock clock(serial_seconds);
-    do_or_cancel(context, [&] {
+    detail::do_or_cancel(context, "patches", [&] {
       work_with_control(model, sources, sizing, options, context, report, estimate);
     });
   });
