@@ -30,6 +30,7 @@
 #include "surfmesh/exchange/serial_exchange.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
+#include "surfmesh/sizes/resolved_sizing.hh"
 
 namespace surfmesh {
 namespace {
@@ -495,6 +496,45 @@ TEST(PiecesOf, ACancelledRunTellNoOtherError) {
     const CodeAndText error = error_of_row(2, 2, fault, cancelled_rank);
     EXPECT_EQ(error.first, ErrorCode::Cancelled);
   }
+}
+
+// --- reports ---
+
+/// The kinds and places of what is told of faces.
+std::vector<std::pair<NoticeKind, Vec3>> told_of_faces(const Report& report) {
+  std::vector<std::pair<NoticeKind, Vec3>> told;
+  for (const Notice& notice : report.notices) {
+    const bool is_of_faces =
+        notice.kind == NoticeKind::FlatTriangles || notice.kind == NoticeKind::FlatQuads ||
+        notice.kind == NoticeKind::InvertedQuads || notice.kind == NoticeKind::LeftTriangles;
+    if (is_of_faces) told.emplace_back(notice.kind, notice.point.value_or(Vec3::Zero()));
+  }
+  return told;
+}
+
+/// A strip that is too narrow for its triangles.
+TEST(PiecesOf, BadFacesTellOfThemAsTheWholeMesh) {
+  PipelineOptions options;
+  options.across.is_on = false;
+  options.sizing.size = Length::units(0.3);
+  const Model strip = testing::model_of({testing::rectangle(0, 0, 2, 0.01)});
+  const Report whole = mesh_model(strip, {}, options).report;
+  ASSERT_FALSE(told_of_faces(whole).empty());
+  SerialExchange exchange;
+  Collected all;
+  CollectingSink sink(all);
+  const Report report = mesh_pieces(strip, {}, options, {}, exchange, sink);
+  EXPECT_EQ(told_of_faces(report), told_of_faces(whole));
+}
+
+TEST(PiecesOf, ATightSagTellThatItIsRaised) {
+  Given given({"sphere.json"});
+  for (Contour& contour : given.model.contours) contour.tolerance = 0.01;
+  given.options.sizing.sag = Length::units(0.5 * least_sag(given.model));
+  const Report report = estimate_pieces(given.model, given.sources, given.options, {}, 2);
+  EXPECT_TRUE(std::any_of(report.notices.begin(), report.notices.end(), [](const Notice& notice) {
+    return notice.kind == NoticeKind::LooseFit && notice.severity == Severity::Shortfall;
+  }));
 }
 
 TEST(PiecesOf, ADealTellsHowEvenlyTrianglesAreDealt) {

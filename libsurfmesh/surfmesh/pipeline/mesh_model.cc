@@ -33,6 +33,7 @@
 #include "surfmesh/pipeline/options_of_model.hh"
 #include "surfmesh/pipeline/patch_cache.hh"
 #include "surfmesh/pipeline/reach_sag.hh"
+#include "surfmesh/pipeline/sag_notices.hh"
 #include "surfmesh/pipeline/tile_notices.hh"
 #include "surfmesh/pipeline/unused_options.hh"
 #include "surfmesh/pipeline/unused_sources.hh"
@@ -224,7 +225,8 @@ class Run {
     report_.tolerance = greatest_tolerance(model_);
     report_.lengths = measure_lengths(mesh);
     locate_worst(mesh);
-    append(detail::notices_of_faces(mesh, model_, report_), report_.notices);
+    append(detail::notices_of_faces(model_, report_, detail::told_faces(mesh, report_)),
+           report_.notices);
   }
 
   static Report::Lengths measure_lengths(const PolyMesh& mesh) {
@@ -284,22 +286,6 @@ void work_with_control(const Model& model, const Sources& sources, const Resolve
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Tell where the sag is less than the gaps of the model allow, so that another one is kept.
-void tell_raised_sag(const Model& model, const Sizing& sizing, Report& report) {
-  const double asked = sizing.sag ? sizing.sag->in_units(model.diagonal) : 0;
-  const double least = least_sag(model);
-  if (asked == 0 || asked >= least) return;
-  const auto worst = std::max_element(
-      model.contours.begin(), model.contours.end(),
-      [](const Contour& a, const Contour& b) { return a.tolerance < b.tolerance; });
-  report.notices.push_back(shortfall(
-      NoticeKind::LooseFit,
-      fmt::format(
-          "sag = {:.6g} is less than the surfaces of the model allow, which are apart where "
-          "they meet, most at contour {}; {:.6g} is kept in its place",
-          asked, worst == model.contours.end() ? "" : worst->name, least)));
-}
-
 /// Mesh the model once or until the sag is reached.
 void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOptions& options,
                    const RunContext& context, MeshResult& result) {
@@ -324,7 +310,7 @@ void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOpt
   result =
       detail::reach_sag({counted.model(), sources, sizing, options.control, context}, mesh_with);
   result.report.sag.evaluations = counted.evaluations();
-  tell_raised_sag(model, options.sizing, result.report);
+  append(detail::notices_of_raised_sag(model, options.sizing), result.report.notices);
 }
 
 /// The normals of the surface, if they are wanted in the file.
@@ -434,7 +420,7 @@ Report estimate_mesh(const Model& model, const Sources& sources, const PipelineO
     });
   });
   report.serial_seconds = serial_seconds;
-  tell_raised_sag(model, options.sizing, report);
+  append(detail::notices_of_raised_sag(model, options.sizing), report.notices);
   report.mesh.patches = model.patches.size();
   report.patches = measure_patches(PolyMesh(), mesh_names(model));
   return report;

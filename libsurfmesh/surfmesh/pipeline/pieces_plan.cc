@@ -8,6 +8,7 @@
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/options_of_model.hh"
+#include "surfmesh/pipeline/sag_notices.hh"
 #include "surfmesh/pipeline/unused_options.hh"
 
 namespace surfmesh::detail {
@@ -94,6 +95,7 @@ void PiecesPlan::begin_report() {
   append(model_.notices, report_.notices);
   append(options_too_late(model_, options_), report_.notices);
   append(unused_options(options_), report_.notices);
+  append(notices_of_raised_sag(model_, asked_.sizing), report_.notices);
   append(notices_of_pieces(asked_, sizing_.sag), report_.notices);
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "surfmesh/core/mesh_names.hh"
+#include "surfmesh/pipeline/face_notices.hh"
 #include "surfmesh/pipeline/tile_notices.hh"
 #include "surfmesh/quality/patch_measures.hh"
 
@@ -108,6 +109,31 @@ TurnedTile turned_of(const TileSummary& summary) {
   return tile;
 }
 
+std::optional<ToldFace> told(const std::vector<TileSummary>& summaries, std::ptrdiff_t tile,
+                             FacePlace TileSummary::*place) {
+  if (tile < 0) return {};
+  const TileSummary& summary = summaries[static_cast<std::size_t>(tile)];
+  const FacePlace& at = summary.*place;
+  return ToldFace{static_cast<int>(summary.patch), Vec3(at.x, at.y, at.z)};
+}
+
+/// A triangle of the first tile that has one; around a pole its place is not known.
+std::optional<ToldFace> told_triangle(const std::vector<TileSummary>& summaries) {
+  const auto first = std::find_if(summaries.begin(), summaries.end(),
+                                  [](const TileSummary& tile) { return tile.triangles > 0; });
+  if (first == summaries.end()) return {};
+  if (first->has_triangle_place == 0) return ToldFace{static_cast<int>(first->patch), {}};
+  return told(summaries, first - summaries.begin(), &TileSummary::triangle_at);
+}
+
+ToldFaces told_faces(const std::vector<TileSummary>& summaries, const SummaryOfTiles& all) {
+  return {.worst = told(summaries, all.worst, &TileSummary::worst),
+          .worst_quad = told(summaries, all.worst_quad, &TileSummary::worst_quad),
+          .worst_quad_in_space =
+              told(summaries, all.worst_quad_in_space, &TileSummary::worst_quad_in_space),
+          .triangle = told_triangle(summaries)};
+}
+
 void tell(const PiecesPlan& plan, const std::vector<TileSummary>& summaries, Notices& notices) {
   const Model& model = plan.model();
   std::vector<char> is_given_up(model.patches.size(), 0);
@@ -133,6 +159,7 @@ void report_tiles(const PiecesPlan& plan, const std::vector<TileSummary>& summar
   report.patches = named_patches(model, all);
   add_tiles(summaries, report.patches);
   tell(plan, summaries, report.notices);
+  append(notices_of_faces(model, report, told_faces(summaries, all)), report.notices);
 }
 
 void count_shared(const PiecesPlan& plan, Report::Pieces& pieces) {
