@@ -329,11 +329,49 @@ TEST(PiecesOf, TilesWhoseChordsJoinTheSameNodesAreTheMeshOfOneProcess) {
     given.options.sizing.size = Length::units(size);
     given.options.across.is_on = false;
     const PlainMesh expected = plain(mesh_model(given.model, {}, given.options).mesh);
-    // Tiles that are made again do not count again.
-    given.options.max_elements = expected.faces.size();
     Collected all;
     mesh_on(2, given, {.pieces = 3}, all);
     EXPECT_TRUE(joined(all.pieces) == expected) << size;
+  }
+}
+
+/// A dome, or a bowl, over the unit square.
+class Dome final : public test::AnalyticSurface {
+ public:
+  explicit Dome(double height) : AnalyticSurface({0, 1, 0, 1}), height_(height) {}
+
+ protected:
+  Jet all(Uv at) const override {
+    const double u = at.u * (1 - at.u), v = at.v * (1 - at.v);
+    const double du = 1 - 2 * at.u, dv = 1 - 2 * at.v;
+    return {Vec3(at.u, at.v, height_ * u * v), Vec3(1, 0, height_ * du * v),
+            Vec3(0, 1, height_ * u * dv),      Vec3(0, 0, -2 * height_ * v),
+            Vec3(0, 0, height_ * du * dv),     Vec3(0, 0, -2 * height_ * u)};
+  }
+
+ private:
+  double height_;
+};
+
+/// Over the same square, and coarse enough for chords of both patches to join the same nodes.
+TEST(PiecesOf, ADomeAndABowlAreMendedTogether) {
+  const Model model =
+      testing::model_of({std::make_shared<Dome>(0.5), std::make_shared<Dome>(-0.5)});
+  for (const double size : {0.35, 0.5, 0.6}) {
+    PipelineOptions options;
+    options.sizing.size = Length::units(size);
+    options.across.is_on = false;
+    const PlainMesh expected = plain(mesh_model(model, {}, options).mesh);
+    // Tiles that are made again do not count again.
+    options.max_elements = expected.faces.size();
+    for (const int ranks : {1, 2}) {
+      Collected all;
+      testing::run_ranks(ranks, [&](Exchange& exchange) {
+        CollectingSink sink(all);
+        mesh_pieces(model, {}, options, {.pieces = 2}, exchange, sink);
+      });
+      EXPECT_TRUE(joined(all.pieces) == expected) << size << ", " << ranks;
+    }
   }
 }
 
