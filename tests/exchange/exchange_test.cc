@@ -5,6 +5,7 @@
 
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 
 #include "support/thread_exchange.hh"
 #include "surfmesh/exchange/agree_on_error.hh"
@@ -143,6 +144,39 @@ TEST(AgreeOnError, TellsOfMemoryThatRanOut) {
   ASSERT_TRUE(error);
   EXPECT_EQ(error->first, ErrorCode::Limit);
   EXPECT_EQ(error->second, "out of memory");
+}
+
+TEST(AgreeOnError, TellsOfAnyException) {
+  const auto error = agreed(2, [](Exchange& exchange) {
+    agree_on_errors_of(exchange, [&] {
+      if (exchange.rank() == 1) throw std::out_of_range("no such point");
+    });
+  });
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->first, ErrorCode::InvalidInput);
+  EXPECT_EQ(error->second, "no such point");
+}
+
+TEST(AgreeOnError, TakesTheIndexOfAnError) {
+  const auto error = agreed(3, [](Exchange& exchange) {
+    agree_on_errors_of(exchange, [&] {
+      const int rank = exchange.rank();
+      throw ErrorAt({10 - rank, ErrorCode::Geometry, std::to_string(rank)});
+    });
+  });
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->second, "2");
+}
+
+TEST(AgreeOnError, LetsACancelledRunCountBeforeAllErrors) {
+  const auto error = agreed(3, [](Exchange& exchange) {
+    agree_on_errors_of(exchange, [&] {
+      const bool is_cancelled = exchange.rank() == 1;
+      throw Error(is_cancelled ? ErrorCode::Cancelled : ErrorCode::Io, "an error");
+    });
+  });
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->first, ErrorCode::Cancelled);
 }
 
 TEST(AgreeOnError, LetsAnAgreedErrorThroughNestedCalls) {

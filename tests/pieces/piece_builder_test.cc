@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "pieces/tiled_cases.hh"
+#include "surfmesh/core/error.hh"
 
 namespace surfmesh {
 namespace {
@@ -83,6 +87,20 @@ TEST(PieceBuilder, HasNothingAtFirst) {
   EXPECT_TRUE(builder.piece().points.empty());
   EXPECT_TRUE(builder.piece().faces.empty());
   EXPECT_TRUE(builder.numbers().runs.empty());
+}
+
+TEST(PieceBuilder, RefusesMoreThanArraysCanCount) {
+  constexpr std::size_t most = std::numeric_limits<int>::max();
+  EXPECT_NO_THROW(check_counts_of_piece(most, most));
+  for (const auto& [vertices, corners] : {std::pair{most + 1, most}, {std::size_t{3}, most + 1}}) {
+    try {
+      check_counts_of_piece(vertices, corners);
+      FAIL() << vertices << ", " << corners;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::Limit);
+      EXPECT_NE(std::string(error.what()).find("--piece-count"), std::string::npos);
+    }
+  }
 }
 
 class PieceOfAll : public ::testing::TestWithParam<testing::TiledCase> {};

@@ -57,6 +57,11 @@ std::vector<int> dealt(const MeshedTiles& meshed, int pieces) {
   return deal_in_runs(std::vector<double>(meshed.tiles.size(), 1), pieces);
 }
 
+/// The ranks of pieces that one makes.
+std::vector<int> one_rank(int pieces) {
+  return std::vector<int>(static_cast<std::size_t>(pieces), 0);
+}
+
 /// By piece, the numbers of the vertices that it shares with another piece.
 using Common = std::map<int, std::vector<int>>;
 
@@ -108,7 +113,7 @@ TEST_P(SharedNumbersOf, TilesHaveThePointsOfContoursThatTheResultHas) {
 TEST_P(SharedNumbersOf, PiecesListTheirNeighboursAlike) {
   const int pieces = std::min(4, static_cast<int>(meshed_.tiles.size()));
   const std::vector<int> piece_of = dealt(meshed_, pieces);
-  const SharedNumbers shared = meshed_.shared(piece_of, pieces);
+  const SharedNumbers shared = meshed_.shared(piece_of, one_rank(pieces));
   std::vector<std::set<int>> numbers(static_cast<std::size_t>(pieces));
   const std::vector<TilePart> parts = meshed_.parts();
   for (std::size_t t = 0; t < parts.size(); ++t) {
@@ -128,7 +133,7 @@ TEST_P(SharedNumbersOf, PiecesListTheirNeighboursAlike) {
 
 TEST_P(SharedNumbersOf, PiecesListSharedVerticesByTheirIds) {
   const int pieces = std::min(3, static_cast<int>(meshed_.tiles.size()));
-  const SharedNumbers shared = meshed_.shared(dealt(meshed_, pieces), pieces);
+  const SharedNumbers shared = meshed_.shared(dealt(meshed_, pieces), one_rank(pieces));
   for (int piece = 0; piece < pieces; ++piece) {
     for (const SharedWithPiece& neighbour : shared.neighbours(piece)) {
       std::vector<std::int64_t> ids;
@@ -136,6 +141,26 @@ TEST_P(SharedNumbersOf, PiecesListSharedVerticesByTheirIds) {
       EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
       EXPECT_GE(ids.front(), 0);
     }
+  }
+}
+
+TEST_P(SharedNumbersOf, PiecesTellHowManySeveralHave) {
+  const int pieces = std::min(4, static_cast<int>(meshed_.tiles.size()));
+  const std::vector<int> ranks(static_cast<std::size_t>(pieces), 0);
+  for (int last = 1; last <= pieces; ++last) {
+    std::vector<int> rank_of_piece = ranks;
+    std::fill(rank_of_piece.begin() + last, rank_of_piece.end(), 1);
+    const SharedNumbers shared = meshed_.shared(dealt(meshed_, pieces), rank_of_piece);
+    std::set<int> of_pieces, of_ranks;
+    for (int piece = 0; piece < pieces; ++piece) {
+      for (const SharedWithPiece& neighbour : shared.neighbours(piece)) {
+        of_pieces.insert(neighbour.vertices.begin(), neighbour.vertices.end());
+        if ((piece < last) == (neighbour.piece < last)) continue;
+        of_ranks.insert(neighbour.vertices.begin(), neighbour.vertices.end());
+      }
+    }
+    EXPECT_EQ(shared.of_several_pieces(), of_pieces.size());
+    EXPECT_EQ(shared.of_several_ranks(), of_ranks.size());
   }
 }
 
@@ -166,7 +191,7 @@ TEST(SharedNumbers, LeaveOutWhatNoTileHas) {
 TEST(SharedNumbers, KnowPiecesWithoutTiles) {
   const MeshedTiles meshed({"Squares", testing::opposite_squares(), 0.3});
   ASSERT_EQ(meshed.tiles.size(), 2u);
-  const SharedNumbers shared = meshed.shared({1, 3}, 6);
+  const SharedNumbers shared = meshed.shared({1, 3}, one_rank(6));
   for (const int piece : {0, 2, 4, 5}) EXPECT_TRUE(shared.neighbours(piece).empty());
   ASSERT_EQ(shared.neighbours(1).size(), 1u);
   ASSERT_EQ(shared.neighbours(3).size(), 1u);

@@ -121,7 +121,7 @@ TEST_P(PartOfACone, HasTheCollapsedFacesOfTheResult) {
   PolyMesh mesh;
   assemble(mesh, again.model, again.nodes, again.numbers, std::move(again.patches));
   const PatchBoundary boundary = cone_.patches[0].boundary;
-  const SharedNumbers shared(cone_.model, cone_.nodes, cone_.numbers, {&boundary}, {0}, 1);
+  const SharedNumbers shared(cone_.model, cone_.nodes, cone_.numbers, {&boundary}, {0}, {0});
   const bool turned = orient_patches(cone_.model).is_turned[0] != 0;
   EXPECT_EQ(turned, GetParam().is_turned);
   std::vector<TilePart> parts;

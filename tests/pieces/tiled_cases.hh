@@ -125,13 +125,14 @@ class MeshedTiles {
   }
 
   /// All that is known of shared vertices if tiles are dealt to pieces.
-  SharedNumbers shared(const std::vector<int>& piece_of, int pieces) const {
+  SharedNumbers shared(const std::vector<int>& piece_of,
+                       const std::vector<int>& rank_of_piece) const {
     std::vector<const PatchBoundary*> boundaries;
     for (const Tile& tile : tiles) boundaries.push_back(&tile.boundary);
-    return {tiled.model, tiled.nodes, tiled.numbers, boundaries, piece_of, pieces};
+    return {tiled.model, tiled.nodes, tiled.numbers, boundaries, piece_of, rank_of_piece};
   }
 
-  SharedNumbers shared() const { return shared(std::vector<int>(tiles.size(), 0), 1); }
+  SharedNumbers shared() const { return shared(std::vector<int>(tiles.size(), 0), {0}); }
 
   int number_count() const { return tiled.numbers.count(); }
 

@@ -1,26 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/pipeline/mesh_pieces.hh"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <exception>
+#include <functional>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <mutex>
+#include <new>
 #include <ostream>
+#include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "support/cancelling.hh"
+#include "support/analytic.hh"
 #include "support/models.hh"
 #include "support/thread_exchange.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/shared_vertices.hh"
+#include "surfmesh/exchange/agree_on_error.hh"
 #include "surfmesh/exchange/serial_exchange.hh"
 #include "surfmesh/pipeline/load_model.hh"
 #include "surfmesh/pipeline/mesh_model.hh"
+#include "surfmesh/sizes/resolved_sizing.hh"
 
 namespace surfmesh {
 namespace {
@@ -256,23 +266,48 @@ TEST_P(Pieces, AreForetold) {
   }
 }
 
+/// The ids that two pieces have in common, ascending.
+std::vector<std::int64_t> common_ids(const MeshPiece& a, const MeshPiece& b) {
+  const std::set<std::int64_t> of_a(a.ids.begin(), a.ids.end()), of_b(b.ids.begin(), b.ids.end());
+  std::vector<std::int64_t> both;
+  std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
+                        std::back_inserter(both));
+  return both;
+}
+
+/// The ids that a piece lists for another one.
+std::vector<std::int64_t> listed_ids(const MeshPiece& piece, int other) {
+  std::vector<std::int64_t> ids;
+  for (const SharedWithPiece& neighbour : piece.neighbours) {
+    if (neighbour.piece != other) continue;
+    for (const int v : neighbour.vertices) ids.push_back(piece.ids[static_cast<std::size_t>(v)]);
+  }
+  return ids;
+}
+
 TEST_P(Pieces, KnowTheirNeighbours) {
   const Given given(GetParam());
   Collected all;
   mesh_on(2, given, {.pieces = 4}, all);
   for (const auto& [number, piece] : all.pieces) {
-    for (const SharedWithPiece& neighbour : piece.neighbours) {
-      const MeshPiece& other = all.pieces.at(neighbour.piece);
-      const auto back =
-          std::find_if(other.neighbours.begin(), other.neighbours.end(),
-                       [n = number](const SharedWithPiece& shared) { return shared.piece == n; });
-      ASSERT_NE(back, other.neighbours.end());
-      ASSERT_EQ(back->vertices.size(), neighbour.vertices.size());
-      for (std::size_t i = 0; i < neighbour.vertices.size(); ++i) {
-        EXPECT_EQ(piece.ids[static_cast<std::size_t>(neighbour.vertices[i])],
-                  other.ids[static_cast<std::size_t>(back->vertices[i])]);
-      }
+    for (const auto& [other_number, other] : all.pieces) {
+      if (number == other_number) continue;
+      EXPECT_EQ(listed_ids(piece, other_number), common_ids(piece, other))
+          << number << ", " << other_number;
     }
+  }
+}
+
+TEST_P(Pieces, DoNotDependOnThreads) {
+  Given given(GetParam());
+  given.options.threads = 1;
+  Collected by_one;
+  mesh_on(2, given, {.pieces = 4}, by_one);
+  for (const int threads : {2, 4}) {
+    given.options.threads = threads;
+    Collected all;
+    mesh_on(2, given, {.pieces = 4}, all);
+    EXPECT_TRUE(joined(all.pieces) == joined(by_one.pieces)) << threads;
   }
 }
 
@@ -300,23 +335,244 @@ TEST(PiecesOf, TilesWhoseChordsJoinTheSameNodesAreTheMeshOfOneProcess) {
   }
 }
 
+/// A dome, or a bowl, over the unit square.
+class Dome final : public test::AnalyticSurface {
+ public:
+  explicit Dome(double height) : AnalyticSurface({0, 1, 0, 1}), height_(height) {}
+
+ protected:
+  Jet all(Uv at) const override {
+    const double u = at.u * (1 - at.u), v = at.v * (1 - at.v);
+    const double du = 1 - 2 * at.u, dv = 1 - 2 * at.v;
+    return {Vec3(at.u, at.v, height_ * u * v), Vec3(1, 0, height_ * du * v),
+            Vec3(0, 1, height_ * u * dv),      Vec3(0, 0, -2 * height_ * v),
+            Vec3(0, 0, height_ * du * dv),     Vec3(0, 0, -2 * height_ * u)};
+  }
+
+ private:
+  double height_;
+};
+
+/// Over the same square, and coarse enough for chords of both patches to join the same nodes.
+TEST(PiecesOf, ADomeAndABowlAreMendedTogether) {
+  const Model model =
+      testing::model_of({std::make_shared<Dome>(0.5), std::make_shared<Dome>(-0.5)});
+  for (const double size : {0.35, 0.5, 0.6}) {
+    PipelineOptions options;
+    options.sizing.size = Length::units(size);
+    options.across.is_on = false;
+    const PlainMesh expected = plain(mesh_model(model, {}, options).mesh);
+    // Tiles that are made again do not count again.
+    options.max_elements = expected.faces.size();
+    for (const int ranks : {1, 2}) {
+      Collected all;
+      testing::run_ranks(ranks, [&](Exchange& exchange) {
+        CollectingSink sink(all);
+        mesh_pieces(model, {}, options, {.pieces = 2}, exchange, sink);
+      });
+      EXPECT_TRUE(joined(all.pieces) == expected) << size << ", " << ranks;
+    }
+  }
+}
+
+TEST(PiecesOf, AModelWithASagAreTheSameOnAnyRanks) {
+  Given given({"sphere.json"});
+  given.options.sizing.sag = Length::share(0.0005);
+  Collected by_one;
+  const Report expected = mesh_on(1, given, {.pieces = 4}, by_one);
+  ASSERT_GT(expected.mesh.triangles, 0u);
+  for (const int ranks : {2, 3}) {
+    Collected all;
+    mesh_on(ranks, given, {.pieces = 4}, all);
+    EXPECT_TRUE(joined(all.pieces) == joined(by_one.pieces)) << ranks;
+  }
+}
+
+// --- errors ---
+
+using CodeAndText = std::pair<ErrorCode, std::string>;
+
+/// The error that all ranks throw together; Io without text if they do not.
+CodeAndText agreed_error(int ranks, const std::function<void(Exchange&)>& body) {
+  std::set<CodeAndText> found;
+  for (const std::exception_ptr& error : testing::errors_of_ranks(ranks, body)) {
+    EXPECT_TRUE(error) << "a rank without an error";
+    if (!error) continue;
+    try {
+      std::rethrow_exception(error);
+    } catch (const AgreedError& thrown) {
+      found.emplace(thrown.code(), thrown.what());
+    }
+  }
+  EXPECT_EQ(found.size(), 1u) << "ranks do not agree";
+  return found.size() == 1 ? *found.begin() : CodeAndText{ErrorCode::Io, {}};
+}
+
 TEST(PiecesOf, AnErrorOnOneRankIsThatOfAllRanks) {
   Given given({"cube.obj"});
   given.options.max_elements = 100;
   Collected all;
-  const auto errors = testing::errors_of_ranks(3, [&](Exchange& exchange) {
+  const CodeAndText error = agreed_error(3, [&](Exchange& exchange) {
     CollectingSink sink(all);
     mesh_pieces(given.model, given.sources, given.options, {}, exchange, sink);
   });
-  for (const std::exception_ptr& error : errors) {
-    ASSERT_TRUE(error);
-    try {
-      std::rethrow_exception(error);
-    } catch (const Error& thrown) {
-      EXPECT_EQ(thrown.code(), ErrorCode::Limit) << thrown.what();
+  EXPECT_EQ(error.first, ErrorCode::Limit);
+  EXPECT_TRUE(all.pieces.empty());
+}
+
+/// Each rank makes a part of what is allowed.
+TEST(PiecesOf, RanksTogetherMakeNoMoreThanIsAllowed) {
+  Given given({"sphere.json"});
+  Collected made;
+  const std::size_t count = mesh_on(2, given, {}, made).mesh.triangles;
+  given.options.max_elements = count - count / 32;
+  for (const int ranks : {2, 3}) {
+    Collected all;
+    const CodeAndText error = agreed_error(ranks, [&](Exchange& exchange) {
+      CollectingSink sink(all);
+      mesh_pieces(given.model, given.sources, given.options, {}, exchange, sink);
+    });
+    EXPECT_EQ(error.first, ErrorCode::Limit);
+    EXPECT_EQ(error.second,
+              fmt::format("more than max_elements = {} triangles", given.options.max_elements));
+    EXPECT_TRUE(all.pieces.empty());
+  }
+}
+
+/// Knows when a rank has come to its tiles.
+class AtTiles final : public Observer {
+ public:
+  explicit AtTiles(bool cancels = false) : cancels_(cancels) {}
+
+  void progress(std::string_view stage, std::size_t, std::size_t) override {
+    if (stage == "mesh") has_begun_ = true;
+  }
+  bool is_cancelled() override { return cancels_ && has_begun_; }
+  bool has_begun() const { return has_begun_; }
+
+ private:
+  bool cancels_;
+  std::atomic<bool> has_begun_ = false;
+};
+
+/// Part of the plane that cannot be evaluated when tiles are meshed.
+class FaultyPlane final : public test::PlanePatch {
+ public:
+  FaultyPlane(Domain domain, const AtTiles& at, std::function<void()> fault)
+      : PlanePatch(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), domain),
+        at_(at),
+        fault_(std::move(fault)) {}
+
+ protected:
+  Jet all(Uv uv) const override {
+    if (at_.has_begun()) fault_();
+    return PlanePatch::all(uv);
+  }
+
+ private:
+  const AtTiles& at_;
+  std::function<void()> fault_;
+};
+
+/// Five patches in a row, each one tile, of which p1 and p3, which is larger, have a fault.
+Model row_with_faults(const AtTiles& at, const std::function<void()>& fault) {
+  const std::vector<double> ends = {0, 1, 2, 3, 6, 8};
+  std::vector<testing::Shape> shapes;
+  for (std::size_t p = 0; p + 1 < ends.size(); ++p) {
+    const Domain domain{ends[p], ends[p + 1], 0, 1};
+    if (p == 1 || p == 3) {
+      shapes.push_back(std::make_shared<FaultyPlane>(domain, at, fault));
+    } else {
+      shapes.push_back(testing::rectangle(domain.u0, 0, domain.u1, 1));
     }
   }
-  EXPECT_TRUE(all.pieces.empty());
+  return testing::model_of(shapes);
+}
+
+/// Mesh the row with as many pieces as ranks, of which one may be cancelled.
+CodeAndText error_of_row(int ranks, int threads, const std::function<void()>& fault,
+                         int cancelled_rank = -1) {
+  PipelineOptions options;
+  options.sizing.size = Length::units(0.2);
+  options.threads = threads;
+  Collected all;
+  return agreed_error(ranks, [&](Exchange& exchange) {
+    AtTiles at(exchange.rank() == cancelled_rank);
+    const Model model = row_with_faults(at, fault);
+    CollectingSink sink(all);
+    mesh_pieces(model, {}, options, {}, exchange, sink, &at);
+  });
+}
+
+TEST(PiecesOf, AModelWithFaultsHaveTheErrorOfTheFirstTile) {
+  const auto fault = [] { throw Error(ErrorCode::Geometry, "a fault"); };
+  for (const int ranks : {1, 2, 3, 4}) {
+    for (const int threads : {1, 2, 4}) {
+      const CodeAndText error = error_of_row(ranks, threads, fault);
+      EXPECT_EQ(error.first, ErrorCode::Geometry);
+      EXPECT_EQ(error.second, "patch p1: a fault") << ranks << " ranks, " << threads;
+    }
+  }
+}
+
+TEST(PiecesOf, ATileWithoutMemoryTellHowFarTheyCame) {
+  const CodeAndText error = error_of_row(2, 1, [] { throw std::bad_alloc(); });
+  EXPECT_EQ(error.first, ErrorCode::Limit);
+  EXPECT_TRUE(error.second.starts_with("out of memory at ")) << error.second;
+  EXPECT_TRUE(error.second.ends_with(" triangles in finished tiles")) << error.second;
+}
+
+TEST(PiecesOf, AForeignSurfaceTellItsException) {
+  const CodeAndText error = error_of_row(3, 2, [] { throw std::out_of_range("no such point"); });
+  EXPECT_EQ(error.first, ErrorCode::InvalidInput);
+  EXPECT_EQ(error.second, "no such point");
+}
+
+TEST(PiecesOf, ACancelledRunTellNoOtherError) {
+  const auto fault = [] { throw Error(ErrorCode::Geometry, "a fault"); };
+  for (const int cancelled_rank : {0, 1}) {
+    const CodeAndText error = error_of_row(2, 2, fault, cancelled_rank);
+    EXPECT_EQ(error.first, ErrorCode::Cancelled);
+  }
+}
+
+// --- reports ---
+
+/// The kinds and places of what is told of faces.
+std::vector<std::pair<NoticeKind, Vec3>> told_of_faces(const Report& report) {
+  std::vector<std::pair<NoticeKind, Vec3>> told;
+  for (const Notice& notice : report.notices) {
+    const bool is_of_faces =
+        notice.kind == NoticeKind::FlatTriangles || notice.kind == NoticeKind::FlatQuads ||
+        notice.kind == NoticeKind::InvertedQuads || notice.kind == NoticeKind::LeftTriangles;
+    if (is_of_faces) told.emplace_back(notice.kind, notice.point.value_or(Vec3::Zero()));
+  }
+  return told;
+}
+
+/// A strip that is too narrow for its triangles.
+TEST(PiecesOf, BadFacesTellOfThemAsTheWholeMesh) {
+  PipelineOptions options;
+  options.across.is_on = false;
+  options.sizing.size = Length::units(0.3);
+  const Model strip = testing::model_of({testing::rectangle(0, 0, 2, 0.01)});
+  const Report whole = mesh_model(strip, {}, options).report;
+  ASSERT_FALSE(told_of_faces(whole).empty());
+  SerialExchange exchange;
+  Collected all;
+  CollectingSink sink(all);
+  const Report report = mesh_pieces(strip, {}, options, {}, exchange, sink);
+  EXPECT_EQ(told_of_faces(report), told_of_faces(whole));
+}
+
+TEST(PiecesOf, ATightSagTellThatItIsRaised) {
+  Given given({"sphere.json"});
+  for (Contour& contour : given.model.contours) contour.tolerance = 0.01;
+  given.options.sizing.sag = Length::units(0.5 * least_sag(given.model));
+  const Report report = estimate_pieces(given.model, given.sources, given.options, {}, 2);
+  EXPECT_TRUE(std::any_of(report.notices.begin(), report.notices.end(), [](const Notice& notice) {
+    return notice.kind == NoticeKind::LooseFit && notice.severity == Severity::Shortfall;
+  }));
 }
 
 TEST(PiecesOf, ADealTellsHowEvenlyTrianglesAreDealt) {

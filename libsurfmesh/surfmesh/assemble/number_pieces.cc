@@ -1,13 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/assemble/number_pieces.hh"
 
+#include <fmt/format.h>
+
+#include <limits>
 #include <span>
 #include <utility>
 
+#include "surfmesh/core/error.hh"
+
 namespace surfmesh::detail {
+namespace {
+
+void check_counts_of(const std::vector<PatchMesh>& patches, const NodeNumbers& numbers) {
+  auto vertices = static_cast<std::size_t>(numbers.count());
+  std::size_t edges = 0;
+  for (const PatchMesh& patch : patches) {
+    vertices += patch.mesh->n_vertices();
+    edges += patch.mesh->n_edges();
+  }
+  check_counts_of_mesh(vertices, edges);
+}
+
+}  // namespace
+
+void check_counts_of_mesh(std::size_t vertices, std::size_t edges) {
+  constexpr std::size_t most_vertices = std::numeric_limits<int>::max();
+  constexpr std::size_t most_edges = most_vertices / 2;
+  if (vertices <= most_vertices && edges <= most_edges) return;
+  throw Error(ErrorCode::Limit,
+              fmt::format("a mesh of {} vertices and {} edges is too large for one half-edge mesh, "
+                          "which can have {} and {}; pieces of it are smaller (--pieces; "
+                          "mesh_pieces)",
+                          vertices, edges, most_vertices, most_edges));
+}
 
 std::vector<Piece> take_pieces(std::vector<PatchMesh> patches, const PatchOrientation& orientation,
                                const NodeNumbers& numbers) {
+  check_counts_of(patches, numbers);
   std::vector<Piece> pieces;
   pieces.reserve(patches.size());
   int first_own = numbers.count();

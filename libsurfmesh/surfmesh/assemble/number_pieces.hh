@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "surfmesh/assemble/glue_sides.hh"
@@ -9,8 +10,14 @@
 
 namespace surfmesh::detail {
 
+/// What the handles of a half-edge mesh can count: 2^30 - 1 edges, of two half-edges each, and 2^31
+/// - 1 vertices.
+/// Throws   Limit if there are more
+void check_counts_of_mesh(std::size_t vertices, std::size_t edges);
+
 /// Take the meshes of patches as pieces, and number their vertices: those that pieces share come
 /// first, as NodeNumbers has them, then each piece's own.
+/// Throws   as check_counts_of_mesh; edges between patches count for both
 std::vector<Piece> take_pieces(std::vector<PatchMesh> patches, const PatchOrientation& orientation,
                                const NodeNumbers& numbers);
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace surfmesh {
@@ -31,6 +32,13 @@ RankError from_bytes(const std::vector<std::byte>& bytes) {
                       bytes.size() - sizeof head)};
 }
 
+/// True if of two errors the first one counts.
+bool comes_before(const RankError& a, const RankError& b) {
+  const bool is_cancelled = a.code == ErrorCode::Cancelled;
+  if (is_cancelled != (b.code == ErrorCode::Cancelled)) return is_cancelled;
+  return a.index < b.index;
+}
+
 }  // namespace
 
 void agree_on_error(Exchange& exchange, const std::optional<RankError>& mine) {
@@ -38,7 +46,7 @@ void agree_on_error(Exchange& exchange, const std::optional<RankError>& mine) {
   for (const auto& bytes : exchange.all_gather(mine ? to_bytes(*mine) : std::vector<std::byte>())) {
     if (bytes.empty()) continue;
     RankError error = from_bytes(bytes);
-    if (!first || error.index < first->index) first = std::move(error);
+    if (!first || comes_before(error, *first)) first = std::move(error);
   }
   if (first) throw AgreedError(first->code, first->text);
 }

@@ -76,6 +76,10 @@ ChordReport split_improper_chords(std::vector<PatchMesh>& patches, const Model& 
     splitter.close(report.turned);
     if (report.nodes == before) return report;
   }
+  throw_too_coarse_boundary();
+}
+
+void throw_too_coarse_boundary() {
   throw Error(
       ErrorCode::Geometry,
       "the boundary is too coarse: chords between its nodes keep joining the same vertices");

@@ -33,6 +33,9 @@ struct ChordReport {
 ChordReport split_improper_chords(std::vector<PatchMesh>& patches, const Model& model,
                                   const std::vector<const MetricField*>& fields);
 
+/// Throws   Geometry: chords cannot be split so that the result is proper
+[[noreturn]] void throw_too_coarse_boundary();
+
 /// The two vertices that an edge joins, by their numbers in the result: the smaller one in the
 /// upper half.
 using EdgeEnds = std::uint64_t;

@@ -1,12 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/pieces/piece_builder.hh"
 
+#include <fmt/format.h>
+
 #include <cstddef>
+#include <limits>
 #include <vector>
+
+#include "surfmesh/core/error.hh"
 
 namespace surfmesh {
 
+void check_counts_of_piece(std::size_t vertices, std::size_t corners) {
+  constexpr std::size_t most = std::numeric_limits<int>::max();
+  if (vertices <= most && corners <= most) return;
+  throw Error(ErrorCode::Limit,
+              fmt::format("a piece of {} vertices and {} corners of faces is too large, for it can "
+                          "have {} of each; more pieces are smaller (--piece-count; "
+                          "PiecesOptions::pieces)",
+                          vertices, corners, most));
+}
+
 void PieceBuilder::reserve(std::size_t vertices, std::size_t faces, std::size_t corners) {
+  check_counts_of_piece(vertices, corners);
   piece_.points.reserve(vertices);
   piece_.faces.reserve(faces, corners);
   piece_.patches.reserve(faces);

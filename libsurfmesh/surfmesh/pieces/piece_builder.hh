@@ -24,10 +24,15 @@ struct PieceNumbers {
   std::vector<Run> runs;
 };
 
+/// The vertices and corners of faces that plain arrays of a piece can count, in 32 bits.
+/// Throws   Limit if there are more
+void check_counts_of_piece(std::size_t vertices, std::size_t corners);
+
 /// Puts the parts of tiles together to one piece of a mesh.
 class PieceBuilder {
  public:
   /// Make room for all parts at once, so that they need not be there twice.
+  /// Throws   as check_counts_of_piece
   void reserve(std::size_t vertices, std::size_t faces, std::size_t corners);
 
   /// Add a part, with the number of its tile. Shared vertices may be there already.

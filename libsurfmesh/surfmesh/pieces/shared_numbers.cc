@@ -38,10 +38,11 @@ void for_each_shared(const PatchBoundary& boundary, Visit visit) {
 SharedNumbers::SharedNumbers(const Model& model, const std::vector<ContourNodes>& nodes,
                              const NodeNumbers& numbers,
                              const std::vector<const PatchBoundary*>& boundaries,
-                             const std::vector<int>& piece_of, int pieces)
+                             const std::vector<int>& piece_of,
+                             const std::vector<int>& rank_of_piece)
     : ids_(static_cast<std::size_t>(numbers.count()), -1),
       points_(contour_points(model, nodes, numbers)),
-      neighbours_(static_cast<std::size_t>(pieces)) {
+      neighbours_(rank_of_piece.size()) {
   std::vector<Place> places;
   for (std::size_t t = 0; t < boundaries.size(); ++t) {
     for_each_shared(*boundaries[t], [&](int number) {
@@ -54,14 +55,22 @@ SharedNumbers::SharedNumbers(const Model& model, const std::vector<ContourNodes>
   }
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
-  collect_neighbours(places);
+  collect_neighbours(places, rank_of_piece);
 }
 
-void SharedNumbers::collect_neighbours(const std::vector<Place>& places) {
+void SharedNumbers::collect_neighbours(const std::vector<Place>& places,
+                                       const std::vector<int>& rank_of_piece) {
+  const auto rank_of = [&](const Place& place) {
+    return rank_of_piece[static_cast<std::size_t>(place.piece)];
+  };
   std::map<std::pair<int, int>, std::vector<int>> numbers_of;  // by piece and the other one
   for (auto first = places.begin(); first != places.end();) {
     const auto last = std::find_if(
         first, places.end(), [first](const Place& place) { return place.number != first->number; });
+    if (last - first > 1) ++of_several_pieces_;
+    if (std::any_of(first, last, [&](const Place& at) { return rank_of(at) != rank_of(*first); })) {
+      ++of_several_ranks_;
+    }
     for (auto a = first; a != last; ++a) {
       for (auto b = first; b != last; ++b) {
         if (a != b) numbers_of[{a->piece, b->piece}].push_back(a->number);

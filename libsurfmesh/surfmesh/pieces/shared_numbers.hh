@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -14,14 +15,19 @@ namespace surfmesh {
 /// boundaries of all tiles alone.
 class SharedNumbers {
  public:
-  /// `boundaries` and `piece_of` are by tile; some of the `pieces` may have none.
+  /// `boundaries` and `piece_of` are by tile, `rank_of_piece` is by piece; some of these may have
+  /// no tiles.
   /// Cost     O(n log n) for the nodes on all boundaries
   SharedNumbers(const Model& model, const std::vector<ContourNodes>& nodes,
                 const NodeNumbers& numbers, const std::vector<const PatchBoundary*>& boundaries,
-                const std::vector<int>& piece_of, int pieces);
+                const std::vector<int>& piece_of, const std::vector<int>& rank_of_piece);
 
   /// How many of them are vertices of the mesh: those that no tile has are left out.
   std::int64_t count() const { return count_; }
+
+  /// How many of them several pieces have, and several ranks.
+  std::size_t of_several_pieces() const { return of_several_pieces_; }
+  std::size_t of_several_ranks() const { return of_several_ranks_; }
 
   /// The id of one of them in the mesh, by its number.
   std::int64_t id(int number) const { return ids_[static_cast<std::size_t>(number)]; }
@@ -44,9 +50,10 @@ class SharedNumbers {
     friend auto operator<=>(const Place&, const Place&) = default;
   };
 
-  void collect_neighbours(const std::vector<Place>& places);
+  void collect_neighbours(const std::vector<Place>& places, const std::vector<int>& rank_of_piece);
 
   std::int64_t count_ = 0;
+  std::size_t of_several_pieces_ = 0, of_several_ranks_ = 0;
   std::vector<std::int64_t> ids_;                         ///< by number; -1 for those left out
   std::vector<Vec3> points_;                              ///< of those on contours
   std::vector<std::vector<SharedWithPiece>> neighbours_;  ///< by piece, with numbers

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -22,71 +21,53 @@ void count_bins(const std::vector<HistogramBin>& bins, SummedValues& sums) {
   }
 }
 
+/// How many are marked, of a share that was one count divided by the other.
+std::int64_t marked_of(double share, std::size_t count) {
+  return std::llround(share * static_cast<double>(count));
+}
+
 SummedValues summed(const EdgeStatistics& edges) {
-  SummedValues sums{static_cast<std::int64_t>(edges.count),
-                    edges.mean,
-                    edges.stddev,
+  SummedValues sums{detail::Moments::of(edges.count, edges.mean, edges.stddev),
                     edges.min,
                     edges.max,
-                    edges.unit_fraction,
+                    marked_of(edges.unit_fraction, edges.count),
                     {}};
   count_bins(edges.histogram, sums);
   return sums;
 }
 
+/// Of the qualities of faces no more is told than the least and the mean.
+SummedValues summed_qualities(std::size_t count, double mean, double min, std::int64_t marked) {
+  return {detail::Moments::of(count, mean, 0), min, 0, marked, {}};
+}
+
 SummedValues summed(const QualityStatistics& quality) {
-  SummedValues sums{static_cast<std::int64_t>(quality.count),
-                    quality.mean,
-                    0,
-                    quality.min,
-                    0,
-                    quality.below_0_3,
-                    {}};
+  SummedValues sums = summed_qualities(quality.count, quality.mean, quality.min,
+                                       marked_of(quality.below_0_3, quality.count));
   count_bins(quality.histogram, sums);
   return sums;
 }
 
 SummedValues jacobians_of(const QuadStatistics& quads) {
-  const double share =
-      quads.count == 0 ? 0 : static_cast<double>(quads.flat) / static_cast<double>(quads.count);
-  SummedValues sums{static_cast<std::int64_t>(quads.count),
-                    quads.mean_jacobian,
-                    0,
-                    quads.min_jacobian,
-                    0,
-                    share,
-                    {}};
+  SummedValues sums = summed_qualities(quads.count, quads.mean_jacobian, quads.min_jacobian,
+                                       static_cast<std::int64_t>(quads.flat));
   count_bins(quads.histogram, sums);
   return sums;
 }
 
 SummedValues space_jacobians_of(const QuadStatistics& quads) {
-  const double share =
-      quads.count == 0 ? 0 : static_cast<double>(quads.folded) / static_cast<double>(quads.count);
-  return {static_cast<std::int64_t>(quads.count),
-          quads.mean_space_jacobian,
-          0,
-          quads.min_space_jacobian,
-          0,
-          share,
-          {}};
+  return summed_qualities(quads.count, quads.mean_space_jacobian, quads.min_space_jacobian,
+                          static_cast<std::int64_t>(quads.folded));
 }
 
 SummedValues lengths_of(const PolyMesh& mesh) {
-  std::vector<double> lengths;
-  lengths.reserve(mesh.n_edges());
-  for (const EdgeHandle eh : mesh.edges()) lengths.push_back(mesh.calc_edge_length(eh));
   SummedValues sums;
-  if (lengths.empty()) return sums;
-  const auto count = static_cast<double>(lengths.size());
-  sums.count = static_cast<std::int64_t>(lengths.size());
-  sums.mean = std::accumulate(lengths.begin(), lengths.end(), 0.0) / count;
-  double squares = 0;
-  for (const double length : lengths) squares += (length - sums.mean) * (length - sums.mean);
-  sums.stddev = std::sqrt(squares / count);
-  const auto [least, greatest] = std::minmax_element(lengths.begin(), lengths.end());
-  sums.min = *least;
-  sums.max = *greatest;
+  for (const EdgeHandle eh : mesh.edges()) {
+    const double length = mesh.calc_edge_length(eh);
+    sums.min = sums.count() == 0 ? length : std::min(sums.min, length);
+    sums.max = std::max(sums.max, length);
+    sums.moments.add(length);
+  }
   return sums;
 }
 
@@ -118,6 +99,16 @@ void count_faces(const PatchMesh& tile, TileSummary& summary) {
   }
 }
 
+/// Where the first triangle is.
+void locate_triangle(const PolyMesh& mesh, TileSummary& summary) {
+  const auto faces = mesh.faces();
+  const auto first = std::find_if(faces.begin(), faces.end(),
+                                  [&](FaceHandle fh) { return mesh.valence(fh) == 3; });
+  if (first == faces.end()) return;
+  summary.has_triangle_place = 1;
+  summary.triangle_at = place_of(mesh, (*first).idx());
+}
+
 void take_turned(const TurnedTriangles& turned, TileSummary& summary) {
   summary.turned = static_cast<std::int64_t>(turned.count);
   if (!turned.place) return;
@@ -135,41 +126,37 @@ void fill_bins(const SummedValues& sums, std::vector<HistogramBin>& bins) {
   }
 }
 
-std::size_t shared_count(const SummedValues& sums) {
-  return static_cast<std::size_t>(std::llround(sums.share * static_cast<double>(sums.count)));
-}
-
 void fill(const SummedValues& sums, EdgeStatistics& edges) {
-  edges.count = static_cast<std::size_t>(sums.count);
-  edges.mean = sums.mean;
-  edges.stddev = sums.stddev;
+  edges.count = sums.count();
+  edges.mean = sums.moments.mean();
+  edges.stddev = sums.moments.stddev();
   edges.min = sums.min;
   edges.max = sums.max;
-  edges.unit_fraction = sums.share;
+  edges.unit_fraction = sums.share();
   edges.histogram = detail::empty_length_histogram();
   fill_bins(sums, edges.histogram);
   edges.histogram.back().to = std::max(edges.histogram.back().to, edges.max);
 }
 
 void fill(const SummedValues& sums, QualityStatistics& quality) {
-  quality.count = static_cast<std::size_t>(sums.count);
+  quality.count = sums.count();
   quality.min = sums.min;
-  quality.mean = sums.mean;
-  quality.below_0_3 = sums.share;
-  if (sums.count == 0) return;
+  quality.mean = sums.moments.mean();
+  quality.below_0_3 = sums.share();
+  if (sums.count() == 0) return;
   quality.histogram = detail::empty_quality_histogram();
   fill_bins(sums, quality.histogram);
 }
 
 void fill(const SummedValues& jacobians, const SummedValues& in_space, QuadStatistics& quads) {
-  quads.count = static_cast<std::size_t>(jacobians.count);
+  quads.count = jacobians.count();
   quads.min_jacobian = jacobians.min;
-  quads.mean_jacobian = jacobians.mean;
-  quads.flat = shared_count(jacobians);
+  quads.mean_jacobian = jacobians.moments.mean();
+  quads.flat = static_cast<std::size_t>(jacobians.marked);
   quads.min_space_jacobian = in_space.min;
-  quads.mean_space_jacobian = in_space.mean;
-  quads.folded = shared_count(in_space);
-  if (jacobians.count == 0) return;
+  quads.mean_space_jacobian = in_space.moments.mean();
+  quads.folded = static_cast<std::size_t>(in_space.marked);
+  if (jacobians.count() == 0) return;
   quads.histogram = detail::empty_quality_histogram();
   fill_bins(jacobians, quads.histogram);
 }
@@ -178,7 +165,7 @@ void fill(const SummedValues& jacobians, const SummedValues& in_space, QuadStati
 class WorstTile {
  public:
   void take(std::size_t tile, const SummedValues& sums) {
-    if (sums.count == 0 || !(sums.min < least_)) return;
+    if (sums.count() == 0 || !(sums.min < least_)) return;
     least_ = sums.min;
     tile_ = static_cast<std::ptrdiff_t>(tile);
   }
@@ -190,25 +177,22 @@ class WorstTile {
 };
 
 void take_least(std::size_t patch, const SummedValues& sums, std::vector<double>& of_patches) {
-  if (sums.count > 0) of_patches[patch] = std::min(of_patches[patch], sums.min);
+  if (sums.count() > 0) of_patches[patch] = std::min(of_patches[patch], sums.min);
 }
 
 }  // namespace
 
+double SummedValues::share() const {
+  return count() == 0 ? 0 : static_cast<double>(marked) / static_cast<double>(count());
+}
+
 SummedValues& SummedValues::operator+=(const SummedValues& other) {
-  if (other.count == 0) return *this;
-  if (count == 0) return *this = other;
-  const auto own = static_cast<double>(count), more = static_cast<double>(other.count);
-  const double of_other = more / (own + more), step = other.mean - mean;
-  const double variance = (1 - of_other) * stddev * stddev +
-                          of_other * other.stddev * other.stddev +
-                          of_other * (1 - of_other) * step * step;
-  mean += of_other * step;
-  stddev = std::sqrt(variance);
-  share += of_other * (other.share - share);
+  if (other.count() == 0) return *this;
+  if (count() == 0) return *this = other;
+  moments += other.moments;
   min = std::min(min, other.min);
   max = std::max(max, other.max);
-  count += other.count;
+  marked += other.marked;
   for (std::size_t i = 0; i < histogram.size(); ++i) histogram[i] += other.histogram[i];
   return *this;
 }
@@ -225,6 +209,7 @@ TileSummary summary_of(std::size_t tile, PatchResult& result) {
   const QualityStatistics quality = measure_quality(mesh);
   summary.qualities = summed(quality);
   summary.worst = place_of(mesh, quality.worst_face);
+  if (summary.triangles > 0) locate_triangle(mesh, summary);
   if (summary.quads > 0) {
     const QuadStatistics quads = measure_quads(mesh);
     summary.jacobians = jacobians_of(quads);

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "surfmesh/patch/mesh_patch.hh"
+#include "surfmesh/quality/moments.hh"
 #include "surfmesh/quality/patch_measures.hh"
 #include "surfmesh/quality/quad_statistics.hh"
 #include "surfmesh/quality/statistics.hh"
@@ -15,11 +16,15 @@ namespace surfmesh {
 
 /// The moments, the bounds and a histogram of some values.
 struct SummedValues {
-  std::int64_t count = 0;
-  double mean = 0, stddev = 0;
+  detail::Moments moments;
   double min = 0, max = 0;
-  double share = 0;                          ///< of those that their statistics count apart
+  std::int64_t marked = 0;                   ///< those that their statistics count apart
   std::array<std::int64_t, 16> histogram{};  ///< of as many bins as their statistics have
+
+  std::size_t count() const { return moments.count(); }
+
+  /// Of the marked ones among all.
+  double share() const;
 
   SummedValues& operator+=(const SummedValues& other);
 };
@@ -39,14 +44,16 @@ struct TileSummary {
   std::int64_t own_vertices = 0;  ///< see TilePart; known when the tile is taken apart
   std::int64_t triangles = 0, quads = 0;
   double area = 0;
-  SummedValues edges;            ///< metric lengths; share: in the unit range
+  SummedValues edges;            ///< metric lengths; marked: in the unit range
   SummedValues lengths;          ///< in space
-  SummedValues qualities;        ///< of triangles; share: below 0.3
-  SummedValues jacobians;        ///< of quads in the metric; share: flat
-  SummedValues space_jacobians;  ///< of quads in space; share: folded
+  SummedValues qualities;        ///< of triangles; marked: below 0.3
+  SummedValues jacobians;        ///< of quads in the metric; marked: flat
+  SummedValues space_jacobians;  ///< of quads in space; marked: folded
   std::int64_t inverted = 0;     ///< quads
   double irregular_share = 0;    ///< of the tile's inner vertices, see QuadStatistics
   FacePlace worst, worst_quad, worst_quad_in_space;
+  std::int64_t has_triangle_place = 0;
+  FacePlace triangle_at;    ///< the first triangle, which is told among quads
   std::int64_t turned = 0;  ///< triangles against the surface, see TurnedTriangles
   std::int64_t has_turned_place = 0, is_turned_by_surface = 0;
   double turned_u = 0, turned_v = 0;

@@ -20,19 +20,20 @@
 #include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/assemble/vertex_copies.hh"
 #include "surfmesh/core/error.hh"
-#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/range_sums.hh"
 #include "surfmesh/core/validate.hh"
 #include "surfmesh/patch/mesh_patch.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/counted_surfaces.hh"
+#include "surfmesh/pipeline/do_or_cancel.hh"
 #include "surfmesh/pipeline/face_notices.hh"
 #include "surfmesh/pipeline/for_each_patch.hh"
 #include "surfmesh/pipeline/mesh_plan.hh"
 #include "surfmesh/pipeline/options_of_model.hh"
 #include "surfmesh/pipeline/patch_cache.hh"
 #include "surfmesh/pipeline/reach_sag.hh"
+#include "surfmesh/pipeline/sag_notices.hh"
 #include "surfmesh/pipeline/tile_notices.hh"
 #include "surfmesh/pipeline/unused_options.hh"
 #include "surfmesh/pipeline/unused_sources.hh"
@@ -150,7 +151,7 @@ class Run {
     turned_.clear();
     std::vector<PatchResult> results(plan_.tiles().size());
     share_and_tell("mesh", detail::largest_first(plan_.tiles()), context_,
-                   [&](std::size_t t) { results[t] = plan_.mesh_tile(t); });
+                   [&](std::size_t t) { results[t] = plan_.mesh_tile(t, context_); });
     for (PatchResult& result : results) {
       report_.seconds += result.seconds;
       report_.control.queries += result.queries;
@@ -224,7 +225,8 @@ class Run {
     report_.tolerance = greatest_tolerance(model_);
     report_.lengths = measure_lengths(mesh);
     locate_worst(mesh);
-    append(detail::notices_of_faces(mesh, model_, report_), report_.notices);
+    append(detail::notices_of_faces(model_, report_, detail::told_faces(mesh, report_)),
+           report_.notices);
   }
 
   static Report::Lengths measure_lengths(const PolyMesh& mesh) {
@@ -284,22 +286,6 @@ void work_with_control(const Model& model, const Sources& sources, const Resolve
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Tell where the sag is less than the gaps of the model allow, so that another one is kept.
-void tell_raised_sag(const Model& model, const Sizing& sizing, Report& report) {
-  const double asked = sizing.sag ? sizing.sag->in_units(model.diagonal) : 0;
-  const double least = least_sag(model);
-  if (asked == 0 || asked >= least) return;
-  const auto worst = std::max_element(
-      model.contours.begin(), model.contours.end(),
-      [](const Contour& a, const Contour& b) { return a.tolerance < b.tolerance; });
-  report.notices.push_back(shortfall(
-      NoticeKind::LooseFit,
-      fmt::format(
-          "sag = {:.6g} is less than the surfaces of the model allow, which are apart where "
-          "they meet, most at contour {}; {:.6g} is kept in its place",
-          asked, worst == model.contours.end() ? "" : worst->name, least)));
-}
-
 /// Mesh the model once or until the sag is reached.
 void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOptions& options,
                    const RunContext& context, MeshResult& result) {
@@ -324,7 +310,7 @@ void mesh_as_asked(const Model& model, const Sources& sources, const PipelineOpt
   result =
       detail::reach_sag({counted.model(), sources, sizing, options.control, context}, mesh_with);
   result.report.sag.evaluations = counted.evaluations();
-  tell_raised_sag(model, options.sizing, result.report);
+  append(detail::notices_of_raised_sag(model, options.sizing), result.report.notices);
 }
 
 /// The normals of the surface, if they are wanted in the file.
@@ -340,21 +326,6 @@ void add_texture(const Model& model, const PipelineOptions& options, MeshResult&
   if (!options.output.texture) return;
   const StageClock clock(result.report.seconds[Stage::Assemble]);
   carry_texture(model, result.mesh);
-}
-
-/// Of a cancelled run no other error counts, for which patch was at work then is a matter of
-/// chance.
-template <class Work>
-void do_or_cancel(const RunContext& context, Work work) {
-  try {
-    tell_out_of_memory(work, [&] {
-      return fmt::format("at {} {} in finished patches", context.elements(),
-                         name(context.element_kind()));
-    });
-  } catch (const Error&) {
-    if (context.was_cancelled()) context.throw_if_cancelled();
-    throw;
-  }
 }
 
 ElementKind element_kind(const PipelineOptions& options) {
@@ -418,7 +389,7 @@ MeshResult mesh_model(const Model& model, const Sources& sources, const Pipeline
   double serial_seconds = 0;
   with_threads(options.threads, [&] {
     const SerialClock clock(serial_seconds);
-    do_or_cancel(context, [&] {
+    detail::do_or_cancel(context, "patches", [&] {
       mesh_as_asked(model, sources, options, context, result);
       add_normals(model, options, context, result);
       add_texture(model, options, result);
@@ -444,12 +415,12 @@ Report estimate_mesh(const Model& model, const Sources& sources, const PipelineO
   double serial_seconds = 0;
   with_threads(options.threads, [&] {
     const SerialClock clock(serial_seconds);
-    do_or_cancel(context, [&] {
+    detail::do_or_cancel(context, "patches", [&] {
       work_with_control(model, sources, sizing, options, context, report, estimate);
     });
   });
   report.serial_seconds = serial_seconds;
-  tell_raised_sag(model, options.sizing, report);
+  append(detail::notices_of_raised_sag(model, options.sizing), report.notices);
   report.mesh.patches = model.patches.size();
   report.patches = measure_patches(PolyMesh(), mesh_names(model));
   return report;

@@ -13,6 +13,7 @@
 #include "surfmesh/exchange/agree_on_error.hh"
 #include "surfmesh/pieces/number_piece.hh"
 #include "surfmesh/pieces/piece_builder.hh"
+#include "surfmesh/pipeline/do_or_cancel.hh"
 #include "surfmesh/pipeline/own_tiles.hh"
 #include "surfmesh/pipeline/pieces_plan.hh"
 #include "surfmesh/pipeline/pieces_report.hh"
@@ -20,9 +21,13 @@
 namespace surfmesh {
 namespace {
 
-/// Parts of tiles that are added to a piece before their memory is given back: a rank with one
-/// large piece would else need twice as much.
-constexpr std::size_t kPartsAtOnce = 2;
+/// Bytes of parts of tiles that are added to a piece before their memory is given back: a rank with
+/// one large piece would else need twice as much.
+constexpr std::size_t kBytesAtOnce = std::size_t{64} << 20;
+
+std::size_t bytes_of(const TilePart& part) {
+  return part.points.size() * sizeof(Vec3) + part.faces.corner_count() * sizeof(int);
+}
 
 ElementKind element_kind(const PipelineOptions& options) {
   return options.quads.is_on ? ElementKind::Quads : ElementKind::Triangles;
@@ -35,27 +40,37 @@ class PiecesRun {
       : plan_(plan), exchange_(exchange), sink_(sink), tiles_(plan, exchange) {}
 
   Report make() {
-    sink_.begin({.pieces = plan_.deal().pieces,
-                 .patches = static_cast<int>(plan_.model().patches.size()),
-                 .has_quads = plan_.options().quads.is_on,
-                 .names = mesh_names(plan_.model())});
+    PieceIndex index;
+    agree_on_errors_of(exchange_, [&] { index = piece_index(); });
+    sink_.begin(index);
     tiles_.mesh();
     tiles_.mend_edges();
     const std::vector<TileSummary> summaries = tiles_.gather_summaries();
-    const std::vector<std::int64_t> first_own = first_own_ids(summaries, plan_.shared());
+    std::vector<std::int64_t> first_own;
+    agree_on_errors_of(exchange_, [&] { first_own = first_own_ids(summaries, plan_.shared()); });
     double writing = 0;
     write(first_own, writing);
     sink_.finish();
-    Report report = plan_.report();
-    report.seconds += tiles_.seconds();
-    report.seconds[Stage::Write] += writing;
-    report.control.queries += tiles_.queries();
-    detail::report_tiles(plan_, summaries, first_own.back(), report);
+    Report report;
+    agree_on_errors_of(exchange_, [&] {
+      report = plan_.report();
+      report.seconds += tiles_.seconds();
+      report.seconds[Stage::Write] += writing;
+      report.control.queries += tiles_.queries();
+      detail::report_tiles(plan_, summaries, first_own.back(), report);
+    });
     report.pieces = pieces(summaries, report.seconds.sum());
     return report;
   }
 
  private:
+  PieceIndex piece_index() const {
+    return {.pieces = plan_.deal().pieces,
+            .patches = static_cast<int>(plan_.model().patches.size()),
+            .has_quads = plan_.options().quads.is_on,
+            .names = mesh_names(plan_.model())};
+  }
+
   /// Put the pieces of this rank together and write them, one after the other.
   void write(const std::vector<std::int64_t>& first_own, double& seconds) {
     const StageClock clock(seconds);
@@ -73,9 +88,13 @@ class PiecesRun {
     PieceBuilder builder;
     const std::vector<std::size_t> tiles = tiles_of(piece);
     make_room(tiles, builder);
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-      builder.add(tiles[i], tiles_.take_part(tiles[i]));
-      if (i % kPartsAtOnce == 0) return_freed_memory();
+    std::size_t freed = 0;
+    for (const std::size_t t : tiles) {
+      freed += bytes_of(tiles_.part(t));
+      builder.add(t, tiles_.take_part(t));
+      if (freed < kBytesAtOnce) continue;
+      return_freed_memory();
+      freed = 0;
     }
     return numbered(std::move(builder), piece, plan_.shared(), first_own);
   }
@@ -163,8 +182,12 @@ Report mesh_pieces(const Model& model, const Sources& sources, const PipelineOpt
   double serial_seconds = 0;
   with_threads(options.threads, [&] {
     const SerialClock clock(serial_seconds);
-    agree_on_errors_of(exchange, [&] { plan->make(pieces, exchange.size()); });
-    report = PiecesRun(*plan, exchange, sink).make();
+    std::optional<PiecesRun> run;
+    agree_on_errors_of(exchange, [&] {
+      detail::do_or_cancel(context, "tiles", [&] { plan->make(pieces, exchange.size()); });
+      run.emplace(*plan, exchange, sink);
+    });
+    report = run->make();
   });
   report.serial_seconds = serial_seconds;
   report.wall_seconds = seconds_since(start);

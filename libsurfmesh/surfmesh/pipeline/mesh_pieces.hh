@@ -26,8 +26,13 @@ struct PiecesOptions {
 ///
 /// The pieces together are the mesh of mesh_model without the stage across contours, with the same
 /// vertices in the same order: ids are their numbers, and the same faces in the order of tiles.
-/// They do not depend on the number of ranks and threads, nor on who makes what. With a sag,
-/// triangles of each tile are corrected one by one; the sag of the whole is not measured.
+/// They do not depend on the number of ranks and threads, nor on who makes what. The mesh is
+/// another one than that of mesh_model
+///
+/// - with a sag: triangles of each tile are corrected one by one, once, and the sag of the whole is
+///   not measured;
+/// - of up to 1,000 quads in several patches: mesh_model makes such a mesh in two ways, and keeps
+///   the better one.
 ///
 /// All ranks call this with the same arguments, each with its own exchange and sink. The observer
 /// may be null.
@@ -39,7 +44,8 @@ struct PiecesOptions {
 ///          one
 /// Cost     40 bytes a triangle of the rank, besides the model and its control spaces, which every
 ///          rank holds
-/// Throws   AgreedError, the same on all ranks, for what mesh_model throws
+/// Throws   AgreedError, the same on all ranks, for what mesh_model throws: in tiles that of the
+///          first one, whatever the ranks and threads; in a cancelled run nothing but Cancelled
 Report mesh_pieces(const Model& model, const Sources& sources, const PipelineOptions& options,
                    const PiecesOptions& pieces, Exchange& exchange, PieceSink& sink,
                    Observer* observer = nullptr);

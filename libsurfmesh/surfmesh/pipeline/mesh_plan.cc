@@ -134,7 +134,7 @@ void MeshPlan::cut_into_tiles(double sag) {
   report_.control.queries[Stage::Boundary] += tiles_.queries;
 }
 
-PatchResult MeshPlan::mesh_tile(std::size_t t) const {
+PatchResult MeshPlan::mesh_tile(std::size_t t, const RunContext& context) const {
   const Tile& tile = tiles_.tiles[t];
   const auto p = static_cast<std::size_t>(tile.boundary.patch);
   const Surface& surface = *model_.patches[p].surface;
@@ -150,7 +150,7 @@ PatchResult MeshPlan::mesh_tile(std::size_t t) const {
   PatchResult result;
   at_patch(model_.patches[p], [&] {
     result = cache_ ? mesh_unless_kept({p, t - tiles_.first[p]}, std::move(task))
-                    : mesh_patch(std::move(task), context_);
+                    : mesh_patch(std::move(task), context);
     const StageClock clock(result.seconds[Stage::Assemble]);
     std::vector<PatchMesh> alone;
     alone.push_back(std::move(result.mesh));

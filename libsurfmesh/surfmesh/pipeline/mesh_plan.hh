@@ -53,9 +53,9 @@ class MeshPlan {
 
   /// Mesh a tile, which by itself makes no edge of the result improper.
   ///
-  /// Tiles may be meshed by several threads at once, and again.
+  /// Tiles may be meshed by several threads at once, and again. `context` counts the elements.
   /// Throws   as mesh_patch; the patch is named
-  PatchResult mesh_tile(std::size_t tile) const;
+  PatchResult mesh_tile(std::size_t tile, const RunContext& context) const;
 
   /// Mend where the meshes of several tiles make the result improper together; see
   /// split_improper_chords and mend_improper_quads.

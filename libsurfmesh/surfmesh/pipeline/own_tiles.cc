@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/pipeline/own_tiles.hh"
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <map>
-#include <numeric>
-#include <optional>
 #include <utility>
 
 #include "surfmesh/assemble/orientation.hh"
-#include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/exchange/agree_on_error.hh"
 #include "surfmesh/pieces/improper_tiles.hh"
+#include "surfmesh/pipeline/do_or_cancel.hh"
 #include "surfmesh/pipeline/for_each_patch.hh"
 
 namespace surfmesh::detail {
@@ -21,28 +21,13 @@ namespace {
 /// edges have new vertices.
 constexpr int kMaxRounds = 3;
 
-/// Keeps the error of the least tile, of those that several threads meet.
-class FirstError {
- public:
-  /// Call `body`, and keep its error besides throwing it.
-  template <class Body>
-  void watch(std::size_t tile, Body body) {
-    try {
-      body();
-    } catch (const Error& thrown) {
-      const std::lock_guard lock(mutex_);
-      const auto index = static_cast<std::int64_t>(tile);
-      if (!error_ || index < error_->index) error_ = {index, thrown.code(), thrown.what()};
-      throw;
-    }
-  }
-
-  const std::optional<RankError>& get() const { return error_; }
-
- private:
-  std::mutex mutex_;
-  std::optional<RankError> error_;
-};
+/// Run `body` for a tile. Its errors get the tile: on all ranks, that of the least one counts.
+template <class Body>
+void at_tile(std::size_t tile, const RunContext& context, Body body) {
+  const auto error =
+      error_of([&] { do_or_cancel(context, "tiles", body); }, static_cast<std::int64_t>(tile));
+  if (error) throw ErrorAt(*error);
+}
 
 /// Count what is left of faces that collapse, and those of fans.
 void count_loose(const Piece& piece, TileSummary& summary) {
@@ -64,31 +49,25 @@ OwnTiles::OwnTiles(PiecesPlan& plan, Exchange& exchange)
       tiles_(plan.tiles().size()) {}
 
 void OwnTiles::mesh() {
-  FirstError error;
-  plan_.drop_other_spaces(exchange_.rank());
-  const std::vector<std::size_t> own = largest_first();
   agree_on_errors_of(exchange_, [&] {
-    std::vector<std::size_t> order(own.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    try {
-      share_and_tell("mesh", order, plan_.context(), [&](std::size_t i) {
-        error.watch(own[i], [&] { keep(own[i], plan_.mesh().mesh_tile(own[i])); });
-      });
-    } catch (const Error&) {
-      if (!error.get()) throw;
-    }
+    plan_.drop_other_spaces(exchange_.rank());
+    do_or_cancel(plan_.context(), "tiles", [&] { mesh_own(); });
   });
-  agree_on_error(exchange_, error.get());
   check_count();
 }
 
-/// The tiles of this rank.
-std::vector<std::size_t> OwnTiles::largest_first() const {
-  std::vector<std::size_t> own;
-  for (const std::size_t t : detail::largest_first(plan_.tiles())) {
-    if (is_own(t)) own.push_back(t);
+/// The largest tiles begin first, but of errors that of the first tile counts.
+void OwnTiles::mesh_own() {
+  std::vector<std::size_t> own, weights;
+  for (std::size_t t = 0; t < tiles_.size(); ++t) {
+    if (!is_own(t)) continue;
+    own.push_back(t);
+    weights.push_back(static_cast<std::size_t>(std::max(0.0, plan_.tiles()[t].triangles)));
   }
-  return own;
+  share_and_tell("mesh", heaviest_first(weights), plan_.context(), [&](std::size_t i) {
+    const std::size_t t = own[i];
+    at_tile(t, plan_.context(), [&] { keep(t, plan_.mesh().mesh_tile(t, plan_.context())); });
+  });
 }
 
 /// Each rank alone may have made few enough elements.
@@ -119,10 +98,13 @@ void OwnTiles::keep(std::size_t t, PatchResult result) {
 }
 
 void OwnTiles::mend_edges() {
-  for (int round = 0; round < kMaxRounds; ++round) {
+  for (int round = 0; round <= kMaxRounds; ++round) {
     const std::vector<std::size_t> improper = find_improper();
     if (improper.empty()) return;
-    agree_on_errors_of(exchange_, [&] { mesh_together(improper); });
+    agree_on_errors_of(exchange_, [&] {
+      if (round == kMaxRounds) throw_too_coarse_boundary();
+      mesh_together(improper);
+    });
   }
 }
 
@@ -136,12 +118,17 @@ std::vector<std::size_t> OwnTiles::find_improper() const {
   return improper_tiles(plan_.tiles(), chords, exchange_);
 }
 
-/// Every rank meshes all of them, and keeps its own.
+/// Every rank meshes all of them, and keeps its own. Their elements have been counted when they
+/// were made for the first time; they are few, so that nothing is told of them.
 void OwnTiles::mesh_together(const std::vector<std::size_t>& tiles) {
   plan_.need_spaces(tiles);
   std::vector<PatchResult> results(tiles.size());
-  share_indices(tiles.size(),
-                [&](std::size_t i) { results[i] = plan_.mesh().mesh_tile(tiles[i]); });
+  constexpr std::size_t without_bound = std::numeric_limits<std::size_t>::max();
+  const RunContext uncounted(nullptr, without_bound, plan_.context().element_kind());
+  share_indices(tiles.size(), [&](std::size_t i) {
+    plan_.context().throw_if_cancelled();
+    results[i] = plan_.mesh().mesh_tile(tiles[i], uncounted);
+  });
   std::vector<PatchMesh> meshes;
   for (PatchResult& result : results) meshes.push_back(std::move(result.mesh));
   for (const auto& [i, turned] : plan_.mesh().make_proper(meshes)) results[i].turned = turned;

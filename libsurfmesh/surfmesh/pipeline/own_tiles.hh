@@ -23,11 +23,11 @@ class OwnTiles {
   OwnTiles(PiecesPlan& plan, Exchange& exchange);
 
   /// Mesh all tiles of this rank.
-  /// Throws   AgreedError, that of the least tile of all ranks
+  /// Throws   AgreedError: that of the least tile of all ranks, but Cancelled before all others
   void mesh();
 
   /// Mesh tiles anew whose edges join what those of others join, together: few, if there are any.
-  /// Throws   AgreedError
+  /// Throws   AgreedError, as well of Geometry if that does not end
   void mend_edges();
 
   /// The summaries of the tiles of all ranks, in their order.
@@ -51,7 +51,7 @@ class OwnTiles {
   };
 
   bool is_own(std::size_t tile) const { return plan_.deal().rank_of(tile) == exchange_.rank(); }
-  std::vector<std::size_t> largest_first() const;
+  void mesh_own();
   void check_count();
   void keep(std::size_t tile, PatchResult result);
   std::vector<std::size_t> find_improper() const;

@@ -8,6 +8,7 @@
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/options_of_model.hh"
+#include "surfmesh/pipeline/sag_notices.hh"
 #include "surfmesh/pipeline/unused_options.hh"
 
 namespace surfmesh::detail {
@@ -64,7 +65,8 @@ void PiecesPlan::make(const PiecesOptions& pieces, int ranks) {
   deal_ = deal_out(tiles(), pieces.pieces, pieces.deal, ranks);
   std::vector<const PatchBoundary*> boundaries;
   for (const Tile& tile : tiles()) boundaries.push_back(&tile.boundary);
-  shared_.emplace(model_, mesh_.nodes(), mesh_.numbers(), boundaries, deal_.piece_of, deal_.pieces);
+  shared_.emplace(model_, mesh_.nodes(), mesh_.numbers(), boundaries, deal_.piece_of,
+                  deal_.rank_of_piece);
 }
 
 void PiecesPlan::drop_other_spaces(int rank) {
@@ -93,6 +95,7 @@ void PiecesPlan::begin_report() {
   append(model_.notices, report_.notices);
   append(options_too_late(model_, options_), report_.notices);
   append(unused_options(options_), report_.notices);
+  append(notices_of_raised_sag(model_, asked_.sizing), report_.notices);
   append(notices_of_pieces(asked_, sizing_.sag), report_.notices);
 }
 

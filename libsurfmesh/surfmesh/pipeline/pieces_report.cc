@@ -5,9 +5,9 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
-#include <set>
 
 #include "surfmesh/core/mesh_names.hh"
+#include "surfmesh/pipeline/face_notices.hh"
 #include "surfmesh/pipeline/tile_notices.hh"
 #include "surfmesh/quality/patch_measures.hh"
 
@@ -64,7 +64,7 @@ void take_sums(const Model& model, const std::vector<TileSummary>& summaries,
   report.edges = all.edges;
   report.quality = all.quality;
   report.quads = all.quad_statistics;
-  report.lengths = {all.lengths.min, all.lengths.mean, all.lengths.max};
+  report.lengths = {all.lengths.min, all.lengths.moments.mean(), all.lengths.max};
   report.refine = all.refine;
   report.worst = place_of(model, summaries, all.worst, &TileSummary::worst);
   report.worst_quad = place_of(model, summaries, all.worst_quad, &TileSummary::worst_quad);
@@ -109,6 +109,31 @@ TurnedTile turned_of(const TileSummary& summary) {
   return tile;
 }
 
+std::optional<ToldFace> told(const std::vector<TileSummary>& summaries, std::ptrdiff_t tile,
+                             FacePlace TileSummary::*place) {
+  if (tile < 0) return {};
+  const TileSummary& summary = summaries[static_cast<std::size_t>(tile)];
+  const FacePlace& at = summary.*place;
+  return ToldFace{static_cast<int>(summary.patch), Vec3(at.x, at.y, at.z)};
+}
+
+/// A triangle of the first tile that has one; around a pole its place is not known.
+std::optional<ToldFace> told_triangle(const std::vector<TileSummary>& summaries) {
+  const auto first = std::find_if(summaries.begin(), summaries.end(),
+                                  [](const TileSummary& tile) { return tile.triangles > 0; });
+  if (first == summaries.end()) return {};
+  if (first->has_triangle_place == 0) return ToldFace{static_cast<int>(first->patch), {}};
+  return told(summaries, first - summaries.begin(), &TileSummary::triangle_at);
+}
+
+ToldFaces told_faces(const std::vector<TileSummary>& summaries, const SummaryOfTiles& all) {
+  return {.worst = told(summaries, all.worst, &TileSummary::worst),
+          .worst_quad = told(summaries, all.worst_quad, &TileSummary::worst_quad),
+          .worst_quad_in_space =
+              told(summaries, all.worst_quad_in_space, &TileSummary::worst_quad_in_space),
+          .triangle = told_triangle(summaries)};
+}
+
 void tell(const PiecesPlan& plan, const std::vector<TileSummary>& summaries, Notices& notices) {
   const Model& model = plan.model();
   std::vector<char> is_given_up(model.patches.size(), 0);
@@ -134,23 +159,13 @@ void report_tiles(const PiecesPlan& plan, const std::vector<TileSummary>& summar
   report.patches = named_patches(model, all);
   add_tiles(summaries, report.patches);
   tell(plan, summaries, report.notices);
+  append(notices_of_faces(model, report, told_faces(summaries, all)), report.notices);
 }
 
 void count_shared(const PiecesPlan& plan, Report::Pieces& pieces) {
-  const TileDeal& deal = plan.deal();
-  std::set<int> of_pieces, of_ranks;
-  for (int piece = 0; piece < deal.pieces; ++piece) {
-    const int rank = deal.rank_of_piece[static_cast<std::size_t>(piece)];
-    for (const SharedWithPiece& neighbour : plan.shared().neighbours(piece)) {
-      const std::vector<int>& vertices = neighbour.vertices;
-      of_pieces.insert(vertices.begin(), vertices.end());
-      if (deal.rank_of_piece[static_cast<std::size_t>(neighbour.piece)] == rank) continue;
-      of_ranks.insert(vertices.begin(), vertices.end());
-    }
-  }
-  pieces.count = static_cast<std::size_t>(deal.pieces);
-  pieces.of_several_pieces = of_pieces.size();
-  pieces.of_several_ranks = of_ranks.size();
+  pieces.count = static_cast<std::size_t>(plan.deal().pieces);
+  pieces.of_several_pieces = plan.shared().of_several_pieces();
+  pieces.of_several_ranks = plan.shared().of_several_ranks();
 }
 
 }  // namespace surfmesh::detail

@@ -9,6 +9,15 @@ namespace surfmesh::detail {
 /// Mean and variance in one pass, without the cancellation of Σx² − (Σx)²/n (Welford).
 class Moments {
  public:
+  /// Those of numbers of which only these are known.
+  static Moments of(std::size_t count, double mean, double stddev) {
+    Moments moments;
+    moments.count_ = count;
+    moments.mean_ = mean;
+    moments.squares_ = static_cast<double>(count) * stddev * stddev;
+    return moments;
+  }
+
   void add(double x) {
     ++count_;
     const double before = x - mean_;
@@ -28,6 +37,7 @@ class Moments {
     return *this;
   }
 
+  std::size_t count() const { return count_; }
   double mean() const { return mean_; }
   double stddev() const {
     return count_ == 0 ? 0 : std::sqrt(squares_ / static_cast<double>(count_));
