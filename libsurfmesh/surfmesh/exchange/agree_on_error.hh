@@ -51,7 +51,7 @@ void agree_on_error(Exchange& exchange, const std::optional<RankError>& mine);
 ///          curves and sinks may be those of a caller
 /// Throws   AgreedError, which all ranks know already
 template <class Body>
-std::optional<RankError> error_of(Body body, std::int64_t index = 0) {
+std::optional<RankError> rank_error_of(Body body, std::int64_t index = 0) {
   try {
     body();
     return {};
@@ -72,7 +72,7 @@ std::optional<RankError> error_of(Body body, std::int64_t index = 0) {
 /// calls of this function.
 template <class Body>
 void agree_on_errors_of(Exchange& exchange, Body body) {
-  agree_on_error(exchange, error_of(body));
+  agree_on_error(exchange, rank_error_of(body));
 }
 
 }  // namespace surfmesh

@@ -25,7 +25,7 @@ constexpr int kMaxRounds = 3;
 template <class Body>
 void at_tile(std::size_t tile, const RunContext& context, Body body) {
   const auto error =
-      error_of([&] { do_or_cancel(context, "tiles", body); }, static_cast<std::int64_t>(tile));
+      rank_error_of([&] { do_or_cancel(context, "tiles", body); }, static_cast<std::int64_t>(tile));
   if (error) throw ErrorAt(*error);
 }
 
