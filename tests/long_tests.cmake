@@ -29,7 +29,7 @@ surfmesh_add_building_test(PublicHeaders.CompileAlone "package;long"
 # second list have the label nightly: they take longer to build and to run.
 set(sanitized core io geometry formula metric quality delaunay boundary patch_mesh control formats)
 set(sanitized_nightly model cage refine improve quad patch sizes sampling estimate assemble across
-    model_file cad)
+    model_file cad exchange tiles pieces)
 get_property(stages GLOBAL PROPERTY surfmesh_test_stages)
 
 # surfmesh_add_sanitized_tests(<name of the fixture> <labels> <stages...>)
