@@ -266,8 +266,9 @@ bool has_piece(const fs::path& folder) {
 class EndedRanks : public MpiProgram {
  protected:
   /// Ranks stand still as soon as the run is under way. One of them gets a signal, then all go on.
+  /// Returns  false if the signal came when all was done but to put it in place
   template <class IsUnderWay>
-  void end_rank(const RunningRanks& running, std::size_t rank, int number,
+  bool end_rank(const RunningRanks& running, std::size_t rank, int number,
                 IsUnderWay is_under_way) {
     while (!is_under_way() && !running.has_ended()) std::this_thread::sleep_for(Milliseconds(1));
     running.signal_ranks(SIGSTOP);
@@ -275,24 +276,32 @@ class EndedRanks : public MpiProgram {
     running.signal_rank(rank, number);
     running.signal_ranks(SIGCONT);
     const int status = running.wait();
-    ASSERT_TRUE(is_in_time) << "the run was over too soon\n" << read_text(folder_ / "log");
-    EXPECT_EQ(status, 128 + number) << read_text(folder_ / "log");
+    const std::string log = read_text(folder_ / "log");
     fs::remove(folder_ / "log");
+    EXPECT_TRUE(!is_in_time || status == 0 || status == 128 + number) << status << '\n' << log;
+    return is_in_time && status != 0;
   }
+
+  /// Runs until a signal comes in time.
+  static constexpr int kMostRuns = 10;
 };
 
 TEST_F(EndedRanks, LeaveNoPiecesAndKeepAnOlderOutput) {
   const std::string wave =
       "mesh '" + own_model("wave.json") + "' --threads 1 --pieces mesh --hmax ";
-  ASSERT_EQ(run_ranks(2, wave + "3%"), 0) << err_;
-  const std::string older = read_text(folder_ / "mesh/mesh_0000.vtu");
+  const auto is_under_way = [this] { return has_piece(folder_.path()); };
   for (const int number : {SIGKILL, SIGTERM}) {
-    const RunningRanks running(folder_.path(),
-                               command(3, wave + "0.3% --hmin 0.3% --piece-count 30 --tile 5000"));
-    const auto is_under_way = [this] { return has_piece(folder_.path()); };
-    ASSERT_NO_FATAL_FAILURE(end_rank(running, 1, number, is_under_way));
-    EXPECT_EQ(files(), std::set<std::string>{"mesh"}) << number;
-    EXPECT_EQ(read_text(folder_ / "mesh/mesh_0000.vtu"), older);
+    bool has_ended = false;
+    for (int i = 0; i < kMostRuns && !has_ended; ++i) {
+      ASSERT_EQ(run_ranks(2, wave + "3%"), 0) << err_;
+      const std::string older = read_text(folder_ / "mesh/mesh_0000.vtu");
+      const RunningRanks running(
+          folder_.path(), command(3, wave + "0.3% --hmin 0.3% --piece-count 30 --tile 5000"));
+      has_ended = end_rank(running, 1, number, is_under_way);
+      EXPECT_EQ(files(), std::set<std::string>{"mesh"}) << number;
+      EXPECT_EQ(read_text(folder_ / "mesh/mesh_0000.vtu") == older, has_ended);
+    }
+    EXPECT_TRUE(has_ended) << number;
   }
 }
 
@@ -300,16 +309,20 @@ TEST_F(EndedRanks, LeaveNoPiecesAndKeepAnOlderOutput) {
 TEST_F(EndedRanks, LeaveNothingOfASingleFileAndKeepAnOlderOne) {
   const std::string wave =
       "mesh '" + own_model("wave.json") + "' --threads 1 --tile 5000 -o mesh.obj --hmax ";
-  ASSERT_EQ(run_ranks(2, wave + "3%"), 0) << err_;
-  const std::string older = read_text(folder_ / "mesh.obj");
   for (const int number : {SIGKILL, SIGTERM}) {
-    const RunningRanks running(folder_.path(), command(3, wave + "0.3% --hmin 0.3%"));
-    const auto is_under_way = [&] {
-      return fs::exists(folder_ / ".surfmesh-0.tmp") && running.count_spools() == 6;
-    };
-    ASSERT_NO_FATAL_FAILURE(end_rank(running, 0, number, is_under_way));
-    EXPECT_EQ(files(), std::set<std::string>{"mesh.obj"}) << number;
-    EXPECT_EQ(read_text(folder_ / "mesh.obj"), older);
+    bool has_ended = false;
+    for (int i = 0; i < kMostRuns && !has_ended; ++i) {
+      ASSERT_EQ(run_ranks(2, wave + "3%"), 0) << err_;
+      const std::string older = read_text(folder_ / "mesh.obj");
+      const RunningRanks running(folder_.path(), command(3, wave + "0.3% --hmin 0.3%"));
+      const auto is_under_way = [&] {
+        return fs::exists(folder_ / ".surfmesh-0.tmp") && running.count_spools() == 6;
+      };
+      has_ended = end_rank(running, 0, number, is_under_way);
+      EXPECT_EQ(files(), std::set<std::string>{"mesh.obj"}) << number;
+      EXPECT_EQ(read_text(folder_ / "mesh.obj") == older, has_ended);
+    }
+    EXPECT_TRUE(has_ended) << number;
   }
 }
 

@@ -575,6 +575,20 @@ TEST(PiecesOf, ATightSagTellThatItIsRaised) {
   }));
 }
 
+TEST(PiecesOf, FewerPiecesThanRanksAreTold) {
+  Given given({"sphere.json"});
+  given.options.tile = 0;
+  Collected all;
+  const Report report = mesh_on(3, given, {}, all);
+  const auto told = std::find_if(
+      report.notices.begin(), report.notices.end(),
+      [](const Notice& notice) { return notice.text.find("ranks") != std::string::npos; });
+  ASSERT_NE(told, report.notices.end());
+  EXPECT_EQ(told->text,
+            "there is only 1 piece, as many as tiles, and 2 of 3 ranks have nothing to do; a tile "
+            "above 0 makes more");
+}
+
 TEST(PiecesOf, ADealTellsHowEvenlyTrianglesAreDealt) {
   const Given given({"sphere.json"});
   const Report report = estimate_pieces(given.model, given.sources, given.options, {}, 4);

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/pipeline/pieces_plan.hh"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string>
 #include <utility>
 
+#include "surfmesh/core/counted.hh"
 #include "surfmesh/core/freed_memory.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
@@ -43,6 +47,22 @@ Notices notices_of_pieces(const PipelineOptions& options, double sag) {
   return notices;
 }
 
+/// Tell where there are fewer pieces than were asked for, and ranks without any.
+Notices notices_of_deal(const TileDeal& deal, int asked, int ranks, int tile) {
+  const int wanted = asked > 0 ? asked : ranks;
+  if (deal.pieces >= wanted) return {};
+  std::vector<int> busy = deal.rank_of_piece;
+  busy.erase(std::unique(busy.begin(), busy.end()), busy.end());
+  const std::size_t idle = static_cast<std::size_t>(ranks) - busy.size();
+  std::string text =
+      fmt::format("there {} only {}, as many as tiles", deal.pieces == 1 ? "is" : "are",
+                  counted(static_cast<std::size_t>(deal.pieces), "piece", "pieces"));
+  if (idle > 0) text += fmt::format(", and {} of {} ranks have nothing to do", idle, ranks);
+  text += fmt::format("; {} makes more", tile == 0 ? std::string("a tile above 0")
+                                                   : fmt::format("a tile below {}", tile));
+  return {warning(NoticeKind::UnusedOption, std::move(text))};
+}
+
 }  // namespace
 
 PiecesPlan::PiecesPlan(const Model& model, const Sources& sources, const PipelineOptions& options,
@@ -63,6 +83,7 @@ void PiecesPlan::make(const PiecesOptions& pieces, int ranks) {
   // Tables of arcs along contours take as much as all that is kept.
   return_freed_memory();
   deal_ = deal_out(tiles(), pieces.pieces, pieces.deal, ranks);
+  append(notices_of_deal(deal_, pieces.pieces, ranks, options_.tile), report_.notices);
   std::vector<const PatchBoundary*> boundaries;
   for (const Tile& tile : tiles()) boundaries.push_back(&tile.boundary);
   shared_.emplace(model_, mesh_.nodes(), mesh_.numbers(), boundaries, deal_.piece_of,
