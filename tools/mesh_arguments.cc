@@ -30,6 +30,19 @@ std::map<std::string, bool> ways_to_deal() {
   return ways;
 }
 
+/// A transformation as the parser takes it: the text becomes the value, or a fault is returned.
+std::string to_way(std::string& text) {
+  std::string words;
+  for (const auto& [word, value] : ways_to_deal()) {
+    if (text == word) {
+      text = value ? "true" : "false";
+      return {};
+    }
+    words += (words.empty() ? "" : " or ") + word;
+  }
+  return fmt::format("{} is not {}", text, words);
+}
+
 }  // namespace
 
 void MeshArguments::add_to(CLI::App& app, ShortHelp help_of_pieces) {
@@ -80,7 +93,7 @@ void MeshArguments::add_pieces(CLI::App& command, ShortHelp help) {
   hide_in_short_help(
       command,
       command.add_option("--deal", by_metis, "tiles to pieces in runs, or for few shared vertices")
-          ->transform(CLI::Transformer(ways_to_deal()).description(""))
+          ->transform(CLI::Validator(to_way, ""))
           ->type_name(ways_to_deal().size() > 1 ? "runs|metis" : "runs")
           ->default_str("runs"));
 }
@@ -96,7 +109,9 @@ void MeshArguments::check(const CLI::App& command) const {
   }
   const bool has_pieces = !pieces.empty() || (is_dry_run && ranks > 0);
   for (const char* more : {"--piece-count", "--deal"}) {
-    if (!has_pieces && command.count(more) > 0) throw CLI::RequiresError(more, "--pieces");
+    if (!has_pieces && command.count(more) > 0) {
+      throw CLI::RequiresError(more, is_dry_run ? "--ranks" : "--pieces");
+    }
   }
 }
 

@@ -310,7 +310,8 @@ TEST_F(MeshProgram, TellsHowRanksWouldShareTheWork) {
 TEST_F(MeshProgram, TakesRanksInADryRunOnly) {
   const std::string wave = "mesh '" + own_model("wave.json") + "' ";
   expect_wrong_usage(run(wave + "-o a.obj --ranks 4"), "--ranks requires --dry-run");
-  expect_wrong_usage(run(wave + "--dry-run --piece-count 4"), "--piece-count requires --pieces");
+  expect_wrong_usage(run(wave + "--dry-run --piece-count 4"), "--piece-count requires --ranks");
+  expect_wrong_usage(run(wave + "--pieces mesh --deal foo"), "--deal: foo is not ");
 }
 
 TEST_F(MeshProgram, TellsOfPiecesInItsReport) {
