@@ -63,7 +63,7 @@ TEST_F(ProgressOnTerminal, ShowsStageShareElementsAndTime) {
 
 TEST_F(ProgressOnTerminal, LeavesNothingBehindInTheEnd) {
   PseudoTerminal terminal(
-      line("mesh " + own_model("knob.obj") + " -o out.obj --hmin 0.4% --hmax 0.4%"), 80);
+      line("mesh " + own_model("knob.obj") + " -o out.obj --hmin 0.15% --hmax 0.15%"), 80);
   EXPECT_EQ(terminal.wait(), 0);
   EXPECT_GT(drawings(terminal.output()), 1);
   const auto lines = shown_lines(terminal.output());
@@ -76,7 +76,7 @@ TEST_F(ProgressOnTerminal, LeavesNothingBehindAfterAnError) {
   // The mesh cannot be written: no file may be that large.
   PseudoTerminal terminal(
       "sh -c 'ulimit -f 100; exec " +
-          line("mesh " + own_model("knob.obj") + " -o out.obj --hmin 0.4% --hmax 0.4%") + "'",
+          line("mesh " + own_model("knob.obj") + " -o out.obj --hmin 0.15% --hmax 0.15%") + "'",
       80);
   EXPECT_EQ(terminal.wait(), 1);
   EXPECT_GT(drawings(terminal.output()), 1);
@@ -160,7 +160,7 @@ TEST_F(ProgressOnTerminal, IsNotShownWithQuiet) {
 
 TEST_F(ProgressOnTerminal, IsNotShownWhereErrorsGoElsewhere) {
   PseudoTerminal terminal(
-      line("mesh " + own_model("knob.obj") + " -o out.obj --hmin 0.4% --hmax 0.4% 2>errors"), 80);
+      line("mesh " + own_model("knob.obj") + " -o out.obj --hmin 0.15% --hmax 0.15% 2>errors"), 80);
   EXPECT_EQ(terminal.wait(), 0);
   EXPECT_EQ(terminal.output().find('\x1b'), std::string::npos);
   EXPECT_EQ(read_text(folder_ / "errors"), "");
@@ -178,7 +178,8 @@ TEST_F(ProgressOnTerminal, DrawsBlocksWhereTheLocaleHasThem) {
   for (const auto& [locale, has_blocks] :
        {std::pair("TERM=xterm LC_ALL=C.UTF-8", true), std::pair("TERM=xterm LC_ALL=C", false)}) {
     PseudoTerminal terminal(
-        line("mesh " + own_model("knob.obj") + " -o out.obj --hmin 0.4% --hmax 0.4%", locale), 80);
+        line("mesh " + own_model("knob.obj") + " -o out.obj --hmin 0.15% --hmax 0.15%", locale),
+        80);
     EXPECT_EQ(terminal.wait(), 0);
     EXPECT_EQ(terminal.output().find("█") != std::string::npos, has_blocks) << locale;
     EXPECT_EQ(terminal.output().find("√2") != std::string::npos, has_blocks) << locale;
