@@ -23,7 +23,7 @@ namespace {
 
 /// Bytes of parts of tiles that are added to a piece before their memory is given back: a rank with
 /// one large piece would else need twice as much.
-constexpr std::size_t kBytesAtOnce = std::size_t{64} << 20;
+constexpr std::size_t kBytesAtOnce = std::size_t{8} << 20;
 
 std::size_t bytes_of(const TilePart& part) {
   return part.points.size() * sizeof(Vec3) + part.faces.corner_count() * sizeof(int);
@@ -88,6 +88,7 @@ class PiecesRun {
     PieceBuilder builder;
     const std::vector<std::size_t> tiles = tiles_of(piece);
     make_room(tiles, builder);
+    return_freed_memory();  // of the meshes of tiles
     std::size_t freed = 0;
     for (const std::size_t t : tiles) {
       freed += bytes_of(tiles_.part(t));

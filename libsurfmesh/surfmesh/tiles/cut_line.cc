@@ -42,8 +42,8 @@ class MeasuredCut {
   MeasuredCut(TileCut cut, Uv from, Uv to, const CutRules& rules)
       : cut_(std::move(cut)), line_(from, to), rules_(rules), arc_(line_, rules.field) {
     queries_ = arc_.queries();
-    bounds_ = {kLeastSegments, 1, rules.sag};
-    const int wanted = rules.sag > 0 ? segments_for_sag(rules.surface, line_, arc_, bounds_)
+    const SegmentBounds bounds{kLeastSegments, 1, rules.sag};
+    const int wanted = rules.sag > 0 ? segments_for_sag(rules.surface, line_, arc_, bounds)
                                      : static_cast<int>(std::lround(arc_.length()));
     count_ = std::max(kLeastSegments, wanted);
     QueryHint hint;
@@ -106,7 +106,6 @@ class MeasuredCut {
   SegmentCurve line_;
   const CutRules& rules_;
   MetricArc arc_;
-  SegmentBounds bounds_;
   int count_ = 0;
   std::vector<Station> stations_;
   QueryCounts queries_;
