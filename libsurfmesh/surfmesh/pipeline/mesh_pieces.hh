@@ -42,8 +42,8 @@ struct PiecesOptions {
 /// Error    of the report: see TileSummary. The mesh is closed, and has an Euler characteristic, as
 ///          pieces are joined by ids: vertices along contours at which mesh_model has to cut are
 ///          one
-/// Cost     40 bytes a triangle of the rank, besides the model and the control spaces of its patches;
-///          before tiles are meshed, those of all patches
+/// Cost     40 bytes a triangle of the rank, besides the model and the control spaces of its
+///          patches; before tiles are meshed, those of all patches
 /// Throws   AgreedError, the same on all ranks, for what mesh_model throws: in tiles that of the
 ///          first one, whatever the ranks and threads; in a cancelled run nothing but Cancelled
 Report mesh_pieces(const Model& model, const Sources& sources, const PipelineOptions& options,
