@@ -25,39 +25,47 @@ endif()
 surfmesh_add_building_test(PublicHeaders.CompileAlone "package;long"
   ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target all_verify_interface_header_sets)
 
-# The tests of these stages again, under the address and undefined-behaviour sanitizers. Those of the
-# second list have the label nightly: they take longer to build and to run.
+# The tests of these stages again, under the address and undefined-behaviour sanitizers, and of those
+# that share work under the thread sanitizer. Those of nightly lists take longer to build and to run.
 set(sanitized core io geometry formula metric quality delaunay boundary patch_mesh control formats)
 set(sanitized_nightly model cage refine improve quad patch sizes sampling estimate assemble across
     model_file cad exchange tiles pieces)
+set(threads_nightly core io quality assemble across sizes formats pipeline)
 get_property(stages GLOBAL PROPERTY surfmesh_test_stages)
 
-# surfmesh_add_sanitized_tests(<name of the fixture> <labels> <stages...>)
-function(surfmesh_add_sanitized_tests fixture labels)
+# surfmesh_add_sanitized_tests(<prefix of the tests> <preset> <name of the fixture> <labels>
+#                              <stages...>)
+function(surfmesh_add_sanitized_tests prefix preset fixture labels)
   foreach(stage IN LISTS ARGN)
     if(stage IN_LIST stages)
       list(APPEND targets ${stage}_test)
-      add_test(NAME Sanitize.${stage}
-        COMMAND ${PROJECT_SOURCE_DIR}/build/sanitize/tests/${stage}_test)
-      set_tests_properties(Sanitize.${stage} PROPERTIES
+      add_test(NAME ${prefix}.${stage}
+        COMMAND ${PROJECT_SOURCE_DIR}/build/${preset}/tests/${stage}_test)
+      set_tests_properties(${prefix}.${stage} PROPERTIES
         LABELS "${labels}" FIXTURES_REQUIRED ${fixture} TIMEOUT 1800
         # Not the folder in which the same test may run just now without sanitizers.
-        ENVIRONMENT TEST_TMPDIR=${PROJECT_BINARY_DIR}/sanitize)
+        ENVIRONMENT "TEST_TMPDIR=${PROJECT_BINARY_DIR}/${preset};TSAN_OPTIONS=suppressions=${CMAKE_CURRENT_SOURCE_DIR}/thread_sanitizer.supp")
     endif()
   endforeach()
-  # OpenCASCADE keeps what its readers allocate.
-  if("cad" IN_LIST ARGN AND "cad" IN_LIST stages)
-    set_property(TEST Sanitize.cad APPEND PROPERTY ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
-  endif()
   list(JOIN targets "," targets)  # a list would become several arguments
-  surfmesh_add_building_test(Sanitize.${fixture} "${labels}"
-    ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D TARGETS=${targets}
+  surfmesh_add_building_test(${prefix}.${fixture} "${labels}"
+    ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D PRESET=${preset} -D TARGETS=${targets}
     -P ${CMAKE_CURRENT_SOURCE_DIR}/sanitize.cmake)
-  set_tests_properties(Sanitize.${fixture} PROPERTIES FIXTURES_SETUP ${fixture})
+  set_tests_properties(${prefix}.${fixture} PROPERTIES FIXTURES_SETUP ${fixture})
 endfunction()
 
-surfmesh_add_sanitized_tests(Build "sanitize;long" ${sanitized})
-surfmesh_add_sanitized_tests(BuildNightly "sanitize;long;nightly" ${sanitized_nightly})
+surfmesh_add_sanitized_tests(Sanitize sanitize Build "sanitize;long" ${sanitized})
+surfmesh_add_sanitized_tests(Sanitize sanitize BuildNightly "sanitize;long;nightly"
+  ${sanitized_nightly})
+surfmesh_add_sanitized_tests(SanitizeThreads sanitize-threads BuildThreads
+  "sanitize;long;nightly" ${threads_nightly})
+# Of whole runs, those on several threads or ranks.
+set_property(TEST SanitizeThreads.pipeline APPEND PROPERTY ENVIRONMENT
+  "GTEST_FILTER=Threads*:*AnyNumberOfThreads*:*DoNotDependOnThreads*:PiecesOf.*")
+# OpenCASCADE keeps what its readers allocate.
+if("cad" IN_LIST stages)
+  set_property(TEST Sanitize.cad APPEND PROPERTY ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
+endif()
 
 # Random small models through the program, judged by a script of its own.
 if(TARGET surfmesh_program)

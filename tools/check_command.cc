@@ -88,7 +88,7 @@ int CheckCommand::check(Progress& progress) const {
   const MeshCheck check = measure(progress);
   progress.clear();
   print(is_json_ ? to_json(check) : to_text(check, text_style(is_verbose_)));
-  print_notices(check.notices, is_verbose_);
+  print_notices(check.notices, {.is_verbose = is_verbose_});
   for (const MeshFault& fault : check.faults) {
     tell(fmt::format("surfmesh: fault: {}: {}, the first: {}\n", fault.kind, fault.count,
                      fault.places.front()));

@@ -89,7 +89,7 @@ int ControlCommand::write_control_meshes(Progress& progress) const {
   outputs.commit(status);
   progress.clear();
   if (!is_quiet_) status = print_summary(summary_of(pictures, output_, is_verbose_), status);
-  print_notices(notices, is_verbose_);
+  print_notices(notices, {.is_quiet = is_quiet_, .is_verbose = is_verbose_});
   return status;
 }
 

@@ -90,9 +90,11 @@ int ConvertCommand::convert() const {
   if (!is_quiet_) {
     status = print_summary(summary_of(file, output_, is_verbose_), status);
   }
-  print_notices(file.notices, is_verbose_);
-  print_notices(unused_options(file.mesh, output_, options_), is_verbose_);
-  print_notices(stale_companion(file.mesh, output_), is_verbose_);
+  print_notices(file.notices, {.is_quiet = is_quiet_, .is_verbose = is_verbose_});
+  print_notices(unused_options(file.mesh, output_, options_),
+                {.is_quiet = is_quiet_, .is_verbose = is_verbose_});
+  print_notices(stale_companion(file.mesh, output_),
+                {.is_quiet = is_quiet_, .is_verbose = is_verbose_});
   for (const std::string& unread : file.unread) {
     tell(fmt::format("surfmesh: warning: the {} of {} are left out\n", unread, input_));
   }

@@ -15,6 +15,11 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report knob.json\n";
 
+constexpr const char* kFooterOfRanks =
+    "Examples:\n"
+    "  mpirun -n 4 surfmesh-mpi mesh knob.obj --pieces knob --curvature 0.2 --report knob.json\n"
+    "  mpirun -n 4 surfmesh-mpi mesh knob.obj -o knob.ply --curvature 0.2\n";
+
 /// Numbers of pieces up to this one are taken: their files are in one folder.
 constexpr int kMostPieces = 1'000'000;
 
@@ -43,21 +48,29 @@ std::string to_way(std::string& text) {
   return fmt::format("{} is not {}", text, words);
 }
 
+/// Have the options that count where ranks share the work.
+void suit_ranks(CLI::App& command) {
+  command.remove_option(command.get_option("--across"));
+  hide_in_short_help(command, command.get_option("--normals"));
+  show_in_short_help(command, command.get_option("--tile"));
+}
+
 }  // namespace
 
-void MeshArguments::add_to(CLI::App& app, ShortHelp help_of_pieces) {
+void MeshArguments::add_to(CLI::App& app, MeshProgram program) {
   CLI::App* command = app.add_subcommand(
       "mesh", "Mesh a cage, a CAD file or a model file with triangles or quads.");
-  command->footer(kFooter);
-  add_files(*command);
+  command->footer(program == MeshProgram::Ranks ? kFooterOfRanks : kFooter);
+  add_files(*command, program);
   using enum OptionGroup;
   add_flags(*command, named, std::array{Sizes, ControlSpace, Meshing, Cages});
-  add_pieces(*command, help_of_pieces);
+  if (program == MeshProgram::Ranks) suit_ranks(*command);
+  add_pieces(*command, program);
   add_scheme(*command, scheme);
   add_set(*command, set, "set any option by its name; beats the other flags and the model file");
 }
 
-void MeshArguments::add_files(CLI::App& command) {
+void MeshArguments::add_files(CLI::App& command, MeshProgram program) {
   command
       .add_option("INPUT", input,
                   "cage: .obj .off .ply .stl .om; CAD: .step .igs .brep; model: .json")
@@ -65,7 +78,9 @@ void MeshArguments::add_files(CLI::App& command) {
       ->type_name("");
   command
       .add_option("-o,--output", output,
-                  fmt::format("mesh to write: {}; .om keeps everything", mesh_endings()))
+                  program == MeshProgram::Ranks
+                      ? "mesh to write, of all pieces: .obj .ply"
+                      : fmt::format("mesh to write: {}; .om keeps everything", mesh_endings()))
       ->type_name("FILE");
   command.add_flag("--dry-run", is_dry_run, "estimate the number of elements; needs no --output");
   command.parse_complete_callback([this, &command] { check(command); });
@@ -74,11 +89,11 @@ void MeshArguments::add_files(CLI::App& command) {
   add_verbose(command, is_verbose, "print all tables, and every warning");
 }
 
-void MeshArguments::add_pieces(CLI::App& command, ShortHelp help) {
+void MeshArguments::add_pieces(CLI::App& command, MeshProgram program) {
   CLI::Option* folder = command.add_option(
       "--pieces", pieces, "write pieces that are never in one place: .pvtu and .vtu");
   folder->type_name("FOLDER");
-  if (help == ShortHelp::None) hide_in_short_help(command, folder);
+  if (program == MeshProgram::OneProcess) hide_in_short_help(command, folder);
   hide_in_short_help(command,
                      command
                          .add_option("--ranks", ranks,

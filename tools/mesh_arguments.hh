@@ -6,8 +6,15 @@
 
 #include "settings.hh"
 #include "surfmesh/cage/cage.hh"
+#include "verbosity.hh"
 
 namespace surfmesh {
+
+/// What runs the command.
+enum class MeshProgram {
+  OneProcess,  ///< surfmesh: a mesh in one place, or pieces
+  Ranks,       ///< surfmesh-mpi: pieces, or a file of pieces
+};
 
 /// The command line of `mesh`.
 struct MeshArguments {
@@ -25,16 +32,18 @@ struct MeshArguments {
   bool is_verbose = false;
   bool is_dry_run = false;
 
-  /// Add the subcommand and its options to a program, which may show --pieces in its short help.
-  /// The object must outlive the parsing.
-  void add_to(CLI::App& app, ShortHelp help_of_pieces = ShortHelp::None);
+  /// Add the subcommand and the options that it has there to a program. The object must outlive the
+  /// parsing.
+  void add_to(CLI::App& app, MeshProgram program = MeshProgram::OneProcess);
 
   /// All options, in the order of their effect.
   Settings settings() const;
 
+  Verbosity verbosity() const { return {is_quiet, is_verbose}; }
+
  private:
-  void add_files(CLI::App& command);
-  void add_pieces(CLI::App& command, ShortHelp help);
+  void add_files(CLI::App& command, MeshProgram program);
+  void add_pieces(CLI::App& command, MeshProgram program);
   void check(const CLI::App& command) const;
 };
 

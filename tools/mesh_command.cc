@@ -11,6 +11,7 @@
 
 #include "mesh_in_pieces.hh"
 #include "mesh_input.hh"
+#include "mpi_launcher.hh"
 #include "output_paths.hh"
 #include "outputs.hh"
 #include "progress.hh"
@@ -39,6 +40,15 @@ void check_paths(const std::string& input, const std::string& output, const std:
   if (!output.empty() && !report.empty() && is_same_file(output, report)) {
     throw Error(ErrorCode::Io, fmt::format("{} is the output, too", report));
   }
+}
+
+/// Each of several processes would make the whole mesh.
+void tell_if_started_by_mpirun() {
+  if (processes_by_mpirun() < 2 || rank_by_mpirun() != 0) return;
+  tell(
+      fmt::format("surfmesh: warning: mpirun has started {} processes, of which each makes the "
+                  "whole mesh: surfmesh-mpi shares the work among them\n",
+                  processes_by_mpirun()));
 }
 
 /// One run of the command.
@@ -133,12 +143,16 @@ class MeshRun {
 
 }  // namespace
 
-void print_notices(const Notices& notices, bool is_verbose) {
+void print_notices(const Notices& notices, Verbosity verbosity) {
   const auto print_lines = [](const Notices& some) {
     for (const std::string& line : lines_of(some)) tell(fmt::format("surfmesh: {}\n", line));
   };
-  if (!is_verbose) return print_lines(notices);
-  for (const Notice& notice : notices) print_lines({notice});
+  Notices told = notices;
+  if (verbosity.is_quiet) {
+    std::erase_if(told, [](const Notice& a) { return a.severity == Severity::Information; });
+  }
+  if (!verbosity.is_verbose) return print_lines(told);
+  for (const Notice& notice : told) print_lines({notice});
 }
 
 TextStyle text_style(bool is_verbose) {
@@ -162,7 +176,7 @@ int MeshCommand::finish(const Report& report, const std::string& summary,
   progress.clear();
   int status = status_of(report);
   if (!arguments_.is_quiet) status = print_summary(summary, status);
-  print_notices(report.notices, arguments_.is_verbose);
+  print_notices(report.notices, arguments_.verbosity());
   return status;
 }
 
@@ -171,6 +185,7 @@ int MeshCommand::run() const {
     SerialExchange exchange;
     return mesh_in_pieces(arguments_, exchange);
   }
+  tell_if_started_by_mpirun();
   catch_signals();
   const bool is_dry_run = arguments_.is_dry_run;
   const std::string& input = arguments_.input;

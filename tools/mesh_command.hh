@@ -13,6 +13,7 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/notice.hh"
 #include "surfmesh/pipeline/text_style.hh"
+#include "verbosity.hh"
 
 namespace surfmesh {
 
@@ -23,7 +24,7 @@ struct Report;
 int tell_failure(const std::exception& error, Progress& progress);
 
 /// Print notices on stderr, the first few of each kind or all of them.
-void print_notices(const Notices& notices, bool is_verbose = false);
+void print_notices(const Notices& notices, Verbosity verbosity = {});
 
 /// How a summary is printed on stdout: with block characters only on a terminal that has them.
 TextStyle text_style(bool is_verbose);

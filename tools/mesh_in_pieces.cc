@@ -15,6 +15,7 @@
 #include "signals.hh"
 #include "standard_output.hh"
 #include "surfmesh/exchange/agree_on_error.hh"
+#include "surfmesh/formats/mesh_endings.hh"
 #include "surfmesh/formats/piece_file.hh"
 #include "surfmesh/formats/piece_folder.hh"
 #include "surfmesh/formats/piece_text.hh"
@@ -46,12 +47,22 @@ class GuardedSink final : public PieceSink {
   std::optional<RemovedOnSignal> guard_;
 };
 
+/// True if a folder would have a name as files of meshes have.
+bool looks_like_file(const std::filesystem::path& folder) {
+  return has_mesh_ending(folder) || folder.extension() == ".pvtu";
+}
+
 /// What can be told before any work.
 void check_arguments(const MeshArguments& arguments) {
   const std::string& output = arguments.output;
   if (!output.empty() && !has_piece_text(output)) {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("{}: ranks can write .obj and .ply, or a folder of --pieces", output));
+  }
+  if (looks_like_file(arguments.pieces)) {
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("{}: --pieces takes the name of a folder; -o writes one file",
+                            arguments.pieces));
   }
   const std::array inputs = {std::filesystem::path(arguments.input)};
   for (const std::string& path : {output, arguments.report}) {
@@ -70,6 +81,16 @@ void check_options(const PipelineOptions& options) {
               "a mesh in pieces has no normals, (u,v) or texture coordinates: leave out --normals, "
               "--uv and --texture, or normals, uv and texture of a model file; surfmesh mesh "
               "without --pieces writes them");
+}
+
+/// Tell that elements were asked to cross contours, which those of pieces cannot.
+void tell_unused_across(Report& report) {
+  const auto given = std::find_if(report.given.begin(), report.given.end(),
+                                  [](const GivenOption& a) { return a.name == "across"; });
+  if (given == report.given.end() || given->value != "on") return;
+  report.notices.push_back(
+      warning(NoticeKind::UnusedOption,
+              fmt::format("across = on of the {} has no effect in pieces", name(given->origin))));
 }
 
 /// One run of the command on a rank.
@@ -108,12 +129,14 @@ class PiecesRun {
       return mesh_pieces(input.model, input.sources, input.options, pieces, exchange_, sink,
                          &progress_);
     } catch (const AgreedError& error) {
+      if (error.code() == ErrorCode::Io) throw;  // of an output: the input has been read
       throw AgreedError(error.code(), text_at_input(arguments_.input, error));
     }
   }
 
   void commit(Report& report, PieceOutput& output, GuardedSink& sink) {
     input_.describe(arguments_.input, report);
+    tell_unused_across(report);
     report.output = arguments_.pieces.empty() ? arguments_.output : arguments_.pieces;
     report.wall_seconds = input_.seconds_so_far();
     if (exchange_.rank() != 0) {
@@ -140,7 +163,7 @@ class PiecesRun {
     if (!arguments_.is_quiet) {
       status = print_summary(to_text(report, text_style(arguments_.is_verbose)), status);
     }
-    print_notices(report.notices, arguments_.is_verbose);
+    print_notices(report.notices, arguments_.verbosity());
     return status;
   }
 

@@ -333,7 +333,7 @@ int PictureCommand::draw() const {
                                        options.height, picture.size()),
                            status);
   }
-  print_notices(file.notices);
+  print_notices(file.notices, {.is_quiet = is_quiet_});
   return status;
 }
 

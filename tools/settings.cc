@@ -38,6 +38,7 @@ class HelpFormatter : public CLI::Formatter {
   HelpFormatter() { column_width(kColumn); }
 
   void hide(const CLI::Option* flag) { hidden_.insert(flag); }
+  void show(const CLI::Option* flag) { hidden_.erase(flag); }
   void show_all() { hidden_.clear(); }
 
   std::string make_help(const CLI::App* app, std::string name,
@@ -178,6 +179,10 @@ void add_help_all(CLI::App& command, const std::shared_ptr<HelpFormatter>& forma
 
 void hide_in_short_help(CLI::App& command, const CLI::Option* flag) {
   std::dynamic_pointer_cast<HelpFormatter>(command.get_formatter())->hide(flag);
+}
+
+void show_in_short_help(CLI::App& command, const CLI::Option* flag) {
+  std::dynamic_pointer_cast<HelpFormatter>(command.get_formatter())->show(flag);
 }
 
 const Option* table_option(const CLI::Option& flag) {

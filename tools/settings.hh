@@ -33,6 +33,9 @@ std::vector<CLI::Option*> add_flags(CLI::App& command, Settings& settings,
 /// Leave a flag out of the short help of a command to which flags were added; --help-all shows it.
 void hide_in_short_help(CLI::App& command, const CLI::Option* flag);
 
+/// Have a flag in it after all.
+void show_in_short_help(CLI::App& command, const CLI::Option* flag);
+
 /// The option of the table that a flag sets, null for other flags.
 const Option* table_option(const CLI::Option& flag);
 

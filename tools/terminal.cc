@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "mpi_launcher.hh"
+
 namespace surfmesh {
 namespace {
 
@@ -23,11 +25,14 @@ bool is_utf8_locale() {
   return is_utf8;
 }
 
+/// mpirun gives its processes a terminal of its own, wherever it writes what they print.
+bool is_shown(int stream) { return isatty(stream) == 1 && processes_by_mpirun() == 0; }
+
 }  // namespace
 
-bool is_terminal() { return isatty(STDERR_FILENO) == 1; }
+bool is_terminal() { return is_shown(STDERR_FILENO); }
 
-bool shows_unicode(int stream) { return isatty(stream) == 1 && is_utf8_locale(); }
+bool shows_unicode(int stream) { return is_shown(stream) && is_utf8_locale(); }
 
 bool is_dumb_terminal() {
   const char* name = std::getenv("TERM");

@@ -177,7 +177,7 @@ int ViewCommand::finish(const PageContents& contents, const std::string& script,
                     contents.mesh.n_faces(), bytes / megabyte),
         status);
   }
-  print_notices(contents.notices, is_verbose_);
+  print_notices(contents.notices, {.is_quiet = is_quiet_, .is_verbose = is_verbose_});
   return status;
 }
 

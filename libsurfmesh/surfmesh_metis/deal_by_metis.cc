@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh_metis/deal_by_metis.hh"
 
+#include <fmt/format.h>
 #include <metis.h>
 
 #include <cmath>
@@ -85,6 +86,10 @@ std::vector<int> deal_by_metis(const TileGraph& graph, int pieces) {
       beside.nodes.data(), &piece_count, nullptr, nullptr, options.data(), &cut, piece_of.data());
   if (result != METIS_OK) throw Error(ErrorCode::Limit, "METIS cannot deal out the tiles");
   return in_order_of_tiles(piece_of, pieces);
+}
+
+std::string metis_version() {
+  return fmt::format("{}.{}.{}", METIS_VER_MAJOR, METIS_VER_MINOR, METIS_VER_SUBMINOR);
 }
 
 }  // namespace surfmesh

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "surfmesh/pieces/partition.hh"
 
 namespace surfmesh {
@@ -15,5 +18,8 @@ namespace surfmesh {
 /// Source   Karypis, Kumar, A fast and high quality multilevel scheme for partitioning irregular
 ///          graphs (1998)
 std::vector<int> deal_by_metis(const TileGraph& graph, int pieces);
+
+/// The version of METIS: "5.1.0".
+std::string metis_version();
 
 }  // namespace surfmesh

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "surfmesh/core/language_standard.hh"
 
 namespace surfmesh {
@@ -20,6 +22,9 @@ class MpiSession {
 
   MpiSession(const MpiSession&) = delete;
   MpiSession& operator=(const MpiSession&) = delete;
+
+  /// The name and version of the MPI that runs: "Open MPI v4.1.4".
+  static std::string library();
 
   /// End all ranks, whatever they do: this one at once, the others by SIGTERM. Some of them may
   /// wait for this one, which has an error that they do not know of.

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "support/program.hh"
+#include "surfmesh/core/version.hh"
 #include "surfmesh/formats/grid_file.hh"
 
 namespace surfmesh {
@@ -160,6 +161,42 @@ TEST_F(MpiProgram, EstimatesHowPiecesAreDealtOutInADryRun) {
   EXPECT_TRUE(says("pieces    2 on 4 ranks; ")) << out_;
 }
 
+TEST_F(MpiProgram, SaysWhatItCanWriteAndWithWhatItRuns) {
+  EXPECT_EQ(run_ranks(1, "mesh --help"), 0) << err_;
+  EXPECT_NE(out_.find("of all pieces: .obj .ply"), std::string::npos) << out_;
+  EXPECT_EQ(out_.find(".om keeps everything"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("  mpirun -n 4 surfmesh-mpi mesh "), std::string::npos) << out_;
+  EXPECT_EQ(run_ranks(2, "--version"), 0) << err_;
+  EXPECT_TRUE(out_.starts_with("surfmesh " SURFMESH_VERSION " with ")) << out_;
+  EXPECT_EQ(out_.find('\n'), out_.size() - 1) << "printed twice: " << out_;
+}
+
+TEST_F(MpiProgram, WarnsOfElementsThatWereToCrossContours) {
+  const std::string line = "mesh '" + own_model("cube.obj") + "' --pieces mesh --quiet";
+  EXPECT_EQ(run_ranks(2, line), 0) << err_;
+  EXPECT_EQ(err_, "");
+  EXPECT_EQ(run_ranks(2, line + " --set across=on"), 0) << err_;
+  EXPECT_EQ(err_, "surfmesh: warning: across = on of the command line has no effect in pieces\n");
+}
+
+TEST_F(MpiProgram, PrintsNoSignsOfATerminalThatIsNotThere) {
+  setenv("LC_ALL", "C.UTF-8", 1);
+  EXPECT_EQ(run_ranks(2, "mesh '" + own_model("cube.obj") + "' -o a.obj --hmax 5%"), 0) << err_;
+  unsetenv("LC_ALL");
+  for (const char c : out_ + err_) EXPECT_GE(c, 0) << out_ << err_;
+}
+
+TEST_F(MpiProgram, IsNamedWhereRanksRunTheOtherOne) {
+  const std::string line = "'" SURFMESH_PROGRAM "' mesh '" + own_model("cube.obj") + "' --dry-run";
+  EXPECT_EQ(shell("'" SURFMESH_MPIEXEC "' -n 3 " + line), 0) << err_;
+  const std::string text = "warning: mpirun has started 3 processes";
+  const std::size_t at = err_.find(text);
+  EXPECT_NE(at, std::string::npos) << err_;
+  EXPECT_EQ(err_.find(text, at + 1), std::string::npos) << err_;
+  EXPECT_EQ(shell(line), 0) << err_;
+  EXPECT_EQ(err_.find("mpirun"), std::string::npos) << err_;
+}
+
 TEST_F(MpiProgram, HasCompletionsAndManualPages) {
   EXPECT_EQ(run_ranks(2, "completion bash"), 0) << err_;
   write_text(folder_ / "completion", out_);
@@ -185,6 +222,9 @@ TEST_F(MpiProgram, TellsOnceOfAnErrorAndLeavesNothing) {
       {cube + "-o a.obj --ranks 2", 2, "--ranks requires --dry-run"},
       {cube + "-o none/a.obj", 1, "there is no folder none"},
       {cube + "--pieces mesh --max-elements 10", 1, "max_elements"},
+      {cube + "--pieces mesh.vtu", 1, "mesh.vtu: --pieces takes the name of a folder"},
+      {cube + "--pieces none/mesh", 1, "error: cannot write none/mesh: there is no folder"},
+      {cube + "--pieces mesh --across off", 2, "there is no option --across"},
   };
   for (const auto& [arguments, status, text] : cases) {
     EXPECT_EQ(run_ranks(3, arguments), status) << arguments;

@@ -394,7 +394,7 @@ TEST(ReportText, TellsAnEstimate) {
   report.mesh.patches = 2;
   EXPECT_EQ(to_text(usual()).find("estimate"), std::string::npos);
   EXPECT_TRUE(estimate_text(report).starts_with(
-      "input     knob.obj\nestimate  about 1.45e+04 triangles, 2 patches\n"));
+      "input     knob.obj\nestimate  about 14500 triangles, 2 patches\n"));
 }
 
 }  // namespace

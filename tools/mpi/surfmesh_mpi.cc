@@ -16,6 +16,9 @@
 #include "surfmesh/core/version.hh"
 #include "surfmesh_mpi/mpi_exchange.hh"
 #include "surfmesh_mpi/mpi_session.hh"
+#ifdef SURFMESH_HAS_METIS
+#include "surfmesh_metis/deal_by_metis.hh"
+#endif
 
 namespace {
 
@@ -25,16 +28,25 @@ constexpr const char* kFooter =
     "  mpirun -n 4 surfmesh-mpi mesh wing.step --hmax 1% -o wing.obj        to one file\n"
     "Exit status as that of surfmesh.\n";
 
+/// "surfmesh 1.2.3 with Open MPI v4.1.4 and METIS 5.1.0".
+std::string version() {
+  std::string text = "surfmesh " SURFMESH_VERSION " with " + surfmesh::MpiSession::library();
+#ifdef SURFMESH_HAS_METIS
+  text += " and METIS " + surfmesh::metis_version();
+#endif
+  return text;
+}
+
 /// The commands of the program.
 class CommandLine {
  public:
   /// A dry run tells how `ranks` would share the work, unless others are asked about.
   explicit CommandLine(int ranks) {
     arguments_.ranks = ranks;
-    app_.set_version_flag("--version", "surfmesh " SURFMESH_VERSION);
+    app_.set_version_flag("--version", version());
     app_.footer(kFooter);
     app_.require_subcommand(1);
-    arguments_.add_to(app_, surfmesh::ShortHelp::MostUsed);
+    arguments_.add_to(app_, surfmesh::MeshProgram::Ranks);
     completion_.add_to(app_);
     man_.add_to(app_);
   }

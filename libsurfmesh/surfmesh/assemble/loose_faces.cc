@@ -84,12 +84,9 @@ class LooseFaceMaker {
     for (std::size_t k = 0; k <= step; ++k) {
       face.corners[k + 1] = corner_at(VertexHandle(fan.ring[i + step - k]));
     }
-    const double share =
-        (static_cast<double>(i) + 0.5 * static_cast<double>(step)) / static_cast<double>(count);
-    // The metric is singular at the pole; its corner takes that of the ring.
-    const Metric metric = mean(face.corners[step + 1].value.metric, face.corners[1].value.metric);
     face.corners[0] = {
-        fan.pole, i + step == count ? fan.contour_from : -1, {point_on_pole(fan, share), metric}};
+        fan.pole, i + step == count ? fan.contour_from : -1,
+        value_at_pole(fan, i, face.corners[step + 1].value.metric, face.corners[1].value.metric)};
     if (i == 0) face.corners[step + 1].contour = fan.contour_to;
     return face;
   }
@@ -107,6 +104,13 @@ class LooseFaceMaker {
 };
 
 }  // namespace
+
+CornerValue value_at_pole(const PoleFan& fan, std::size_t i, const Metric& first,
+                          const Metric& last) {
+  const auto count = static_cast<double>(fan.ring.size() - 1);
+  const double share = (static_cast<double>(i) + 0.5 * fan.segments_per_face) / count;
+  return {point_on_pole(fan, share), mean(first, last)};
+}
 
 void make_loose_faces(Piece& piece, const std::vector<FaceHandle>& collapsed) {
   LooseFaceMaker maker(piece);

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "surfmesh/assemble/piece.hh"
 
 namespace surfmesh::detail {
+
+/// What the corner at the pole holds in the face of a fan that begins at node `i` of its ring. The
+/// metric is singular at a pole: that of the face's first and last node of the ring is taken.
+CornerValue value_at_pole(const PoleFan& fan, std::size_t i, const Metric& first,
+                          const Metric& last);
 
 /// Make the faces of a piece that are no copies of those of its mesh: what is left of faces of
 /// which corners are one vertex of the result, and the fans around poles.

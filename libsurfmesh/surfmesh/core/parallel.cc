@@ -16,6 +16,8 @@
 #include <thread>
 #include <utility>
 
+#include "surfmesh/core/happens_before.hh"
+
 namespace surfmesh {
 namespace {
 
@@ -73,15 +75,23 @@ class SharedIndices {
       run_remaining();
     } else {
       // A thread that waits for the last calls must not begin other work: its clock is running.
+      order_.before();
       tbb::this_task_arena::isolate([&] {
         tbb::parallel_for(
             0, threads, [this](int) { work(); }, tbb::simple_partitioner());
       });
+      order_.after();
     }
     seconds_of_others += seconds_;
   }
 
   void work() {
+    order_.after();
+    work_and_clock();
+    order_.before();
+  }
+
+  void work_and_clock() {
     const double start = seconds_of_this_thread();
     {
       const SharedCall shared;
@@ -117,6 +127,7 @@ class SharedIndices {
   std::mutex mutex_;
   std::exception_ptr error_;
   double seconds_ = 0;  ///< of other threads than the caller
+  detail::HappensBefore order_;
 };
 
 /// Run `body` in this thread as if its calls were shared already. No other thread is needed, so
@@ -137,7 +148,14 @@ void with_threads(int threads, const std::function<void()>& body) {
     more_than_cores.emplace(tbb::global_control::max_allowed_parallelism,
                             static_cast<std::size_t>(threads));
   }
-  tbb::task_arena(threads).execute(body);
+  detail::HappensBefore order;  // another thread of the arena may run it
+  order.before();
+  tbb::task_arena(threads).execute([&] {
+    order.after();
+    body();
+    order.before();
+  });
+  order.after();
 }
 
 void share_indices(const std::vector<std::size_t>& indices,

@@ -20,6 +20,9 @@ std::string cage_endings();
 /// The endings of formats that hold normals and parameters of corners.
 std::string corner_value_endings();
 
+/// True if the ending is that of a mesh format, in upper or lower case.
+bool has_mesh_ending(const std::filesystem::path& path);
+
 /// True if the ending is that of a control cage, in upper or lower case.
 bool has_cage_ending(const std::filesystem::path& path);
 

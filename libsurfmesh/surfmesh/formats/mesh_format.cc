@@ -122,6 +122,8 @@ const MeshFormat& format_to_read(const std::filesystem::path& path) {
       ErrorCode::InvalidInput,
       fmt::format("{}: {}{}", path.string(),
                   is_model(path) ? "this is a model, no mesh: mesh it first; what is read is "
+                  : lower_case_ending(path) == ".pvtu"
+                      ? "this only lists the pieces of a mesh, .vtu files; what is read is "
                   : format == nullptr
                       ? "the ending of a mesh to read is "
                       : fmt::format("{} files are only written; what is read is ", format->ending),
@@ -143,6 +145,8 @@ std::string cage_endings() {
 std::string corner_value_endings() {
   return endings_of([](const MeshFormat& format) { return format.has_corner_values; });
 }
+
+bool has_mesh_ending(const std::filesystem::path& path) { return find_format(path) != nullptr; }
 
 bool has_cage_ending(const std::filesystem::path& path) {
   const MeshFormat* format = find_format(path);

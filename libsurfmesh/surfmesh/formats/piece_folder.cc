@@ -126,10 +126,26 @@ void PieceFolder::begin(const PieceIndex& index) {
   });
 }
 
+/// Errors name the folder that was asked for.
+template <class Write>
+void PieceFolder::write_file(const std::string& name, Write write) const {
+  try {
+    OutputFile file(temporary_ / name);
+    write(file);
+    file.commit();
+  } catch (const Error& error) {
+    std::string text = error.what();
+    const std::string hidden = temporary_.string();
+    if (const auto at = text.find(hidden); at != std::string::npos) {
+      text.replace(at, hidden.size(), given_.string());
+    }
+    throw Error(error.code(), text);
+  }
+}
+
 void PieceFolder::write(int piece, const MeshPiece& mesh) {
-  OutputFile file(temporary_ / piece_name(piece));
-  write_vtu_piece(mesh, index_.names, file);
-  file.commit();
+  write_file(piece_name(piece),
+             [&](OutputFile& file) { write_vtu_piece(mesh, index_.names, file); });
 }
 
 void PieceFolder::finish() {
@@ -137,9 +153,8 @@ void PieceFolder::finish() {
     if (exchange_.rank() != 0) return;
     std::vector<std::string> pieces;
     for (int i = 0; i < index_.pieces; ++i) pieces.push_back(piece_name(i));
-    OutputFile file(temporary_ / fmt::format("{}.pvtu", name_));
-    write_pvtu(pieces, index_.names, file);
-    file.commit();
+    write_file(fmt::format("{}.pvtu", name_),
+               [&](OutputFile& file) { write_pvtu(pieces, index_.names, file); });
   });
 }
 

@@ -42,6 +42,8 @@ class PieceFolder final : public PieceOutput {
   std::string piece_name(int piece) const;
   void check_old() const;
   void make_temporary();
+  template <class Write>
+  void write_file(const std::string& name, Write write) const;
   void publish();
   void take_back();
 

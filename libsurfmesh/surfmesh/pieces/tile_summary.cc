@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
 #include "surfmesh/core/properties.hh"
+#include "surfmesh/pieces/mesh_with_fans.hh"
+#include "surfmesh/quality/measure_lengths.hh"
 #include "surfmesh/quality/quality_histogram.hh"
 
 namespace surfmesh {
@@ -60,15 +63,9 @@ SummedValues space_jacobians_of(const QuadStatistics& quads) {
                           static_cast<std::int64_t>(quads.folded));
 }
 
-SummedValues lengths_of(const PolyMesh& mesh) {
-  SummedValues sums;
-  for (const EdgeHandle eh : mesh.edges()) {
-    const double length = mesh.calc_edge_length(eh);
-    sums.min = sums.count() == 0 ? length : std::min(sums.min, length);
-    sums.max = std::max(sums.max, length);
-    sums.moments.add(length);
-  }
-  return sums;
+/// Of lengths in space no more is told than the bounds and the mean.
+SummedValues summed(const detail::SpaceLengths& lengths) {
+  return {detail::Moments::of(lengths.count, lengths.mean, 0), lengths.min, lengths.max, 0, {}};
 }
 
 FacePlace place_of(const PolyMesh& mesh, int face) {
@@ -91,8 +88,8 @@ void set_corners(PolyMesh& mesh, int patch) {
   }
 }
 
-void count_faces(const PatchMesh& tile, TileSummary& summary) {
-  for (const PatchMeasure& measure : measure_patches(*tile.mesh, {})) {
+void count_faces(const PolyMesh& mesh, TileSummary& summary) {
+  for (const PatchMeasure& measure : measure_patches(mesh, {})) {
     summary.triangles += static_cast<std::int64_t>(measure.triangles);
     summary.quads += static_cast<std::int64_t>(measure.quads);
     summary.area += measure.area;
@@ -107,6 +104,27 @@ void locate_triangle(const PolyMesh& mesh, TileSummary& summary) {
   if (first == faces.end()) return;
   summary.has_triangle_place = 1;
   summary.triangle_at = place_of(mesh, (*first).idx());
+}
+
+void measure_quads_of(const PolyMesh& mesh, TileSummary& summary) {
+  const QuadStatistics quads = measure_quads(mesh);
+  summary.jacobians = jacobians_of(quads);
+  summary.space_jacobians = space_jacobians_of(quads);
+  summary.inverted = static_cast<std::int64_t>(quads.inverted);
+  summary.irregular_share = quads.irregular_share;
+  summary.worst_quad = place_of(mesh, quads.worst_face);
+  summary.worst_quad_in_space = place_of(mesh, quads.worst_face_in_space);
+}
+
+void measure_mesh(const PolyMesh& mesh, TileSummary& summary) {
+  count_faces(mesh, summary);
+  summary.edges = summed(measure_edges(mesh));
+  summary.lengths = summed(detail::measure_lengths(mesh));
+  const QualityStatistics quality = measure_quality(mesh);
+  summary.qualities = summed(quality);
+  summary.worst = place_of(mesh, quality.worst_face);
+  if (summary.triangles > 0) locate_triangle(mesh, summary);
+  if (summary.quads > 0) measure_quads_of(mesh, summary);
 }
 
 void take_turned(const TurnedTriangles& turned, TileSummary& summary) {
@@ -197,28 +215,14 @@ SummedValues& SummedValues::operator+=(const SummedValues& other) {
   return *this;
 }
 
-TileSummary summary_of(std::size_t tile, PatchResult& result) {
-  PolyMesh& mesh = *result.mesh.mesh;
-  set_corners(mesh, result.mesh.boundary.patch);
+TileSummary summary_of(std::size_t tile, PatchResult& result, const Model& model) {
+  set_corners(*result.mesh.mesh, result.mesh.boundary.patch);
+  std::unique_ptr<PolyMesh> with_fans;
+  if (!result.mesh.boundary.fans.empty()) with_fans = detail::mesh_with_fans(result.mesh, model);
   TileSummary summary;
   summary.tile = static_cast<std::int64_t>(tile);
   summary.patch = result.mesh.boundary.patch;
-  count_faces(result.mesh, summary);
-  summary.edges = summed(measure_edges(mesh));
-  summary.lengths = lengths_of(mesh);
-  const QualityStatistics quality = measure_quality(mesh);
-  summary.qualities = summed(quality);
-  summary.worst = place_of(mesh, quality.worst_face);
-  if (summary.triangles > 0) locate_triangle(mesh, summary);
-  if (summary.quads > 0) {
-    const QuadStatistics quads = measure_quads(mesh);
-    summary.jacobians = jacobians_of(quads);
-    summary.space_jacobians = space_jacobians_of(quads);
-    summary.inverted = static_cast<std::int64_t>(quads.inverted);
-    summary.irregular_share = quads.irregular_share;
-    summary.worst_quad = place_of(mesh, quads.worst_face);
-    summary.worst_quad_in_space = place_of(mesh, quads.worst_face_in_space);
-  }
+  measure_mesh(with_fans ? *with_fans : *result.mesh.mesh, summary);
   take_turned(result.turned, summary);
   summary.is_given_up = result.is_given_up ? 1 : 0;
   summary.refine = result.refine;

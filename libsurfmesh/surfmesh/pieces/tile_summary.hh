@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "surfmesh/model/model.hh"
 #include "surfmesh/patch/mesh_patch.hh"
 #include "surfmesh/quality/moments.hh"
 #include "surfmesh/quality/patch_measures.hh"
@@ -37,7 +38,8 @@ struct FacePlace {
 /// What is kept of the quality of a tile when its mesh has become plain arrays. Ranks exchange it
 /// as it is in memory.
 ///
-/// Error    edges at the border count in each tile that has them; faces at poles do not count
+/// Error    edges at the border count in each tile that has them; vertices there have no share in
+///          irregular_share
 struct TileSummary {
   std::int64_t tile = 0;
   std::int64_t patch = 0;
@@ -62,11 +64,11 @@ struct TileSummary {
   RefineCounts refine;
 };
 
-/// Measure the mesh of a tile.
+/// Measure the mesh of a tile of a model, with the faces around its poles.
 ///
 /// Writes   surf:uv and surf:metric (halfedge), surf:patch (face) of the tile's mesh
-/// Cost     about 0.2 µs a triangle
-TileSummary summary_of(std::size_t tile, PatchResult& result);
+/// Cost     about 0.2 µs a triangle; at poles that of a copy of the mesh besides
+TileSummary summary_of(std::size_t tile, PatchResult& result, const Model& model);
 
 /// The statistics of all tiles together, with the worst faces' middles beside them.
 struct SummaryOfTiles {

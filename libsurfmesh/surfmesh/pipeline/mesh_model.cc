@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -21,7 +20,6 @@
 #include "surfmesh/assemble/vertex_copies.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/parallel.hh"
-#include "surfmesh/core/range_sums.hh"
 #include "surfmesh/core/validate.hh"
 #include "surfmesh/patch/mesh_patch.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
@@ -37,6 +35,7 @@
 #include "surfmesh/pipeline/tile_notices.hh"
 #include "surfmesh/pipeline/unused_options.hh"
 #include "surfmesh/pipeline/unused_sources.hh"
+#include "surfmesh/quality/measure_lengths.hh"
 #include "surfmesh/quality/patch_measures.hh"
 
 namespace surfmesh {
@@ -44,21 +43,6 @@ namespace {
 
 /// Meshes of up to so many quads are made in two ways.
 constexpr std::size_t kMostQuadsMadeTwice = 1000;
-
-struct EdgeLengths {
-  double min = std::numeric_limits<double>::infinity();
-  double max = 0;
-  double sum = 0;
-
-  void add(double length) { *this += {length, length, length}; }
-
-  EdgeLengths& operator+=(const EdgeLengths& other) {
-    min = std::min(min, other.min);
-    max = std::max(max, other.max);
-    sum += other.sum;
-    return *this;
-  }
-};
 
 class Run {
  public:
@@ -223,22 +207,11 @@ class Run {
     if (quads > 0) report_.quads = measure_quads(mesh);
     report_.diagonal = model_.diagonal;
     report_.tolerance = greatest_tolerance(model_);
-    report_.lengths = measure_lengths(mesh);
+    const detail::SpaceLengths lengths = detail::measure_lengths(mesh);
+    report_.lengths = {lengths.min, lengths.mean, lengths.max};
     locate_worst(mesh);
     append(detail::notices_of_faces(model_, report_, detail::told_faces(mesh, report_)),
            report_.notices);
-  }
-
-  static Report::Lengths measure_lengths(const PolyMesh& mesh) {
-    const auto sums = sum_of_ranges(mesh.n_edges(), [&](std::size_t first, std::size_t end) {
-      EdgeLengths own;
-      for (std::size_t e = first; e < end; ++e) {
-        own.add(mesh.calc_edge_length(EdgeHandle(static_cast<int>(e))));
-      }
-      return own;
-    });
-    if (mesh.n_edges() == 0) return {};
-    return {sums.min, sums.sum / static_cast<double>(mesh.n_edges()), sums.max};
   }
 
   void locate_worst(const PolyMesh& mesh) {
@@ -326,10 +299,6 @@ void add_texture(const Model& model, const PipelineOptions& options, MeshResult&
   if (!options.output.texture) return;
   const StageClock clock(result.report.seconds[Stage::Assemble]);
   carry_texture(model, result.mesh);
-}
-
-ElementKind element_kind(const PipelineOptions& options) {
-  return options.quads.is_on ? ElementKind::Quads : ElementKind::Triangles;
 }
 
 /// Tell the least quality of the triangles and quads of each patch.

@@ -29,10 +29,6 @@ std::size_t bytes_of(const TilePart& part) {
   return part.points.size() * sizeof(Vec3) + part.faces.corner_count() * sizeof(int);
 }
 
-ElementKind element_kind(const PipelineOptions& options) {
-  return options.quads.is_on ? ElementKind::Quads : ElementKind::Triangles;
-}
-
 /// What a rank does once it is known who meshes which tile.
 class PiecesRun {
  public:

@@ -12,4 +12,8 @@ void check(const PipelineOptions& options) {
   }
 }
 
+ElementKind element_kind(const PipelineOptions& options) {
+  return options.quads.is_on ? ElementKind::Quads : ElementKind::Triangles;
+}
+
 }  // namespace surfmesh

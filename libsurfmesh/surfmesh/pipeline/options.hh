@@ -6,6 +6,7 @@
 #include "surfmesh/across/across.hh"
 #include "surfmesh/cage/cage_model.hh"
 #include "surfmesh/core/length.hh"
+#include "surfmesh/core/run_context.hh"
 #include "surfmesh/formats/output_options.hh"
 #include "surfmesh/improve/improve.hh"
 #include "surfmesh/quad/quad_options.hh"
@@ -46,5 +47,8 @@ struct PipelineOptions {
 ///
 /// Throws   InvalidOption, naming the option, its value and its range
 void check(const PipelineOptions& options);
+
+/// What a run with these options makes.
+ElementKind element_kind(const PipelineOptions& options);
 
 }  // namespace surfmesh

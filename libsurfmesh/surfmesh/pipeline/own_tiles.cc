@@ -29,14 +29,11 @@ void at_tile(std::size_t tile, const RunContext& context, Body body) {
   if (error) throw ErrorAt(*error);
 }
 
-/// Count what is left of faces that collapse, and those of fans.
-void count_loose(const Piece& piece, TileSummary& summary) {
-  const PolyMesh& mesh = *piece.source.mesh;
-  for (const CollapsedFace& collapsed : piece.collapsed) {
-    --(mesh.valence(collapsed.face) == 3 ? summary.triangles : summary.quads);
-  }
-  for (const LooseFace& face : piece.loose_faces) {
-    ++(face.count == 3 ? summary.triangles : summary.quads);
+/// Count the faces as the result has them: some may have collapsed.
+void count_faces(const FaceList& faces, TileSummary& summary) {
+  summary.triangles = summary.quads = 0;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    ++(faces[f].size() == 3 ? summary.triangles : summary.quads);
   }
 }
 
@@ -82,7 +79,7 @@ void OwnTiles::check_count() {
 void OwnTiles::keep(std::size_t t, PatchResult result) {
   OwnTile own;
   own.chords = shared_edges(result.mesh).chords;
-  own.summary = summary_of(t, result);
+  own.summary = summary_of(t, result, plan_.model());
   {
     const std::lock_guard lock(mutex_);
     seconds_ += result.seconds;
@@ -93,7 +90,7 @@ void OwnTiles::keep(std::size_t t, PatchResult result) {
   const Piece piece = surveyed(std::move(result.mesh), numbers, is_turned);
   own.part = part_of(piece, numbers.count());
   own.summary.own_vertices = static_cast<std::int64_t>(own.part.own_count());
-  count_loose(piece, own.summary);
+  count_faces(own.part.faces, own.summary);
   tiles_[t] = std::move(own);
 }
 

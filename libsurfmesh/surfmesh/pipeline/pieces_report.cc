@@ -117,7 +117,7 @@ std::optional<ToldFace> told(const std::vector<TileSummary>& summaries, std::ptr
   return ToldFace{static_cast<int>(summary.patch), Vec3(at.x, at.y, at.z)};
 }
 
-/// A triangle of the first tile that has one; around a pole its place is not known.
+/// A triangle of the first tile that has one; the place of what is left of a quad is not known.
 std::optional<ToldFace> told_triangle(const std::vector<TileSummary>& summaries) {
   const auto first = std::find_if(summaries.begin(), summaries.end(),
                                   [](const TileSummary& tile) { return tile.triangles > 0; });

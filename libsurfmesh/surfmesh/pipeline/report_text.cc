@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <string_view>
@@ -57,6 +58,13 @@ void add_tiles(const Report& report, TextTable& table) {
   table.add("tiles", text);
 }
 
+/// A number of elements, rounded to three digits: "5770", "12300000".
+std::string rounded_count(double count) {
+  const double digits = count < 1 ? 0 : std::floor(std::log10(count));
+  const double unit = std::pow(10, std::max(0.0, digits - 2));
+  return fmt::format("{:.0f}", std::round(count / unit) * unit);
+}
+
 /// How pieces and work are dealt out.
 void add_pieces(const Report& report, TextTable& table) {
   if (!report.pieces) return;
@@ -70,9 +78,9 @@ void add_pieces(const Report& report, TextTable& table) {
   const double faces =
       std::accumulate(pieces.faces_of_ranks.begin(), pieces.faces_of_ranks.end(), 0.0);
   table.add("",
-            fmt::format("{:.3g} {} a rank on average, the largest share is {:.2f} of that; "
+            fmt::format("{} {} a rank on average, the largest share is {:.2f} of that; "
                         "{:.3g} MB sent in all",
-                        faces / static_cast<double>(ranks),
+                        rounded_count(faces / static_cast<double>(ranks)),
                         report.options.quads.is_on ? "quads" : "triangles", pieces.largest_share(),
                         static_cast<double>(pieces.bytes_sent) / kBytesOfMegabyte));
 }
@@ -260,7 +268,7 @@ void add_given(const std::vector<GivenOption>& given, TextTable& table) {
 std::string estimate_text(const Report& report, const TextStyle& style) {
   TextTable table(style);
   table.add_line("input", report.input);
-  table.add("estimate", fmt::format("about {:.3g} {}, {}", report.estimated_elements,
+  table.add("estimate", fmt::format("about {} {}, {}", rounded_count(report.estimated_elements),
                                     report.options.quads.is_on ? "quads" : "triangles",
                                     counted(report.mesh.patches, "patch", "patches")));
   if (report.options.sizing.sag) {
