@@ -11,7 +11,7 @@ install(EXPORT surfmeshTargets NAMESPACE surfmesh:: DESTINATION ${config_folder}
 configure_package_config_file(cmake/surfmeshConfig.cmake.in surfmeshConfig.cmake
   INSTALL_DESTINATION ${config_folder} NO_SET_AND_CHECK_MACRO
   NO_CHECK_REQUIRED_COMPONENTS_MACRO)
-write_basic_package_version_file(surfmeshConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(surfmeshConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES
   ${CMAKE_CURRENT_BINARY_DIR}/surfmeshConfig.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/surfmeshConfigVersion.cmake
