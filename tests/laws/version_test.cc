@@ -37,6 +37,12 @@ TEST(Version, IsThatOfTheNewestSectionOfTheChangelog) {
   EXPECT_EQ(between(read("CHANGELOG.md"), "\n## ", " ("), SURFMESH_VERSION);
 }
 
+TEST(Version, IsThatOfThePackagesInTheReadme) {
+  const std::string readme = read("README.md");
+  EXPECT_EQ(between(readme, "./surfmesh_", "_"), SURFMESH_VERSION);
+  EXPECT_EQ(between(readme, "-xzf surfmesh-", "-"), SURFMESH_VERSION);
+}
+
 TEST(Version, IsAskedForWhereTheLibraryIsFound) {
   const std::string wanted =
       std::to_string(SURFMESH_VERSION_MAJOR) + "." + std::to_string(SURFMESH_VERSION_MINOR);

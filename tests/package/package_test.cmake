@@ -32,6 +32,7 @@ function(check_installed_files)
                         share/doc/surfmesh/libsurfmesh/REFERENCE.md
                         share/doc/surfmesh/libsurfmesh/README.md
                         share/doc/surfmesh/libsurfmesh/CLUSTER.md
+                        share/doc/surfmesh/libsurfmesh/CONTRIBUTING.md share/doc/surfmesh/CHANGELOG.md
                         share/doc/surfmesh/libsurfmesh/DECISIONS.md
                         share/doc/surfmesh/libsurfmesh/pictures/knob.png include/surfmesh/surfmesh.hh)
     if(NOT EXISTS ${prefix}/${file})
