@@ -11,8 +11,8 @@
 
 #include "surfmesh/core/parallel.hh"
 
-/// What the user may set, where it is a number, a switch or a choice: name and range of each
-/// option, once for the stage that checks it and for the table of options of the pipeline.
+// What the user may set, where it is a number, a switch or a choice: name and range of each option,
+// once for the stage that checks it and for the table of options of the pipeline.
 namespace surfmesh {
 
 /// Letters of a user's text that a message repeats.
