@@ -24,6 +24,10 @@ cmake --preset package
 cmake --build --preset package
 rm -rf build/package/packages
 (cd build/package && cpack)
+rm -rf build/package/packages/_CPack_Packages
+if [ ! -e tools/view/page/dist/viewer.js ]; then
+  echo "release: surfmesh view has no script for its pages: run tools/setup.sh --viewer before" >&2
+fi
 if command -v doxygen >/dev/null; then
   cmake --build --preset package --target reference
 else

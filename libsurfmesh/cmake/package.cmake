@@ -17,6 +17,7 @@ set(SURFMESH_MAINTAINER "The surfmesh authors <maintainers@surfmesh.invalid>" CA
 
 set(CPACK_GENERATOR TGZ DEB)
 set(CPACK_PACKAGE_NAME surfmesh)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
 set(CPACK_PACKAGE_VENDOR surfmesh)
 set(CPACK_PACKAGE_CONTACT ${SURFMESH_MAINTAINER})
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
@@ -37,6 +38,11 @@ if(SURFMESH_GZIP)
     OUTPUT_FILE ${PROJECT_BINARY_DIR}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
 endif()
 
+file(READ ${PROJECT_SOURCE_DIR}/LICENSE licence)
+file(WRITE ${PROJECT_BINARY_DIR}/copyright "${licence}\n\
+share/surfmesh/viewer.js, and so each page that `surfmesh view` writes, holds three.js\n\
+(https://threejs.org), which is under the MIT licence; its text stands in it.\n")
+
 # surfmesh_add_package(<component> <name> <section> <one line> <text> [<field> <packages>]...): the
 # fields are those of Debian: DEPENDS, RECOMMENDS, SUGGESTS. Licence and changelog lie where Debian
 # expects them, in the packages only.
@@ -52,7 +58,7 @@ macro(surfmesh_add_package component name section line text)
     set(CPACK_DEBIAN_${id}_PACKAGE_${field} "${packages}")
   endwhile()
   set(folder ${CMAKE_INSTALL_DATAROOTDIR}/doc/${name})
-  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright DESTINATION ${folder}
+  install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION ${folder}
           COMPONENT ${component} EXCLUDE_FROM_ALL)
   install(FILES ${PROJECT_BINARY_DIR}/changelog.gz DESTINATION ${folder}
           COMPONENT ${component} EXCLUDE_FROM_ALL OPTIONAL)
