@@ -17,13 +17,19 @@ command -v debootstrap >/dev/null || skip "debootstrap is not installed (tools/s
 suite=$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)
 [ -e "/usr/share/debootstrap/scripts/$suite" ] || skip "debootstrap does not know '$suite'"
 
+# What is mounted below is gone with this process.
+if [ -z "${SURFMESH_OWN_MOUNTS-}" ]; then
+  unshare --mount true 2>/dev/null || skip "nothing can be mounted in another root"
+  SURFMESH_OWN_MOUNTS=yes exec unshare --mount bash "$0" "$@"
+fi
+
 fail() {
   echo "failed: $1" >&2
   exit 1
 }
 
 # Where this system gets its packages.
-mirror=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null |
+mirror=$({ cat /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources} 2>/dev/null || true; } |
   sed -nE 's#^(URIs:|deb( \[[^]]*\])?) *(https?://[^ ]*/debian)/?( .*)?$#\3#p' | head -1)
 mirror=${mirror:-http://deb.debian.org/debian}
 
@@ -44,11 +50,17 @@ fi
 # A new root of this name.
 make_root() {
   root="$folder/$1"
-  rm -rf "$root"
+  rm -rf --one-file-system "$root"
   mkdir "$root"
   tar -C "$root" -xf "$base"
   cp /etc/resolv.conf "$root/etc/resolv.conf"
+  mount -t proc proc "$root/proc" || mount --rbind /proc "$root/proc"
   in_root apt-get update --quiet
+}
+
+remove_root() {
+  umount -l "$root/proc"
+  rm -rf --one-file-system "$root"
 }
 
 # Run a command in the root, without what this system's environment sets.
@@ -68,12 +80,12 @@ expect_files() {
   done
 }
 
-# mesh PROGRAM MODEL: it does, and writes a mesh of more than a thousand triangles.
+# mesh PROGRAM MODEL: it does, and writes a mesh of more than 500 triangles.
 mesh() {
   in_root "$1" mesh "$2" -o /tmp/mesh.obj --quiet
   local triangles
   triangles=$(grep -c '^f ' "$root/tmp/mesh.obj")
-  [ "$triangles" -gt 1000 ] || fail "$1 makes $triangles triangles of $2"
+  [ "$triangles" -gt 500 ] || fail "$1 makes $triangles triangles of $2"
   rm "$root/tmp/mesh.obj"
 }
 
@@ -125,7 +137,7 @@ if compgen -G "$packages/python3-surfmesh_*" >/dev/null; then
   echo "== Python"
   install_package python3-surfmesh
   in_root python3 -c "import surfmesh; mesh = surfmesh.mesh('/$models/torus.obj')
-assert surfmesh.version == '$version' and len(mesh.triangles) > 1000"
+assert surfmesh.__version__ == '$version' and len(mesh.triangles) > 1000"
 fi
 
 echo "== the library"
@@ -135,7 +147,7 @@ cp "$source/tests/package/walk_result.cc" "$root/tmp/main.cc"
 in_root sh -c 'c++ -std=c++20 /tmp/main.cc $(pkg-config --cflags --libs --static surfmesh) -o /tmp/walk'
 in_root /tmp/walk /$models/torus.obj | grep -q 'triangles, greatest distance' ||
   fail "the program that is linked to the library tells nothing"
-rm -rf "$root"
+remove_root
 
 echo "== the archive"
 make_root archive
@@ -150,5 +162,5 @@ expect_version "/$unpacked/bin/surfmesh"
 mesh "/$unpacked/bin/surfmesh" "/$unpacked/share/surfmesh/models/torus.obj"
 expect_files "$unpacked/share/man/man1/surfmesh-mesh.1" "$unpacked/share/doc/surfmesh/LICENSE" \
   "$unpacked/include/surfmesh/surfmesh.hh"
-rm -rf "$root"
+remove_root
 echo "all packages work"
