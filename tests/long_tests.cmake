@@ -22,6 +22,25 @@ if(SURFMESH_INSTALL AND TARGET surfmesh_program)
   surfmesh_add_package_test(Package.Subproject subproject "package;long")
 endif()
 
+# The packages of a release, in systems that have nothing else.
+if(SURFMESH_INSTALL AND TARGET surfmesh_program)
+  surfmesh_add_building_test(Package.Cpack "package;long;nightly"
+    bash ${CMAKE_CURRENT_SOURCE_DIR}/package/clean_root_test.sh ${PROJECT_SOURCE_DIR}
+    ${PROJECT_BINARY_DIR}/package/clean_root)
+  set_tests_properties(Package.Cpack PROPERTIES SKIP_RETURN_CODE 77)
+endif()
+
+# The reference of the public headers.
+if(TARGET reference)
+  surfmesh_add_building_test(Reference.Doxygen "package;long"
+    ${CMAKE_COMMAND} -D BUILD=${PROJECT_BINARY_DIR} -D DOXYGEN=${SURFMESH_DOXYGEN}
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/package/reference_test.cmake)
+else()
+  surfmesh_add_building_test(Reference.Doxygen "package;long"
+    ${CMAKE_COMMAND} -E echo "skipped: doxygen is not installed (tools/setup.sh --reference)")
+  set_tests_properties(Reference.Doxygen PROPERTIES SKIP_REGULAR_EXPRESSION "^skipped")
+endif()
+
 surfmesh_add_building_test(PublicHeaders.CompileAlone "package;long"
   ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target all_verify_interface_header_sets)
 

@@ -11,6 +11,8 @@
 # if there is none (Debian's, 400 MB), and loads three.js, esbuild and what drives a browser in tests
 # (50 MB), whose versions tools/view/page/package-lock.json keeps. With --readers, tests open such pages
 # in Chromium.
+# --reference adds Doxygen, for the pages of the public headers: 20 MB.
+# --release adds that and what makes and tries packages: 30 MB.
 # All may be given.
 set -euo pipefail
 
@@ -35,9 +37,11 @@ for argument in "$@"; do
     --python)
       required+=(pybind11-dev python3-dev python3-numpy python3-scipy python3-matplotlib)
       ;;
+    --reference) required+=(doxygen) ;;
+    --release) required+=(doxygen dpkg-dev debootstrap) ;;
     --viewer) viewer=yes ;;
     *)
-      echo "usage: $0 [--readers] [--cad] [--mpi] [--python] [--viewer]" >&2
+      echo "usage: $0 [--readers] [--cad] [--mpi] [--python] [--reference] [--release] [--viewer]" >&2
       exit 2
       ;;
   esac

@@ -30,4 +30,5 @@ if(surfmesh_type STREQUAL "STATIC_LIBRARY")
 endif()
 
 configure_file(cmake/surfmesh.pc.in surfmesh.pc @ONLY)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/surfmesh.pc DESTINATION ${pkg_config_folder})
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/surfmesh.pc DESTINATION ${pkg_config_folder}
+  COMPONENT surfmesh_development)

@@ -25,3 +25,7 @@
 #include "surfmesh/pipeline/mesh_model.hh"
 #include "surfmesh/pipeline/set_option.hh"
 #include "surfmesh/sizes/tables_from_mesh.hh"
+
+/// Meshes of smooth surfaces whose elements follow a metric. surfmesh/surfmesh.hh includes what an
+/// application calls.
+namespace surfmesh {}

@@ -32,6 +32,7 @@ function(check_installed_files)
                         share/doc/surfmesh/libsurfmesh/REFERENCE.md
                         share/doc/surfmesh/libsurfmesh/README.md
                         share/doc/surfmesh/libsurfmesh/CLUSTER.md
+                        share/doc/surfmesh/libsurfmesh/CONTRIBUTING.md share/doc/surfmesh/CHANGELOG.md
                         share/doc/surfmesh/libsurfmesh/DECISIONS.md
                         share/doc/surfmesh/libsurfmesh/pictures/knob.png include/surfmesh/surfmesh.hh)
     if(NOT EXISTS ${prefix}/${file})
@@ -112,16 +113,18 @@ elseif(MODE STREQUAL "shared")
 else()
   install_surfmesh(${BUILD})
   check_pkg_config(--static)
-  check_find_package("0.1 REQUIRED" "found: 1")
-  check_find_package("0.2" "found: 0")
-  check_find_package("0.1 COMPONENTS nonsense" "surfmesh has no component nonsense.*found: 0")
-  check_find_package("0.1 OPTIONAL_COMPONENTS nonsense" "found: 1")
+  check_find_package("1.0 REQUIRED" "found: 1")
+  check_find_package("0.1" "found: 0")
+  check_find_package("1.1" "found: 0")
+  check_find_package("2.0" "found: 0")
+  check_find_package("1.0 COMPONENTS nonsense" "surfmesh has no component nonsense.*found: 0")
+  check_find_package("1.0 OPTIONAL_COMPONENTS nonsense" "found: 1")
   foreach(header IN ITEMS cad/read_cad.hh mpi/mpi_exchange.hh metis/deal_by_metis.hh)
     cmake_path(GET header PARENT_PATH component)
     if(EXISTS ${prefix}/include/surfmesh_${header})
-      check_find_package("0.1 COMPONENTS ${component}" "found: 1")
+      check_find_package("1.0 COMPONENTS ${component}" "found: 1")
     else()
-      check_find_package("0.1 COMPONENTS ${component}"
+      check_find_package("1.0 COMPONENTS ${component}"
         "built without its component ${component}.*found: 0")
     endif()
   endforeach()

@@ -12,10 +12,12 @@
 
 namespace surfmesh {
 
+/// Whether elements may cross contours.
 struct AcrossOptions {
   bool is_on = true;  ///< elements cross contours that merely divide a smooth surface
 };
 
+/// What improve_across looked at.
 struct AcrossReport {
   std::size_t faces = 0;  ///< that might change
   QueryCounts queries;    ///< of the metric fields

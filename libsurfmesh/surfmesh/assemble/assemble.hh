@@ -17,6 +17,7 @@ struct VertexRange {
   int end = 0;
 };
 
+/// What to tell of a result, and what later stages must know of its vertices.
 struct AssembleReport {
   Notices notices;  ///< what the mesh is other than the model
   VertexRange

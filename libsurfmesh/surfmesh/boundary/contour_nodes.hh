@@ -38,6 +38,7 @@ struct ContourDemands {
 /// See boundary/contour_memory.hh.
 class ContourMemory;
 
+/// What the division of contours costs.
 struct BoundaryReport {
   QueryCounts queries;  ///< of the metric fields
 };

@@ -22,14 +22,17 @@ enum class BoundaryRule { None, EdgeAndCorner, EdgeOnly };
 ///
 /// It may be non-manifold; the model deals with that. A sharpness of 10 or more is infinite.
 struct Cage {
+  /// A sharp or semi-sharp edge.
   struct Crease {
     std::array<int, 2> edge = {-1, -1};  ///< vertices
     double sharpness = 0;
   };
+  /// A sharp or semi-sharp vertex.
   struct Corner {
     int vertex = -1;
     double sharpness = 0;
   };
+  /// Faces with a name of the file: `g`, `o` or `usemtl`.
   struct FaceGroup {
     std::string name;
     std::vector<int> faces;

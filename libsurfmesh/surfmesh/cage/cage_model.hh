@@ -60,14 +60,14 @@ struct CageOptions {
 /// a ring of faces uses one twice. The side of a face that has the same vertex twice in a row is a
 /// degenerate contour.
 ///
-/// A patch is named f<face> after the first of its faces or, if the cage is refined, f<face>.<k>,
-/// where k is the corner of the face at which its part lies. Patches are in the order of these
-/// faces. A contour is named e<vertex>-<vertex> after the vertices of the cage or of the refined
-/// cage; one of several edges is named e<vertex>-<vertex>..<vertex> after its first edge and its
-/// last vertex. Each group of the cage becomes a group of the model. Surfaces tell their places on
-/// the cage as given (see cage_surface.hh), a copy of which each patch holds. Notices are about
-/// tags that make no sense and are ignored, and about cages that are not what they seem (see
-/// mend_cage); those of the cage itself are not repeated.
+/// A patch is named `f<face>` after the first of its faces or, if the cage is refined,
+/// `f<face>.<k>`, where k is the corner of the face at which its part lies. Patches are in the
+/// order of these faces. A contour is named `e<vertex>-<vertex>` after the vertices of the cage or
+/// of the refined cage; one of several edges is named `e<vertex>-<vertex>..<vertex>` after its
+/// first edge and its last vertex. Each group of the cage becomes a group of the model. Surfaces
+/// tell their places on the cage as given (see cage_surface.hh), a copy of which each patch holds.
+/// Notices are about tags that make no sense and are ignored, and about cages that are not what
+/// they seem (see mend_cage); those of the cage itself are not repeated.
 ///
 /// Cost     a few milliseconds for 1,000 faces, in addition to the limit surfaces
 /// Error    see make_limit_surfaces; uses of a contour agree to 1e-9 of the cage's diagonal (test

@@ -49,10 +49,13 @@ inline Interval hull(const std::array<double, 4>& values) {
   return defined({lower, upper});
 }
 
+/// The smallest interval that holds both.
 inline Interval hull(const Interval& a, const Interval& b) {
   return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
 }
 
+/// @{
+/// The results for all operands inside, as Interval tells.
 inline Interval operator-(const Interval& a) { return {-a.upper, -a.lower}; }
 
 inline Interval operator+(const Interval& a, const Interval& b) {
@@ -86,12 +89,15 @@ inline Interval abs(const Interval& a) {
   return {std::max({0.0, a.lower, -a.upper}), std::max(-a.lower, a.upper)};
 }
 
+/// @}
+
 /// Tighter than a·a, whose factors are taken for independent.
 inline Interval square(const Interval& a) {
   const Interval x = abs(a);
   return {x.lower * x.lower, x.upper * x.upper};
 }
 
+/// Of the part that has roots; unbounded if there is none.
 inline Interval sqrt(const Interval& a) {
   if (a.upper < 0) return {};
   return {std::sqrt(std::max(a.lower, 0.0)), std::sqrt(a.upper)};

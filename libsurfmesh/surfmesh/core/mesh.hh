@@ -31,7 +31,10 @@ inline std::size_t index(OpenMesh::BaseHandle handle) {
   return static_cast<std::size_t>(handle.idx());
 }
 
+/// @{
+/// The same point in the type of the other library.
 inline Vec3 to_eigen(const OpenMesh::Vec3d& p) { return {p[0], p[1], p[2]}; }
 inline OpenMesh::Vec3d to_openmesh(const Vec3& p) { return {p[0], p[1], p[2]}; }
+/// @}
 
 }  // namespace surfmesh

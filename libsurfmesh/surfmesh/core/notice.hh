@@ -55,11 +55,13 @@ enum class NoticeKind {
   NoisyInput,        ///< faces of a mesh turn to and fro, as those of a scan with noise do
 };
 
+/// How many kinds there are.
 inline constexpr std::size_t kNoticeKinds = 39;
 
 /// The name of a kind in reports: "ignored_input", "turned_triangles", ...
 std::string_view name(NoticeKind kind);
 
+/// How much a notice matters.
 enum class Severity {
   Warning,      ///< done as asked, but the user may not have meant it
   Shortfall,    ///< something asked for was not reached; a tool ends with status 3
@@ -85,8 +87,11 @@ struct Notice {
   friend bool operator==(const Notice&, const Notice&) = default;
 };
 
+/// In the order in which they came.
 using Notices = std::vector<Notice>;
 
+/// @{
+/// A notice of this severity.
 inline Notice warning(NoticeKind kind, std::string text) {
   return {.kind = kind, .severity = Severity::Warning, .text = std::move(text)};
 }
@@ -96,6 +101,7 @@ inline Notice information(NoticeKind kind, std::string text) {
 inline Notice shortfall(NoticeKind kind, std::string text) {
   return {.kind = kind, .severity = Severity::Shortfall, .text = std::move(text)};
 }
+/// @}
 
 /// Put where it is in front of the text of a notice, "a.json", with a colon.
 void locate(std::string_view location, Notice& notice);

@@ -11,13 +11,14 @@
 
 #include "surfmesh/core/parallel.hh"
 
-/// What the user may set, where it is a number, a switch or a choice: name and range of each
-/// option, once for the stage that checks it and for the table of options of the pipeline.
+// What the user may set, where it is a number, a switch or a choice: name and range of each option,
+// once for the stage that checks it and for the table of options of the pipeline.
 namespace surfmesh {
 
 /// Letters of a user's text that a message repeats.
 inline constexpr std::size_t kLongestQuote = 40;
 
+/// Where a word is used.
 enum class WordUse {
   Shown,  ///< stands in help, report and messages
   Alias   ///< read only
@@ -65,12 +66,14 @@ std::string to_text(const OptionRange& range, double value);
 /// Throws   InvalidOption as fail_option if the value is not in the range
 void check_option(const OptionRange& range, double value);
 
+/// Of a choice, by its enum.
 template <class Value>
 requires std::is_enum_v<Value>
 void check_option(const OptionRange& range, Value value) {
   check_option(range, static_cast<double>(static_cast<std::underlying_type_t<Value>>(value)));
 }
 
+/// The words of options.
 namespace words {
 
 inline constexpr std::array kOff = {OptionWord{"off", 0}};
@@ -105,7 +108,7 @@ inline constexpr std::array kSurface = {OptionWord{"auto", 0}, OptionWord{"limit
 
 }  // namespace words
 
-/// Those of lengths are in sizes/sizing.hh.
+/// The range of each option, by the name of the option; those of lengths are in sizes/sizing.hh.
 namespace ranges {
 
 /// No factor or ratio makes sense anywhere near it.

@@ -11,6 +11,7 @@ namespace surfmesh {
 /// A position, direction or derivative in space, in model units.
 using Vec3 = Eigen::Vector3d;
 
+/// A number that nobody has set.
 inline constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
 
 /// A point, or a step, in the parameters of a patch. NaN until it is set.
@@ -21,9 +22,12 @@ struct Uv {
   friend bool operator==(const Uv&, const Uv&) = default;
 };
 
+/// @{
+/// By coordinate.
 inline Uv operator+(Uv a, Uv b) { return {a.u + b.u, a.v + b.v}; }
 inline Uv operator-(Uv a, Uv b) { return {a.u - b.u, a.v - b.v}; }
 inline Uv operator*(double s, Uv a) { return {s * a.u, s * a.v}; }
+/// @}
 
 /// The z component of the cross product of two parameter steps.
 inline double cross(Uv a, Uv b) { return a.u * b.v - a.v * b.u; }

@@ -17,6 +17,7 @@ namespace surfmesh {
 /// The vertices of a triangle, counter-clockwise.
 using TriangleVertices = std::array<VertexHandle, 3>;
 
+/// From the tip of its first halfedge on.
 inline TriangleVertices vertices(const PolyMesh& mesh, FaceHandle fh) {
   const HalfedgeHandle a = mesh.halfedge_handle(fh);
   const HalfedgeHandle b = mesh.next_halfedge_handle(a);
@@ -31,6 +32,7 @@ inline std::array<Uv, 3> corners(const PolyMesh& mesh, const TriangleVertices& t
           mesh.property(uv, triangle[2])};
 }
 
+/// Those of a face.
 inline std::array<Uv, 3> corners(const PolyMesh& mesh, FaceHandle fh,
                                  decltype(keys::vertex_uv)::Handle uv) {
   return corners(mesh, vertices(mesh, fh), uv);

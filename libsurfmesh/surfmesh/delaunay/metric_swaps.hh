@@ -9,6 +9,7 @@
 
 namespace surfmesh {
 
+/// Parameters and metric of a vertex.
 inline MetricCorner corner(const DelaunayMesh& delaunay, VertexHandle vh) {
   return {delaunay.uv(vh), delaunay.metric(vh)};
 }

@@ -21,6 +21,7 @@ struct UvTriangle {
 /// Error    64 chords per part of a contour
 class PatchRegion {
  public:
+  /// A chord of the boundary.
   struct Segment {
     Uv from;
     Uv to;

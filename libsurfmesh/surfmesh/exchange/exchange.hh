@@ -64,6 +64,7 @@ std::vector<std::vector<Value>> gather_all(Exchange& exchange, std::span<const V
   return values;
 }
 
+/// Returns  by rank
 template <class Value>
 std::vector<std::vector<Value>> gather_all(Exchange& exchange, const std::vector<Value>& mine) {
   return gather_all(exchange, std::span<const Value>(mine));
@@ -102,6 +103,7 @@ struct RankOffset {
   std::int64_t total = 0;  ///< how many all have
 };
 
+/// The offset of this rank, which has `count` of them. Each rank calls it.
 inline RankOffset offset_of_rank(Exchange& exchange, std::int64_t count) {
   RankOffset offset;
   const std::vector<std::int64_t> counts = gather_one(exchange, count);

@@ -46,6 +46,7 @@ PieceFileParts parts_of_all_ranks(Exchange& exchange, const PieceFileParts& mine
 
 /// Where the parts stand in a file.
 struct PieceFileLayout {
+  /// The text of the faces of a piece.
   struct Place {
     std::uint64_t offset;
     std::string_view before;  ///< what stands there before the faces; the text must outlive it

@@ -8,6 +8,7 @@ namespace surfmesh {
 
 struct MeshFormat;
 
+/// How a file holds its numbers.
 enum class VtuNumbers {
   Text,
   /// Behind the XML in base64, which all readers take; meshio mixes up arrays of raw bytes.

@@ -393,10 +393,12 @@ struct NumTraits<surfmesh::JetNumber<order>> : NumTraits<double> {
   };
 };
 
+/// Eigen multiplies vectors of such numbers by plain ones.
 template <int order, class Operation>
 struct ScalarBinaryOpTraits<surfmesh::JetNumber<order>, double, Operation> {
   using ReturnType = surfmesh::JetNumber<order>;
 };
+/// In the other order, too.
 template <int order, class Operation>
 struct ScalarBinaryOpTraits<double, surfmesh::JetNumber<order>, Operation> {
   using ReturnType = surfmesh::JetNumber<order>;

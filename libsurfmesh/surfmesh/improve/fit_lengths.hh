@@ -8,6 +8,7 @@
 
 namespace surfmesh {
 
+/// What fit_lengths changed.
 struct FitReport {
   std::size_t collapsed = 0;  ///< edges
   std::size_t split = 0;      ///< edges

@@ -18,6 +18,7 @@ enum class Smoothing {
   Element = -3   ///< to the apexes of unit triangles, by the metric at the middle of each triangle
 };
 
+/// How long a mesh is improved, and towards what.
 struct ImproveOptions {
   Smoothing smoothing = Smoothing::Best;
   /// Over all inner vertices; the first of Best brings 75 % of the gain, the second 18 %.
@@ -33,6 +34,7 @@ constexpr Smoothing sweeps_of(int count) { return static_cast<Smoothing>(count);
 /// Throws   InvalidOption, naming the option, its value and its range
 void check(const ImproveOptions& options);
 
+/// What improve changed.
 struct ImproveReport {
   std::size_t moved = 0;      ///< vertex moves accepted
   std::size_t swapped = 0;    ///< edges

@@ -19,8 +19,10 @@ inline double inner_product(const Metric& m, Uv a, Uv b) {
   return m.m11 * a.u * b.u + m.m12 * (a.u * b.v + a.v * b.u) + m.m22 * a.v * b.v;
 }
 
+/// The square of the metric area of a unit of area.
 inline double determinant(const Metric& m) { return m.m11 * m.m22 - m.m12 * m.m12; }
 
+/// The product of the two lengths.
 inline double determinant(const SizeTensor& h) { return h.h11 * h.h22 - h.h12 * h.h12; }
 
 /// Half the difference of the eigenvalues of a symmetric matrix, from half the difference of its

@@ -47,10 +47,12 @@ struct NurbsFault {
 /// that decrease, are all equal, or are so often equal that there is a jump inside, a degree out of
 /// range, numbers that are not finite, weights that are not above 0.
 std::optional<NurbsFault> find_fault(const NurbsNet& net);
+/// Of a curve, likewise.
 std::optional<NurbsFault> find_fault(const NurbsPolygon& polygon);
 
 /// Throws   InvalidInput with the path and the text of the fault, if there is one
 void check(const NurbsNet& net);
+/// Of a curve, likewise.
 void check(const NurbsPolygon& polygon);
 
 }  // namespace surfmesh

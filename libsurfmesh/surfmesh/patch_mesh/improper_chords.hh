@@ -12,6 +12,7 @@
 
 namespace surfmesh {
 
+/// What was split, and what it turned over.
 struct ChordReport {
   std::size_t nodes = 0;  ///< that chords were given
   /// By patch: what is turned against the surface in those that got nodes.
@@ -40,6 +41,7 @@ ChordReport split_improper_chords(std::vector<PatchMesh>& patches, const Model& 
 /// upper half.
 using EdgeEnds = std::uint64_t;
 
+/// In either order.
 EdgeEnds edge_ends(int from, int to);
 
 /// The edges between vertices that other tiles may have, too.

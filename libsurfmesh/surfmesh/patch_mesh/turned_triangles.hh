@@ -22,6 +22,7 @@ struct TurnedPlace {
   bool is_of_surface = false;
 };
 
+/// The triangles of a patch that look away from the normal of its surface.
 struct TurnedTriangles {
   std::size_t count = 0;  ///< those of fans around poles among them
   /// One of them, where the surface turns over if there is such a one; unset if only fans have any.

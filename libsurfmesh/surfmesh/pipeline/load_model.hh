@@ -34,7 +34,7 @@ struct LoadOptions {
 /// case.
 ///
 /// The model of a model file has the formula patches first, then those of its cages, named
-/// <cage>:<patch>; each cage is also a group. Contours are shared within a cage and among formula
+/// `<cage>:<patch>`; each cage is also a group. Contours are shared within a cage and among formula
 /// patches, but not between them. A scheme or kind of patches other than Auto replaces that of all
 /// cages. In the file, the kind given with a cage overrides the option. A `joining` replaces that
 /// of the file.

@@ -14,6 +14,7 @@
 
 namespace surfmesh {
 
+/// What a run makes: the mesh, the names of its parts, and what there is to tell of it.
 struct MeshResult {
   PolyMesh mesh;
   MeshNames names;  ///< of the patches and contours of the mesh, and groups of patches
@@ -54,6 +55,7 @@ Report estimate_mesh(const Model& model, const Sources& sources = {},
 /// Throws   MissingProperty where report.options.output asks for normals that mesh_model was not
 ///          asked for; otherwise as write_mesh of a mesh
 void write_mesh(const MeshResult& result, const std::filesystem::path& path);
+/// To a file that is open, likewise.
 void write_mesh(const MeshResult& result, OutputFile& file);
 
 }  // namespace surfmesh

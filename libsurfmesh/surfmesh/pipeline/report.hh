@@ -23,6 +23,7 @@ namespace surfmesh {
 
 /// What a run made, its quality and its cost.
 struct Report {
+  /// What the mesh consists of.
   struct Mesh {
     std::size_t vertices = 0;
     std::size_t triangles = 0;
@@ -59,6 +60,7 @@ struct Report {
     std::size_t linear = 0;
   };
 
+  /// The control spaces of all patches together.
   struct Control {
     ControlKind kind = ControlKind::Cells;  ///< that took effect
     std::size_t nodes = 0;

@@ -22,6 +22,7 @@ const std::vector<std::string_view>& option_names();
 ///          be read or is out of its range, naming option, value and range
 void set_option(PipelineOptions& options, std::string_view name, std::string_view value);
 
+/// A switch, a whole number, a number, or a word or length.
 using OptionValue = std::variant<bool, std::int64_t, double, std::string>;
 
 /// The effective value of an option. set_option accepts its text. Switches are bool.

@@ -30,6 +30,7 @@ struct FieldDescription {
 /// All fields, in the order of MeshField.
 std::span<const FieldDescription> mesh_fields();
 
+/// Its row among mesh_fields().
 const FieldDescription& describe(MeshField field);
 
 /// The field of a name.

@@ -22,6 +22,7 @@ struct Facets {
 /// A hierarchy of boxes. Immutable; several threads may query it at once.
 class TriangleTree {
  public:
+  /// A triangle, and how far it is from the point asked about.
   struct Nearest {
     double distance = 0;
     std::size_t triangle = 0;

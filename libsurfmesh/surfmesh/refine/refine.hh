@@ -18,6 +18,7 @@ enum class Placement {
 /// How a new node is connected to the mesh.
 enum class Kernel { Cavity, Swap };
 
+/// Where new nodes go, and how they are connected.
 struct RefineOptions {
   Placement placement = Placement::Frontal;
   Kernel kernel = Kernel::Cavity;
@@ -41,6 +42,7 @@ struct RefineCounts {
   friend bool operator==(const RefineCounts&, const RefineCounts&) = default;
 };
 
+/// What refine inserted, and whether it came to its end.
 struct RefineReport {
   RefineCounts counts;
   /// True if the run was given up at three times the number of triangles that the metric area asks

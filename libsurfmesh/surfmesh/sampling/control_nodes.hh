@@ -30,8 +30,10 @@ struct ControlNodeOptions {
   bool by_distance = false;
 };
 
+/// Throws   InvalidOption, naming the option, its value and its range
 void check(const ControlNodeOptions& options);
 
+/// The nodes of a control space.
 struct ChosenNodes {
   std::vector<ControlNode> nodes;
   /// True if the field changes so fast that nodes were cut off before the precision was reached.

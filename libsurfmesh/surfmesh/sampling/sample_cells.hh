@@ -39,6 +39,7 @@ PrecisionSample sample_precision(const SizeField& field, const LatticeSpace& spa
                                  double precision, double short_units,
                                  const RunContext& context = RunContext());
 
+/// How well cells represent a field at the end of their halving.
 struct CellSampling {
   PrecisionSample precision;
   /// True if the field changes so fast that cells were no longer halved.

@@ -26,6 +26,7 @@ struct FirstFormBounds {
   Interval f;
   Interval g;
 };
+/// Bound the first form in a box of the domain.
 FirstFormBounds first_form_in(const Surface& surface, const UvBox& box);
 
 /// Bound the least length of a field with bounds from below, in a box of the domain.

@@ -34,6 +34,7 @@ TangentFrame tangent_frame(const Jet& jet);
 /// can thus be searched fast, because the larger size of the nearest segment is soon below the
 /// smaller ones of all others.
 struct PlacedSize {
+  /// The sizes at the end of the way outwards, and how long that is.
   struct OuterSize {
     SizeLengths lengths;
     double angle = 0;

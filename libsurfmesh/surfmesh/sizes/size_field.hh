@@ -20,6 +20,7 @@ class NodeInterpolation;
 /// patch approximates this field.
 class SizeField {
  public:
+  /// All that is known of a point.
   struct Sample {
     Vec3 point;
     FirstFormFactor form;

@@ -28,6 +28,7 @@ struct Tile {
   std::vector<MetricCorner> required_points;
 };
 
+/// The tiles of a patch.
 struct Tiles {
   std::vector<Tile> tiles;  ///< one at least
   int shared_nodes = 0;     ///< nodes with numbers of their own, see cut_into_tiles
