@@ -3,8 +3,8 @@
 #
 #   tools/bench.sh --against REV [--runs N] [CASE...]
 #
-# REV is a commit or tag, such as v1.0.0. Both are built the same way, in build/bench-against, where
-# REV stays for the next time. N pairs of runs (5) are measured, the two first in turn; what is
+# REV is a commit or tag, such as v1.0.0. Both are built the same way, REV in build/bench-against,
+# where it stays for the next time. N pairs of runs (5) are measured, the two first in turn; what is
 # printed, and which cases there are, tests/bench/against.py tells. Exit status 2 if there is no REV.
 set -euo pipefail
 
@@ -44,25 +44,26 @@ fi
 
 export CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}"
 
-# build SOURCE BUILD: the program alone.
+# build SOURCE FOLDER: the program alone. The folder lies in the source as a preset's does, so that
+# ccache knows what was built there.
 build() {
-  cmake -S "$1" -B "$2" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSURFMESH_BUILD_TESTS=OFF \
-    -DSURFMESH_BUILD_BENCH=OFF -DSURFMESH_WITH_CAD=OFF -DSURFMESH_WITH_MPI=OFF >&2
-  cmake --build "$2" --target surfmesh_program >&2
+  (cd "$1" && cmake --preset release -B "build/$2" -DSURFMESH_BUILD_TESTS=OFF \
+    -DSURFMESH_BUILD_BENCH=OFF -DSURFMESH_WITH_CAD=OFF -DSURFMESH_WITH_MPI=OFF) >&2
+  cmake --build "$1/build/$2" --target surfmesh_program >&2
 }
 
-folder=build/bench-against
-if [ ! -d "$folder/$commit/source" ]; then
-  rm -rf "$folder/$commit/unpacked"
-  mkdir -p "$folder/$commit/unpacked"
-  git archive "$commit" | tar -x -C "$folder/$commit/unpacked"
-  mv "$folder/$commit/unpacked" "$folder/$commit/source"
+old="build/bench-against/$commit"
+if [ ! -d "$old" ]; then
+  rm -rf "$old.new"
+  mkdir -p "$old.new"
+  git archive "$commit" | tar -x -C "$old.new"
+  mv "$old.new" "$old"
 fi
-build "$folder/$commit/source" "$folder/$commit/build"
-build . "$folder/new"
+build "$old" release
+build . bench
 
 echo "old: $(git log -1 --format='%h of %cs, %s' "$commit")"
 echo "new: $(git describe --always --dirty), with $(nproc) cores and a load of $(cut -d' ' -f1 /proc/loadavg)"
 echo
-exec /usr/bin/python3 tests/bench/against.py "$folder/$commit/build/tools/surfmesh" \
-  "$folder/new/tools/surfmesh" models "${arguments[@]}"
+exec /usr/bin/python3 tests/bench/against.py "$old/build/release/tools/surfmesh" \
+  build/bench/tools/surfmesh models "${arguments[@]}"

@@ -15,7 +15,12 @@ endif()
 set(SURFMESH_MAINTAINER "The surfmesh authors <maintainers@surfmesh.invalid>" CACHE STRING
     "Name and address in the packages")
 
-set(CPACK_GENERATOR TGZ DEB)
+set(CPACK_GENERATOR TGZ)
+find_program(SURFMESH_SHLIBDEPS dpkg-shlibdeps)
+mark_as_advanced(SURFMESH_SHLIBDEPS)
+if(SURFMESH_SHLIBDEPS)
+  list(APPEND CPACK_GENERATOR DEB)
+endif()
 set(CPACK_PACKAGE_NAME surfmesh)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
 set(CPACK_PACKAGE_VENDOR surfmesh)

@@ -6,9 +6,10 @@
 
 OLD and NEW are programs; MODELS is the folder of models that both mesh. tools/bench.sh builds them.
 Each case runs once with either program unmeasured, then in N pairs (5), old and new first in turn.
-Seconds are processor seconds of the whole process, on one thread. Ratios are new to old, below 1 where
-new needs less: that of the medians, and the middle half of those of the pairs. Other work on the
-machine changes both runs of a pair alike; single seconds move by a quarter where ratios stay.
+Seconds are medians of processor seconds of the whole process, on one thread. The ratio is new to old,
+below 1 where new needs less: the median of those of the pairs, with their middle half. Other work on
+the machine changes both runs of a pair alike, so that ratios stay where seconds move; on a machine with
+much of it, that of the medians of either was outside the middle half.
 
 Exit status 0 if any case was measured, 1 if none was, 2 for wrong arguments.
 """
@@ -115,9 +116,10 @@ def print_row(*cells):
 
 def print_case(case, old, new):
     median = statistics.median
-    first, third = middle_half([b / a for a, b in zip(old.seconds, new.seconds)])
+    ratios = [b / a for a, b in zip(old.seconds, new.seconds)]
+    first, third = middle_half(ratios)
     print_row(case, f"{median(old.seconds):.2f}", f"{median(new.seconds):.2f}",
-              f"{median(new.seconds) / median(old.seconds):.3f}", f"{first:.3f} to {third:.3f}",
+              f"{median(ratios):.3f}", f"{first:.3f} to {third:.3f}",
               f"{median(new.bytes) / median(old.bytes):.3f}", bytes_text(old, new))
 
 
@@ -144,7 +146,7 @@ def arguments():
 
 def main():
     chosen = arguments()
-    print_row("case", "old s", "new s", "ratio", "of pairs", "memory", "bytes")
+    print_row("case", "old s", "new s", "ratio", "middle half", "memory", "bytes")
     print_row(*["---"] * 7)
     measured = 0
     with tempfile.TemporaryDirectory() as folder:

@@ -52,9 +52,9 @@ class Against(unittest.TestCase):
         return result.stdout
 
     def test_a_program_is_as_good_as_itself(self):
-        result = bench(PROGRAM, PROGRAM, MODELS, "--runs", "3", "sizes")
+        result = bench(PROGRAM, PROGRAM, MODELS, "--runs", "3", "cage")
         self.assertEqual(result.returncode, 0, result.stderr)
-        cells = row(result.stdout, "sizes")
+        cells = row(result.stdout, "cage")
         self.assertGreater(float(cells[1]), 0)
         self.assertTrue(0.5 < float(cells[3]) < 2, cells)
         self.assertTrue(0.9 < float(cells[5]) < 1.1, cells)

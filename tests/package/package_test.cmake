@@ -24,7 +24,11 @@ endfunction()
 
 # Models and documents lie where distributions expect them; models are to be meshed.
 function(check_installed_files)
-  foreach(file IN ITEMS share/man/man1/surfmesh.1 share/man/man1/surfmesh-mesh.1
+  if(EXISTS ${prefix}/bin/surfmesh-mpi)
+    set(of_mpi share/man/man1/surfmesh-mpi.1 share/man/man1/surfmesh-mpi-mesh.1
+        share/bash-completion/completions/surfmesh-mpi share/zsh/site-functions/_surfmesh-mpi)
+  endif()
+  foreach(file IN ITEMS ${of_mpi} share/man/man1/surfmesh.1 share/man/man1/surfmesh-mesh.1
                         share/bash-completion/completions/surfmesh share/zsh/site-functions/_surfmesh
                         share/surfmesh/models/README.md share/surfmesh/models/surfmesh.schema.json
                         share/surfmesh/models/torus.obj share/doc/surfmesh/README.md
