@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/assemble/vertex_copies.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/range_sums.hh"
 #include "surfmesh/core/validate.hh"
@@ -364,24 +366,9 @@ void check_output(const MeshResult& result) {
       "mesh_model, and is set too late here");
 }
 
-}  // namespace
-
-void write_mesh(const MeshResult& result, const std::filesystem::path& path) {
-  check_output(result);
-  const PipelineOptions& options = result.report.options;
-  with_threads(options.threads,
-               [&] { write_mesh(result.mesh, path, result.names, options.output); });
-}
-
-void write_mesh(const MeshResult& result, OutputFile& file) {
-  check_output(result);
-  const PipelineOptions& options = result.report.options;
-  with_threads(options.threads,
-               [&] { write_mesh(result.mesh, file, result.names, options.output); });
-}
-
-MeshResult mesh_model(const Model& model, const Sources& sources, const PipelineOptions& options,
-                      Observer* observer) {
+/// Apart, so that the mesh is made where it is returned to.
+MeshResult meshed(const Model& model, const Sources& sources, const PipelineOptions& options,
+                  Observer* observer) {
   check(options);
   check(model);
   const RunContext context(observer, options.max_elements, element_kind(options));
@@ -402,8 +389,34 @@ MeshResult mesh_model(const Model& model, const Sources& sources, const Pipeline
   return result;
 }
 
+}  // namespace
+
+void write_mesh(const MeshResult& result, const std::filesystem::path& path) try {
+  check_output(result);
+  const PipelineOptions& options = result.report.options;
+  with_threads(options.threads,
+               [&] { write_mesh(result.mesh, path, result.names, options.output); });
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while writing " + path.string());
+}
+
+void write_mesh(const MeshResult& result, OutputFile& file) try {
+  check_output(result);
+  const PipelineOptions& options = result.report.options;
+  with_threads(options.threads,
+               [&] { write_mesh(result.mesh, file, result.names, options.output); });
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while writing " + file.path().string());
+}
+
+MeshResult mesh_model(const Model& model, const Sources& sources, const PipelineOptions& options,
+                      Observer* observer) {
+  return tell_out_of_memory([&] { return meshed(model, sources, options, observer); },
+                            [] { return "while meshing"; });
+}
+
 Report estimate_mesh(const Model& model, const Sources& sources, const PipelineOptions& options,
-                     Observer* observer) {
+                     Observer* observer) try {
   check(options);
   check(model);
   const RunContext context(observer, options.max_elements, element_kind(options));
@@ -424,6 +437,8 @@ Report estimate_mesh(const Model& model, const Sources& sources, const PipelineO
   report.mesh.patches = model.patches.size();
   report.patches = measure_patches(PolyMesh(), mesh_names(model));
   return report;
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while estimating");
 }
 
 }  // namespace surfmesh
