@@ -120,8 +120,14 @@ def attempt(case, run, folder, threads):
     except Exception as error:  # a file that our readers cannot read is a failure of the program's
         return "failed", f"{type(error).__name__}: {error}", details
     if result.status == 3:
-        return "shortfall", result.err.strip()[-300:], details
+        return "shortfall", reason_of(result.err), details
     return "meshed", "", details
+
+
+def reason_of(text):
+    """What a run says it has not reached, or else its last line."""
+    lines = text.strip().splitlines()
+    return next((line for line in lines if "not reached" in line), lines[-1])[:300]
 
 
 def kind_of(text):

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/exchange/agree_on_error.hh"
 #include "surfmesh/formats/pvtu_file.hh"
 #include "surfmesh/io/folder_names.hh"
@@ -96,11 +97,14 @@ void remove_quietly(const fs::path& folder) noexcept {
 
 }  // namespace
 
-PieceFolder::PieceFolder(fs::path folder, Exchange& exchange)
+PieceFolder::PieceFolder(fs::path folder, Exchange& exchange) try
     : given_(std::move(folder)),
       folder_(whole_path(given_)),
       name_(folder_.filename().string()),
-      exchange_(exchange) {}
+      exchange_(exchange) {
+} catch (const std::bad_alloc&) {
+  fail_without_memory("before a folder of pieces is made");
+}
 
 PieceFolder::~PieceFolder() {
   remove_quietly(temporary_);
