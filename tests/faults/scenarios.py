@@ -39,7 +39,7 @@ class Scenario:
             os.makedirs(folder)
             shutil.copy(os.path.join(MODELS, "wave.json"), folder)
             subprocess.run(command + size, cwd=folder, check=True, env=os.environ | ROOT_RANKS,
-                           stdout=subprocess.DEVNULL)
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             self.contents[folder] = {n: content(os.path.join(folder, n)) for n in outputs}
         self.command = command + sizes[1]
         os.environ.update(ROOT_RANKS)

@@ -171,7 +171,7 @@ int number_of(const char* variable, int unless_set) {
 }
 
 /// How many allocations fail in each of the works.
-int wanted_failures() { return number_of("SURFMESH_ALLOCATION_FAILURES", 60); }
+int wanted_failures() { return number_of("SURFMESH_ALLOCATION_FAILURES", 20); }
 
 /// The only one that fails, to look at one failure again; 0 for all.
 int only_failure() { return number_of("SURFMESH_ALLOCATION_PLACE", 0); }
