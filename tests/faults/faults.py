@@ -249,7 +249,7 @@ def duration(bench, scenario):
 
 def signals(bench, scenarios):
     """At any moment of a run, and a little beyond."""
-    count = 200 if bench.options.full else 12
+    count = bench.options.signals or (200 if bench.options.full else 12)
     numbers = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL]
     for scenario in scenarios:
         whole = duration(bench, scenario)
@@ -363,6 +363,7 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("programs", help="the folder of surfmesh and surfmesh-mpi")
     parser.add_argument("--full", action="store_true", help="all that is run at night")
+    parser.add_argument("--signals", type=int, help="so many to each kind of output")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", help="one of " + ", ".join([*KINDS, "ranks"]))
     options = parser.parse_args()
