@@ -86,9 +86,21 @@ if("cad" IN_LIST stages)
   set_property(TEST Sanitize.cad APPEND PROPERTY ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
 endif()
 
-# Random small models through the program, judged by a script of its own.
+# Random small models through the program, judged by scripts: one that is shared, and our own of
+# quads, NURBS, tiles, pieces and formats. tests/soak/nightly.sh runs as many as fit into a night.
+function(surfmesh_add_soak name script)
+  add_test(NAME Soak.${name} COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/soak/soak.sh
+    ${script} $<TARGET_FILE:surfmesh_program> ${ARGN})
+  set_tests_properties(Soak.${name} PROPERTIES LABELS "soak;long" SKIP_RETURN_CODE 77)
+endfunction()
+
 if(TARGET surfmesh_program)
-  add_test(NAME Soak.RandomModels COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/soak.sh
-    ${PROJECT_SOURCE_DIR}/../shared/bench/soak.py $<TARGET_FILE:surfmesh_program> 50 14)
-  set_tests_properties(Soak.RandomModels PROPERTIES LABELS "soak;long" SKIP_RETURN_CODE 77)
+  set(own_soak ${CMAKE_CURRENT_SOURCE_DIR}/soak/soak.py)
+  surfmesh_add_soak(RandomModels ${PROJECT_SOURCE_DIR}/../shared/bench/soak.py --runs 50 --seed 14)
+  surfmesh_add_soak(QuadsNurbsTilesFormats ${own_soak} --runs 50 --seed 14)
+  surfmesh_add_soak(Threads ${own_soak} --runs 10 --seed 15 --threads 1,2,3,8)
+
+  add_test(NAME Faults.FromOutside COMMAND /usr/bin/python3
+    ${CMAKE_CURRENT_SOURCE_DIR}/faults/faults.py $<TARGET_FILE_DIR:surfmesh_program>)
+  set_tests_properties(Faults.FromOutside PROPERTIES LABELS "faults;long" TIMEOUT 900)
 endif()

@@ -95,6 +95,19 @@ TEST(Comparison, FindsTheHoleWithoutContoursToo) {
   EXPECT_EQ(kinds(sphere.mesh, sphere.model), (std::vector<std::string>{"open_edge", "euler"}));
 }
 
+/// As where elements lie on several patches.
+TEST(Comparison, LetsFacesOfOtherPatchesEndAtOpenContours) {
+  const Model model = testing::model_of({testing::sphere(), testing::rectangle(2, 2, 3, 3)});
+  PolyMesh mesh = assemble_with_size(model, 0.5).mesh;
+  detach(mesh, keys::edge_contour);
+  mesh.property(require(mesh, keys::face_patch)).data_vector().assign(mesh.n_faces(), 0);
+  EXPECT_EQ(kinds(mesh, model), std::vector<std::string>());
+  for (const VertexHandle vh : mesh.vertices()) {
+    mesh.set_point(vh, mesh.point(vh) * 1.001);
+  }
+  EXPECT_EQ(kinds(mesh, model), std::vector<std::string>{"open_edge"});
+}
+
 TEST(Comparison, FindsVerticesInOnePlace) {
   const Model model = testing::sphere_of(1);
   PolyMesh mesh = assemble_with_size(model, 0.5).mesh;

@@ -5,8 +5,9 @@
 #include <zlib.h>
 
 #include <initializer_list>
-#include <nlohmann/json.hpp>
 #include <string_view>
+
+#include "surfmesh/io/json.hh"
 
 #include "pictures/clean_text.hh"
 #include "view/page_arrays.hh"
@@ -38,9 +39,8 @@ std::string escaped(std::string_view text) {
 }
 
 /// JSON text that holds no "<", so that no name in it can end its element.
-std::string escaped_json(const nlohmann::ordered_json& json) {
-  const std::string text =
-      json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+std::string escaped_json(const Json& json) {
+  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string result;
   result.reserve(text.size());
   for (const char c : text) {
@@ -82,7 +82,7 @@ std::size_t write_page(const PageContents& contents, const std::string& script, 
   const PageOrigins origins = page_origins(contents.mesh);
   PageArrays arrays;
   add_mesh(contents.mesh, origins, arrays);
-  nlohmann::ordered_json facts = page_facts(contents, origins, arrays);
+  Json facts = page_facts(contents, origins, arrays);
   arrays.compress();
   facts["arrays"] = arrays.directory();
   const std::string facts_text = escaped_json(facts);

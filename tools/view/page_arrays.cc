@@ -99,12 +99,12 @@ void PageArrays::compress() {
   });
 }
 
-nlohmann::ordered_json PageArrays::directory() const {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+Json PageArrays::directory() const {
+  Json json = Json::object();
   std::size_t at = 0;
   for (std::size_t a = 0; a < arrays_.size(); ++a) {
     const Array& array = arrays_[a];
-    nlohmann::ordered_json sizes = nlohmann::ordered_json::array();
+    Json sizes = Json::array();
     const std::size_t begin = at;
     for (std::size_t p = kPlanes * a; p < kPlanes * (a + 1); ++p) {
       const auto size = static_cast<std::int64_t>(planes_[p].bytes.size());

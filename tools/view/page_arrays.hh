@@ -3,10 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "surfmesh/io/json.hh"
 
 namespace surfmesh {
 
@@ -38,7 +39,7 @@ class PageArrays {
   /// What is where in bytes(): an object by name with `type` ("f32", "u32"), `count`, `steps`
   /// (true for differences), `at` and for each plane its `sizes`; a negative size is that of a
   /// plane that is not compressed.
-  nlohmann::ordered_json directory() const;
+  Json directory() const;
 
   /// All planes one after the other, in base64 (RFC 4648).
   std::string base64() const;

@@ -19,8 +19,6 @@
 namespace surfmesh {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::array kMaps = {std::pair(ColourMap::Amounts, "amounts"),
                               std::pair(ColourMap::Goodness, "goodness"),
                               std::pair(ColourMap::Deviations, "deviations")};

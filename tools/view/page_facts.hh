@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include "surfmesh/io/json.hh"
 
 #include "view/page.hh"
 #include "view/page_arrays.hh"
@@ -21,7 +21,6 @@ inline constexpr int kPageFormat = 1;
 ///
 /// Fields have an array "field_<name>", control meshes "control_uv", "control_metric",
 /// "control_corners" and "control_class", of all patches one after the other.
-nlohmann::ordered_json page_facts(const PageContents& contents, const PageOrigins& origins,
-                                  PageArrays& arrays);
+Json page_facts(const PageContents& contents, const PageOrigins& origins, PageArrays& arrays);
 
 }  // namespace surfmesh

@@ -14,11 +14,16 @@
 #include "surfmesh/core/disjoint_sets.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/range_sums.hh"
+#include "surfmesh/geometry/project_to_curve.hh"
 #include "surfmesh/model/joined_uses.hh"
 #include "surfmesh/model/touching_loops.hh"
 
 namespace surfmesh {
 namespace {
+
+/// How far a vertex on a contour may be from it, as a share of the diagonal: as far as a contour
+/// may be from a patch.
+constexpr double kOnContour = 1e-6;
 
 /// The ends of the uses of all contours: 2 × use + 0 at the start of the contour, + 1 at its end.
 class UseEnds {
@@ -300,13 +305,40 @@ class Comparison {
   }
 
   /// Whether the model lets the edge be open. Of a mesh that does not know its contours it is only
-  /// known whether the patch is open anywhere.
+  /// known whether the patch is open anywhere. A face that lies on several patches may have such an
+  /// edge, too, though most of it is on another patch.
   bool may_be_open(EdgeHandle eh) const {
     if (!contour_of_.is_valid()) {
-      return is_patch_open_[static_cast<std::size_t>(patch_at(inner_halfedge(eh)))] != 0;
+      const auto patch = static_cast<std::size_t>(patch_at(inner_halfedge(eh)));
+      return is_patch_open_[patch] != 0 || (mesh_.is_boundary(eh) && ends_at_opening(eh));
     }
     const int contour = mesh_.property(contour_of_, eh);
     return contour >= 0 && promise_.is_open[static_cast<std::size_t>(contour)] != 0;
+  }
+
+  /// True where both ends lie on one open contour of the model.
+  bool ends_at_opening(EdgeHandle eh) const {
+    const HalfedgeHandle heh = inner_halfedge(eh);
+    const Vec3 from = to_eigen(mesh_.point(mesh_.from_vertex_handle(heh)));
+    const Vec3 to = to_eigen(mesh_.point(mesh_.to_vertex_handle(heh)));
+    for (std::size_t c = 0; c < model_.contours.size(); ++c) {
+      if (promise_.is_open[c] == 0) continue;
+      const Contour& contour = model_.contours[c];
+      if (is_on(contour, from) && is_on(contour, to)) return true;
+    }
+    return false;
+  }
+
+  /// True within the distance that contours may be from each other.
+  bool is_on(const Contour& contour, const Vec3& point) const {
+    const ContourUse& use = contour.uses.front();
+    const double tolerance = std::max(contour.tolerance, kOnContour * model_.diagonal);
+    for (int part = 0; part < contour.part_count(); ++part) {
+      const double guess = (part + 0.5) / contour.part_count();
+      const double t = project_to_curve(model_.surface(use), *use.curve, point, guess);
+      if ((model_.point(use, t) - point).norm() <= tolerance) return true;
+    }
+    return false;
   }
 
   EdgeFindings look_at_edges() const {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <new>
 #include <span>
 #include <utility>
 
@@ -25,6 +26,7 @@
 #include "surfmesh/cage/subdivision.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/option_range.hh"
+#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/geometry/parts.hh"
 #include "surfmesh/model/finish_model.hh"
 #include "surfmesh/model/pin_ends.hh"
@@ -474,7 +476,7 @@ std::vector<MadeWith> made_with(const CageOptions& options) {
 
 }  // namespace
 
-Model model_from_cage(const Cage& cage, const CageOptions& options) {
+Model model_from_cage(const Cage& cage, const CageOptions& options) try {
   MendedCage mended = mend_cage(cage, mend_options(cage, options));
   const Scheme scheme = resolve_scheme(mended.cage, options.scheme);
   const detail::CageFit fitted = detail::fit_cage(options, scheme, mended.cage);
@@ -502,6 +504,8 @@ Model model_from_cage(const Cage& cage, const CageOptions& options) {
   add_groups(cage, mended.stand_ins, model);
   model.made_with = made_with(options);
   return model;
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while making the model of a cage");
 }
 
 }  // namespace surfmesh

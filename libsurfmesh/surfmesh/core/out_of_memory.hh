@@ -8,6 +8,14 @@
 
 namespace surfmesh {
 
+/// For the handler of std::bad_alloc of a call, in which what the call had taken is free again:
+/// enough for a text.
+///
+/// Throws   Limit, "out of memory " and how far the call came
+[[noreturn]] inline void fail_without_memory(const std::string& reached) {
+  throw Error(ErrorCode::Limit, "out of memory " + reached);
+}
+
 /// Run `body`. Where memory runs out in it, `reached()` says how far it came.
 ///
 /// Returns  what `body` returns
@@ -17,8 +25,7 @@ auto tell_out_of_memory(Body body, Reached reached) {
   try {
     return body();
   } catch (const std::bad_alloc&) {
-    // What the body had taken is free again, which is enough for a text.
-    throw Error(ErrorCode::Limit, "out of memory " + std::string(reached()));
+    fail_without_memory(std::string(reached()));
   }
 }
 

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/formats/piece_folder.hh"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <stdio.h>
 
 #include <algorithm>
+#include <new>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/exchange/agree_on_error.hh"
 #include "surfmesh/formats/pvtu_file.hh"
+#include "surfmesh/io/folder_names.hh"
 #include "surfmesh/io/output_file.hh"
 
 namespace surfmesh {
@@ -67,18 +72,43 @@ void rename(const fs::path& from, const fs::path& to, const fs::path& told) {
   if (error) fail_for(told, error.message());
 }
 
+/// Let two names change places, so that each stands for something at any moment.
+/// Returns  false where the file system cannot do that
+bool exchange([[maybe_unused]] const fs::path& a, [[maybe_unused]] const fs::path& b) {
+#ifdef RENAME_EXCHANGE
+  return renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
+#else
+  return false;
+#endif
+}
+
+/// Remove a folder, if there is one. Where memory runs out in that, it has it back, and may go on.
+void remove_quietly(const fs::path& folder) noexcept {
+  constexpr int kTries = 3;
+  for (int i = 0; i < kTries && !folder.empty(); ++i) {
+    try {
+      std::error_code ignored;
+      fs::remove_all(folder, ignored);
+      return;
+    } catch (const std::bad_alloc&) {
+    }
+  }
+}
+
 }  // namespace
 
-PieceFolder::PieceFolder(fs::path folder, Exchange& exchange)
+PieceFolder::PieceFolder(fs::path folder, Exchange& exchange) try
     : given_(std::move(folder)),
       folder_(whole_path(given_)),
       name_(folder_.filename().string()),
-      exchange_(exchange) {}
+      exchange_(exchange) {
+} catch (const std::bad_alloc&) {
+  fail_without_memory("before a folder of pieces is made");
+}
 
 PieceFolder::~PieceFolder() {
-  std::error_code ignored;
-  if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
-  if (!old_.empty()) fs::remove_all(old_, ignored);
+  remove_quietly(temporary_);
+  remove_quietly(old_);
 }
 
 /// At least four digits, so that a folder lists them in their order.
@@ -95,12 +125,10 @@ void PieceFolder::check_old() const {
   const fs::file_status status = fs::status(folder_, error);
   if (!fs::exists(status)) return;
   if (!fs::is_directory(status)) fail_for(given_, "it is no folder");
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, error)) {
-    const std::string file = entry.path().filename().string();
+  for (const std::string& file : folder_names(folder_)) {
     if (is_of_output(file, name_)) continue;
     fail_for(given_, fmt::format("it is replaced as a whole, and has {} in it", file));
   }
-  if (error) fail_for(given_, error.message());
 }
 
 void PieceFolder::make_temporary() {
@@ -163,6 +191,10 @@ void PieceFolder::publish() {
   std::error_code ignored;
   if (const fs::file_status status = fs::status(folder_, ignored); fs::exists(status)) {
     fs::permissions(temporary_, status.permissions(), ignored);
+    if (exchange(temporary_, folder_)) {
+      old_ = std::exchange(temporary_, fs::path());
+      return;
+    }
     auto [path, error] =
         make_beside(folder_, [this](const fs::path& name, std::error_code& reason) {
           fs::rename(folder_, name, reason);
@@ -180,6 +212,8 @@ void PieceFolder::publish() {
 }
 
 void PieceFolder::take_back() {
+  // What was published is then under the name of the old one, and removed with this.
+  if (!old_.empty() && exchange(old_, folder_)) return;
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
   if (!old_.empty()) rename(std::exchange(old_, fs::path()), folder_, given_);
@@ -195,6 +229,8 @@ void PieceFolder::commit(OutputFile* with) {
       take_back();
       throw;
     }
+    // Here, where signals wait: the old folder is not left behind.
+    remove_quietly(std::exchange(old_, fs::path()));
   });
   // Its name is free for others.
   temporary_.clear();

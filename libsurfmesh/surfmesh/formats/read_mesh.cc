@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/topology.hh"
 #include "surfmesh/formats/mesh_format.hh"
@@ -37,9 +39,8 @@ void set_contours(const MeshArrays& set, PolyMesh& mesh) {
   }
 }
 
-}  // namespace
-
-MeshFile mesh_from(MeshArraysFile file, const std::string& name) {
+/// Apart, so that the mesh, which cannot be moved, is made where it is returned to.
+MeshFile made_from(MeshArraysFile file, const std::string& name) {
   MeshFile result{{}, std::move(file.mesh.names), std::move(file.notices), std::move(file.unread)};
   const MeshArrays& set = file.mesh;
   const Separation separation =
@@ -66,17 +67,28 @@ MeshFile mesh_from(MeshArraysFile file, const std::string& name) {
   return result;
 }
 
-MeshArraysFile read_mesh_arrays(const std::filesystem::path& path) {
+}  // namespace
+
+MeshFile mesh_from(MeshArraysFile file, const std::string& name) {
+  return tell_out_of_memory([&] { return made_from(std::move(file), name); },
+                            [&] { return "while making the mesh of " + name; });
+}
+
+MeshArraysFile read_mesh_arrays(const std::filesystem::path& path) try {
   const MeshFormat& format = format_to_read(path);
   MeshArraysFile file = format.parse(read_file(path), path.string());
   check_faces(file, path.string());
   return file;
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while reading " + path.string());
 }
 
-MeshFile read_mesh(const std::filesystem::path& path) {
+MeshFile read_mesh(const std::filesystem::path& path) try {
   const MeshFormat& format = format_to_read(path);
   if (format.parse_mesh != nullptr) return format.parse_mesh(read_file(path), path.string());
   return mesh_from(read_mesh_arrays(path), path.string());
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while reading " + path.string());
 }
 
 }  // namespace surfmesh

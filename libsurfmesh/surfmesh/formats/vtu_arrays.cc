@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <new>
 #include <optional>
 #include <type_traits>
 
@@ -116,6 +117,7 @@ void append_block(std::string_view compressed, std::size_t size, const Place& pl
   const int result = uncompress(reinterpret_cast<Bytef*>(bytes.data() + before), &written,
                                 reinterpret_cast<const Bytef*>(compressed.data()),
                                 static_cast<uLong>(compressed.size()));
+  if (result == Z_MEM_ERROR) throw std::bad_alloc();
   if (result != Z_OK || written != size) place.fail("its compressed data are broken");
 }
 

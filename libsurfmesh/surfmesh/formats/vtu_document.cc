@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <new>
 #include <utility>
 
 #include "surfmesh/core/error.hh"
@@ -49,6 +50,7 @@ class DocumentReader {
  public:
   DocumentReader(std::string_view bytes, const std::string& name)
       : parts_(parts_of(bytes, name)), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
+    if (!parser_) throw std::bad_alloc();
     document_.form.name = name;
     document_.form.appended = parts_.appended;
     document_.form.appended_start = bytes.size() - parts_.appended.size();
@@ -80,10 +82,7 @@ class DocumentReader {
       const auto status = XML_Parse(parser_.get(), chunk.data(), static_cast<int>(chunk.size()),
                                     is_last ? XML_TRUE : XML_FALSE);
       if (error_) std::rethrow_exception(error_);
-      if (status != XML_STATUS_OK) {
-        fail(
-            fmt::format("the XML is broken: {}", XML_ErrorString(XML_GetErrorCode(parser_.get()))));
-      }
+      if (status != XML_STATUS_OK) fail_to_parse(XML_GetErrorCode(parser_.get()));
       if (rest.empty()) break;
     }
     if (!is_grid_) fail("the file has no UnstructuredGrid");
@@ -96,6 +95,11 @@ class DocumentReader {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("{}:{}: {}", document_.form.name,
                             XML_GetCurrentLineNumber(parser_.get()), reason));
+  }
+
+  [[noreturn]] void fail_to_parse(XML_Error error) const {
+    if (error == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
+    fail(fmt::format("the XML is broken: {}", XML_ErrorString(error)));
   }
 
   /// Keep an error until the parser, which is C, has returned.

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <new>
 #include <string_view>
 #include <system_error>
 
 #include "surfmesh/core/counted.hh"
 #include "surfmesh/core/option_range.hh"
+#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/formats/mesh_format.hh"
 
@@ -72,8 +74,11 @@ std::optional<std::filesystem::path> companion_of(const PolyMesh& mesh,
   return std::filesystem::path(path).replace_extension(format.companion_ending);
 }
 
-void write_companion(const PolyMesh& mesh, const std::filesystem::path& path, OutputFile& file) {
+void write_companion(const PolyMesh& mesh, const std::filesystem::path& path,
+                     OutputFile& file) try {
   format_of(path).write_companion(mesh, file);
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while writing " + file.path().string());
 }
 
 Notices stale_companion(const PolyMesh& mesh, const std::filesystem::path& path) {
@@ -103,12 +108,14 @@ Notices changed_names(const PolyMesh& mesh, const std::filesystem::path& path,
 }
 
 void write_mesh(const PolyMesh& mesh, OutputFile& file, const MeshNames& names,
-                const OutputOptions& options) {
+                const OutputOptions& options) try {
   format_of(file.path()).write(mesh, names, options, file);
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while writing " + file.path().string());
 }
 
 void write_mesh(const PolyMesh& mesh, const std::filesystem::path& path, const MeshNames& names,
-                const OutputOptions& options) {
+                const OutputOptions& options) try {
   format_of(path);  // an unknown ending is told before a file is made
   OutputFile file(path);
   write_mesh(mesh, file, names, options);
@@ -117,6 +124,8 @@ void write_mesh(const PolyMesh& mesh, const std::filesystem::path& path, const M
   OutputFile companion(*beside);
   write_companion(mesh, path, companion);
   OutputFile::commit_all(std::array{&file, &companion});
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while writing " + path.string());
 }
 
 }  // namespace surfmesh

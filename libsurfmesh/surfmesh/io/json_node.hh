@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Not for public headers: nlohmann-json stays inside of the library.
 #include <initializer_list>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "surfmesh/io/json.hh"
 #include "surfmesh/io/key_places.hh"
 
 namespace surfmesh {
-
-using Json = nlohmann::ordered_json;
 
 /// Parse JSON text that a person wrote.
 ///

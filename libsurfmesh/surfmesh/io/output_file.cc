@@ -6,9 +6,11 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <new>
 #include <utility>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/out_of_memory.hh"
 
 namespace surfmesh {
 namespace {
@@ -74,7 +76,7 @@ fs::path make_beside(const fs::path& target, const fs::path& path, Make make) {
 
 }  // namespace
 
-OutputFile::OutputFile(fs::path path)
+OutputFile::OutputFile(fs::path path) try
     : path_(std::move(path)),
       target_(path_),
       // Not initialised: small files do not touch all of it.
@@ -96,6 +98,8 @@ OutputFile::OutputFile(fs::path path)
   }
   open_temporary();
   if (fs::exists(status)) fs::permissions(temporary_, status.permissions(), ignored);
+} catch (const std::bad_alloc&) {
+  fail_without_memory("before a file is written");
 }
 
 OutputFile::~OutputFile() {
@@ -113,14 +117,14 @@ void OutputFile::open_temporary() {
 }
 
 void OutputFile::fail() {
-  const std::string reason = errno != 0 ? std::strerror(errno) : "the stream is broken";
+  const int error = errno;
   if (!temporary_.empty()) {
     std::error_code ignored;
     file_.close();
     fs::remove(temporary_, ignored);
     temporary_.clear();
   }
-  fail_for(path_, reason);
+  fail_for(path_, error != 0 ? std::strerror(error) : "the stream is broken");
 }
 
 void OutputFile::write(std::string_view text) {

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <vector>
 
+#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/geometry/parts.hh"
 #include "surfmesh/geometry/project_to_curve.hh"
 #include "surfmesh/model/contour_smoothness.hh"
@@ -121,7 +123,7 @@ double gap_of(const Model& model, const Contour& contour) {
   return gap;
 }
 
-void finish(Model& model) {
+void finish(Model& model) try {
   check_indices(model);
   set_box(model);
   set_positions(model);
@@ -131,6 +133,8 @@ void finish(Model& model) {
   separate_touching_loops(model);
   for (Contour& contour : model.contours) compare_uses(model, contour);
   set_smoothness(model);
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while making a model");
 }
 
 }  // namespace surfmesh

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 #include <utility>
 #include <vector>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/model/check_breaks.hh"
 #include "surfmesh/model/contour_smoothness.hh"
 #include "surfmesh/model/matched_sides.hh"
@@ -145,7 +147,8 @@ SideAddress find_side(const Model& model, std::string_view side_name) {
 }  // namespace
 
 Model model_from_patches(const std::vector<PatchInput>& patches,
-                         const std::vector<ContourInput>& contours, const JoinOptions& options) {
+                         const std::vector<ContourInput>& contours,
+                         const JoinOptions& options) try {
   check_option(ranges::kJoining, options.joining);
   check_patches(patches);
   Model model;
@@ -178,6 +181,8 @@ Model model_from_patches(const std::vector<PatchInput>& patches,
   check_breaks(patches, model);
   set_smoothness(model);
   return model;
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while joining patches");
 }
 
 std::vector<LoopEntry> side_uses(const Model& model, std::string_view side_name) {

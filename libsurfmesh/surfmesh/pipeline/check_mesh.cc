@@ -6,15 +6,17 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <new>
 #include <numbers>
 #include <utility>
 
 #include "surfmesh/across/metric_beyond.hh"
 #include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/control/surface_metric_field.hh"
+#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/run_context.hh"
+#include "surfmesh/io/json.hh"
 #include "surfmesh/metric/tensor.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/notice_json.hh"
@@ -29,8 +31,6 @@
 
 namespace surfmesh {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// How near chords between points of contours keep to these, as a share of the model's diagonal.
 constexpr double kContourTolerance = 1e-6;
@@ -288,7 +288,7 @@ Json fit_json(const ModelFit& fit) {
 
 }  // namespace
 
-MeshCheck check_mesh(const MeshArraysFile& file, Observer* observer) {
+MeshCheck check_mesh(const MeshArraysFile& file, Observer* observer) try {
   MeshCheck check;
   check.faces = check_face_set(file.mesh);
   check.self_intersections = find_self_intersections(file.mesh, RunContext(observer));
@@ -303,15 +303,19 @@ MeshCheck check_mesh(const MeshArraysFile& file, Observer* observer) {
     });
   }
   return check;
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while checking a mesh");
 }
 
-std::optional<MetricFit> measure_stored_metric(const PolyMesh& mesh) {
+std::optional<MetricFit> measure_stored_metric(const PolyMesh& mesh) try {
   if (!has_parameters(mesh) || !has_metric(mesh)) return std::nullopt;
   return measure_metric(mesh);
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while checking a mesh");
 }
 
 ModelFit measure_fit(MeshFile& mesh, const ModelInput& input, JudgedBy judged_by,
-                     Observer* observer) {
+                     Observer* observer) try {
   const RunContext context(observer);
   ModelFit fit;
   const SurfaceSearch search(input.model);
@@ -350,9 +354,11 @@ ModelFit measure_fit(MeshFile& mesh, const ModelInput& input, JudgedBy judged_by
   }
   fit.sizes = measure_metric(mesh.mesh);
   return fit;
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while comparing a mesh with its model");
 }
 
-void add_fit(MeshCheck& check, ModelFit fit) {
+void add_fit(MeshCheck& check, ModelFit fit) try {
   // The comparison knows which duplicates are cuts.
   std::erase_if(check.faults,
                 [](const MeshFault& fault) { return fault.kind == "duplicate_vertex"; });
@@ -361,9 +367,11 @@ void add_fit(MeshCheck& check, ModelFit fit) {
   }
   if (fit.sag && fit.distance.max > *fit.sag) check.notices.push_back(far_notice(fit));
   check.fit = std::move(fit);
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while checking a mesh");
 }
 
-std::string to_json(const MeshCheck& check) {
+std::string to_json(const MeshCheck& check) try {
   const ShapeStatistics& shape = check.shape;
   const Json json = {
       {"mesh", check.mesh},
@@ -388,6 +396,8 @@ std::string to_json(const MeshCheck& check) {
       {"fit", check.fit ? fit_json(*check.fit) : Json()}};
   // Names of files need not be UTF-8: what is not becomes a replacement character.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while writing a report");
 }
 
 }  // namespace surfmesh

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 #include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "surfmesh/core/counted.hh"
+#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/pipeline/check_mesh.hh"
 #include "surfmesh/pipeline/facet_text.hh"
 #include "surfmesh/pipeline/notice_text.hh"
@@ -206,7 +208,7 @@ void add_faults(const MeshCheck& check, TextTable& table) {
 
 }  // namespace
 
-std::string to_text(const MeshCheck& check, const TextStyle& style) {
+std::string to_text(const MeshCheck& check, const TextStyle& style) try {
   TextTable table(style);
   add_faces(check.faces, table);
   add_extent(check, table);
@@ -216,6 +218,8 @@ std::string to_text(const MeshCheck& check, const TextStyle& style) {
   add_faults(check, table);
   if (!check.notices.empty()) table.add("notices", detail::notices_text(check.notices));
   return table.take();
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while writing a report");
 }
 
 }  // namespace surfmesh

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
+#include <new>
 #include <numeric>
 #include <set>
 #include <string>
@@ -28,6 +28,7 @@
 #include "surfmesh/formats/mesh_format.hh"
 #include "surfmesh/formats/read_cage.hh"
 #include "surfmesh/io/input_file.hh"
+#include "surfmesh/io/json.hh"
 #include "surfmesh/io/nearest_word.hh"
 #include "surfmesh/model/append_model.hh"
 #include "surfmesh/model/divide_contours.hh"
@@ -112,7 +113,7 @@ ModelInput load_cage(const std::filesystem::path& path, const LoadOptions& optio
 }
 
 /// True for a number in quotes, which only a share of the diagonal may have.
-bool is_quoted_number(const nlohmann::json& value) {
+bool is_quoted_number(const Json& value) {
   if (!value.is_string()) return false;
   const std::string text = value.get<std::string>();
   return text.find_first_of("0123456789+-.") == 0 && text.find('%') == text.npos;
@@ -120,7 +121,7 @@ bool is_quoted_number(const nlohmann::json& value) {
 
 /// The text of a JSON value for set_option: what stands in quotes are words and shares of the
 /// diagonal.
-std::string text_for(const nlohmann::json& value) {
+std::string text_for(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
@@ -131,7 +132,7 @@ void set_file_option(PipelineOptions& options, const FileOption& entry) {
     throw Error(ErrorCode::InvalidOption,
                 fmt::format("it belongs in {}", entry.is_in_sizing ? "options" : "sizing"));
   }
-  const auto value = nlohmann::json::parse(entry.value);
+  const auto value = Json::parse(entry.value);
   if (is_quoted_number(value)) {
     throw Error(ErrorCode::InvalidOption,
                 fmt::format("{} = {}: a number stands without quotes", entry.name, value.dump()));
@@ -603,14 +604,15 @@ ModelInput load(const std::filesystem::path& path, const LoadOptions& options,
 }  // namespace
 
 ModelInput load_model(const std::filesystem::path& path, const LoadOptions& options,
-                      Observer* observer) {
+                      Observer* observer) try {
   const RunContext context(observer);
-  ModelInput input = tell_out_of_memory([&] { return load(path, options, context); },
-                                        [&] { return "while reading " + path.string(); });
+  ModelInput input = load(path, options, context);
   context.throw_if_cancelled();
   at_file(path.string(), [&] { check(input.model); });
   input.files.insert(input.files.begin(), path);
   return input;
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while reading " + path.string());
 }
 
 }  // namespace surfmesh

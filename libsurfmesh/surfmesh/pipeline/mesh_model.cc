@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "surfmesh/assemble/promised_topology.hh"
 #include "surfmesh/assemble/vertex_copies.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/core/validate.hh"
 #include "surfmesh/patch/mesh_patch.hh"
@@ -333,24 +335,9 @@ void check_output(const MeshResult& result) {
       "mesh_model, and is set too late here");
 }
 
-}  // namespace
-
-void write_mesh(const MeshResult& result, const std::filesystem::path& path) {
-  check_output(result);
-  const PipelineOptions& options = result.report.options;
-  with_threads(options.threads,
-               [&] { write_mesh(result.mesh, path, result.names, options.output); });
-}
-
-void write_mesh(const MeshResult& result, OutputFile& file) {
-  check_output(result);
-  const PipelineOptions& options = result.report.options;
-  with_threads(options.threads,
-               [&] { write_mesh(result.mesh, file, result.names, options.output); });
-}
-
-MeshResult mesh_model(const Model& model, const Sources& sources, const PipelineOptions& options,
-                      Observer* observer) {
+/// Apart, so that the mesh is made where it is returned to.
+MeshResult meshed(const Model& model, const Sources& sources, const PipelineOptions& options,
+                  Observer* observer) {
   check(options);
   check(model);
   const RunContext context(observer, options.max_elements, element_kind(options));
@@ -371,8 +358,34 @@ MeshResult mesh_model(const Model& model, const Sources& sources, const Pipeline
   return result;
 }
 
+}  // namespace
+
+void write_mesh(const MeshResult& result, const std::filesystem::path& path) try {
+  check_output(result);
+  const PipelineOptions& options = result.report.options;
+  with_threads(options.threads,
+               [&] { write_mesh(result.mesh, path, result.names, options.output); });
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while writing " + path.string());
+}
+
+void write_mesh(const MeshResult& result, OutputFile& file) try {
+  check_output(result);
+  const PipelineOptions& options = result.report.options;
+  with_threads(options.threads,
+               [&] { write_mesh(result.mesh, file, result.names, options.output); });
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while writing " + file.path().string());
+}
+
+MeshResult mesh_model(const Model& model, const Sources& sources, const PipelineOptions& options,
+                      Observer* observer) {
+  return tell_out_of_memory([&] { return meshed(model, sources, options, observer); },
+                            [] { return "while meshing"; });
+}
+
 Report estimate_mesh(const Model& model, const Sources& sources, const PipelineOptions& options,
-                     Observer* observer) {
+                     Observer* observer) try {
   check(options);
   check(model);
   const RunContext context(observer, options.max_elements, element_kind(options));
@@ -393,6 +406,8 @@ Report estimate_mesh(const Model& model, const Sources& sources, const PipelineO
   report.mesh.patches = model.patches.size();
   report.patches = measure_patches(PolyMesh(), mesh_names(model));
   return report;
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while estimating");
 }
 
 }  // namespace surfmesh

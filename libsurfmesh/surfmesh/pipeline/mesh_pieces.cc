@@ -4,11 +4,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <new>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "surfmesh/core/freed_memory.hh"
+#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/exchange/agree_on_error.hh"
 #include "surfmesh/pieces/number_piece.hh"
@@ -166,7 +168,7 @@ Report::Pieces foretold(const detail::PiecesPlan& plan, std::size_t ranks) {
 
 Report mesh_pieces(const Model& model, const Sources& sources, const PipelineOptions& options,
                    const PiecesOptions& pieces, Exchange& exchange, PieceSink& sink,
-                   Observer* observer) {
+                   Observer* observer) try {
   const auto start = std::chrono::steady_clock::now();
   const RunContext context(observer, options.max_elements, element_kind(options));
   std::optional<detail::PiecesPlan> plan;
@@ -189,10 +191,12 @@ Report mesh_pieces(const Model& model, const Sources& sources, const PipelineOpt
   report.serial_seconds = serial_seconds;
   report.wall_seconds = seconds_since(start);
   return report;
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while meshing");
 }
 
 Report estimate_pieces(const Model& model, const Sources& sources, const PipelineOptions& options,
-                       const PiecesOptions& pieces, int ranks, Observer* observer) {
+                       const PiecesOptions& pieces, int ranks, Observer* observer) try {
   const auto start = std::chrono::steady_clock::now();
   check(options);
   check(model);
@@ -209,6 +213,8 @@ Report estimate_pieces(const Model& model, const Sources& sources, const Pipelin
   report.serial_seconds = serial_seconds;
   report.wall_seconds = seconds_since(start);
   return report;
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while estimating");
 }
 
 }  // namespace surfmesh

@@ -2,18 +2,17 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "surfmesh/core/notice.hh"
+#include "surfmesh/io/json.hh"
 
 namespace surfmesh::detail {
 
 /// Notices as reports have them. `patch_name` gives the name of a patch, empty for one that is not
 /// known; what a notice does not tell is null.
-inline nlohmann::ordered_json notices_json(const Notices& notices,
-                                           const std::function<std::string(int)>& patch_name) {
-  using Json = nlohmann::ordered_json;
+inline Json notices_json(const Notices& notices,
+                         const std::function<std::string(int)>& patch_name) {
   Json list = Json::array();
   for (const Notice& notice : notices) {
     const std::string patch = notice.patch >= 0 ? patch_name(notice.patch) : std::string();

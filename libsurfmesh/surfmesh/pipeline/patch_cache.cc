@@ -2,9 +2,9 @@
 #include "surfmesh/pipeline/patch_cache.hh"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
+#include "surfmesh/core/copy_mesh.hh"
 #include "surfmesh/core/properties.hh"
 
 namespace surfmesh::detail {
@@ -27,7 +27,7 @@ bool are_same(const PatchBoundary& a, const PatchBoundary& b) {
 PatchResult copy_of(const PatchResult& result, PatchBoundary boundary) {
   PatchResult copy;
   copy.mesh.boundary = std::move(boundary);
-  copy.mesh.mesh = std::make_unique<PolyMesh>(*result.mesh.mesh);
+  copy.mesh.mesh = copy_of(*result.mesh.mesh);
   copy.turned = result.turned;
   copy.is_given_up = result.is_given_up;
   return copy;

@@ -5,22 +5,22 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
+#include <new>
 #include <numeric>
 #include <string_view>
 #include <utility>
 #include <variant>
 
 #include "surfmesh/core/option_range.hh"
+#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/core/version.hh"
+#include "surfmesh/io/json.hh"
 #include "surfmesh/pipeline/notice_json.hh"
 #include "surfmesh/pipeline/set_option.hh"
 #include "surfmesh/pipeline/statistics_json.hh"
 
 namespace surfmesh {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json options_json(const PipelineOptions& options) {
   Json json = Json::object();
@@ -296,7 +296,7 @@ double Report::triangles_per_second_in_all() const {
   return total > 0 ? static_cast<double>(mesh.triangles + mesh.quads) / total : 0;
 }
 
-std::string to_json(const Report& report) {
+std::string to_json(const Report& report) try {
   Json json = {
       {"version", SURFMESH_VERSION},
       {"input", report.input},
@@ -337,6 +337,8 @@ std::string to_json(const Report& report) {
   }
   // Names in models need not be UTF-8: what is not becomes a replacement character.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while writing a report");
 }
 
 }  // namespace surfmesh

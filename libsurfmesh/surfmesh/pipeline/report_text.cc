@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <numeric>
 #include <string_view>
 #include <vector>
 
 #include "surfmesh/core/counted.hh"
 #include "surfmesh/core/option_range.hh"
+#include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/pipeline/facet_text.hh"
 #include "surfmesh/pipeline/notice_text.hh"
 #include "surfmesh/pipeline/report.hh"
@@ -286,7 +288,7 @@ std::string estimate_text(const Report& report, const TextStyle& style) {
   return table.take();
 }
 
-std::string to_text(const Report& report, const TextStyle& style) {
+std::string to_text(const Report& report, const TextStyle& style) try {
   TextTable table(style);
   table.add_line("input", report.input);
   if (!report.output.empty()) table.add_line("output", report.output);
@@ -310,6 +312,8 @@ std::string to_text(const Report& report, const TextStyle& style) {
     add_given(report.given, table);
   }
   return table.take();
+} catch (const std::bad_alloc&) {
+  fail_without_memory("while writing a report");
 }
 
 }  // namespace surfmesh

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "surfmesh/io/json.hh"
 #include "surfmesh/quality/facet_distance.hh"
 #include "surfmesh/quality/statistics.hh"
 
 namespace surfmesh::detail {
 
-inline nlohmann::ordered_json histogram_json(const std::vector<HistogramBin>& bins) {
-  auto json = nlohmann::ordered_json::array();
+inline Json histogram_json(const std::vector<HistogramBin>& bins) {
+  auto json = Json::array();
   for (const HistogramBin& bin : bins) {
     json.push_back({{"from", bin.from}, {"to", bin.to}, {"count", bin.count}});
   }
   return json;
 }
 
-inline nlohmann::ordered_json edges_json(const EdgeStatistics& edges) {
+inline Json edges_json(const EdgeStatistics& edges) {
   return {{"count", edges.count},
           {"mean", edges.mean},
           {"stddev", edges.stddev},
@@ -27,14 +27,14 @@ inline nlohmann::ordered_json edges_json(const EdgeStatistics& edges) {
           {"histogram", histogram_json(edges.histogram)}};
 }
 
-inline nlohmann::ordered_json distance_json(const OneWayDistance& distance) {
+inline Json distance_json(const OneWayDistance& distance) {
   return {{"max", distance.max},
           {"mean", distance.mean},
           {"max_at", {distance.max_at.x(), distance.max_at.y(), distance.max_at.z()}},
           {"max_face", distance.max_face}};
 }
 
-inline nlohmann::ordered_json facets_json(const FacetDistance& facets) {
+inline Json facets_json(const FacetDistance& facets) {
   return {{"to_facets", distance_json(facets.to_facets)},
           {"from_facets", distance_json(facets.from_facets)}};
 }

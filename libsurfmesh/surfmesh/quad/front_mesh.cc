@@ -324,6 +324,17 @@ VertexHandle FrontMesh::opposite_in_gap(HalfedgeHandle heh) const {
   return is_gap ? mesh_.from_vertex_handle(third) : VertexHandle();
 }
 
+VertexHandle FrontMesh::opposite_in_gap_of_two(HalfedgeHandle heh) const {
+  const VertexHandle opposite = opposite_in_gap(heh);
+  if (!opposite.is_valid()) return opposite;
+  const auto face = [this](HalfedgeHandle side) { return mesh_.face_handle(side); };
+  const HalfedgeHandle second = next_front(heh), third = next_front(second);
+  const HalfedgeHandle fourth = next_front(third);
+  const bool is_of_two = (face(heh) == face(second) && face(third) == face(fourth)) ||
+                         (face(second) == face(third) && face(fourth) == face(heh));
+  return is_of_two ? opposite : VertexHandle();
+}
+
 bool FrontMesh::leaves_straight_gap(FaceHandle quad) const {
   for (const HalfedgeHandle side : mesh_.fh_range(quad)) {
     HalfedgeHandle heh = mesh_.opposite_halfedge_handle(side);
@@ -343,7 +354,7 @@ bool FrontMesh::leaves_straight_gap(FaceHandle quad) const {
 }
 
 VertexHandle FrontMesh::close_gap(HalfedgeHandle heh) {
-  const VertexHandle into = opposite_in_gap(heh);
+  const VertexHandle into = opposite_in_gap_of_two(heh);
   if (!into.is_valid()) return into;
   const FaceHandle first = mesh_.face_handle(heh), second = mesh_.face_handle(next_front(heh));
   faces_ = {first, second != first ? second : mesh_.face_handle(previous_front(heh))};
@@ -432,7 +443,8 @@ void FrontMesh::dissolve(QuadCycle& cycle, std::size_t corner) {
 }
 
 VertexPair FrontMesh::open_corner(HalfedgeHandle heh) {
-  const VertexHandle corner = mesh_.from_vertex_handle(heh), opposite = opposite_in_gap(heh);
+  const VertexHandle corner = mesh_.from_vertex_handle(heh);
+  const VertexHandle opposite = opposite_in_gap_of_two(heh);
   if (!opposite.is_valid() || is_free(corner) || !is_free(opposite)) return VertexPair();
   const VertexHandle left = mesh_.to_vertex_handle(heh);
   const VertexHandle right = mesh_.from_vertex_handle(previous_front(heh));

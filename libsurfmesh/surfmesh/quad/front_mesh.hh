@@ -147,7 +147,10 @@ class FrontMesh : public PatchGeometry {
   void replace_corner(HalfedgeHandle heh, VertexHandle by);
   bool has_corner(FaceHandle fh, VertexHandle vh) const;
   VertexHandle merge(VertexHandle from, VertexHandle into);
+  /// The vertex opposite the origin of a front halfedge between four fronts; invalid if there are
+  /// others. Between these fronts may lie more than two triangles.
   VertexHandle opposite_in_gap(HalfedgeHandle heh) const;
+  VertexHandle opposite_in_gap_of_two(HalfedgeHandle heh) const;
   bool is_worth_swapping(EdgeHandle eh) const;
   double quality(VertexHandle a, VertexHandle b, VertexHandle c) const;
 

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Mesh random models: soak.sh SCRIPT PROGRAM RUNS SEED. Exit status 77 (skipped) where the script or
+# Mesh random models: soak.sh SCRIPT PROGRAM OPTION... Exit status 77 (skipped) where the script or
 # what it needs is not there.
 set -euo pipefail
 
-script=$1 program=$2 runs=$3 seed=$4
+script=$1
+shift
 if [ ! -f "$script" ]; then
   echo "skipped: there is no $script"
   exit 77
@@ -12,4 +13,4 @@ if ! /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
   echo "skipped: python3-numpy is not installed"
   exit 77
 fi
-exec /usr/bin/python3 "$script" "$program" --runs "$runs" --seed "$seed"
+exec /usr/bin/python3 "$script" "$@"

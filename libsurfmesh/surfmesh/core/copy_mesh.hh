@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "surfmesh/core/mesh.hh"
+
+namespace surfmesh {
+
+/// Copy a mesh with all its properties.
+///
+/// OpenMesh's own copies leak properties where memory runs out, and those by assignment even delete
+/// what belongs to the other mesh.
+std::unique_ptr<PolyMesh> copy_of(const PolyMesh& mesh);
+
+}  // namespace surfmesh
