@@ -29,7 +29,7 @@ surfmesh_add_building_test(PublicHeaders.CompileAlone "package;long"
 # second list have the label nightly: they take longer to build and to run.
 set(sanitized core io geometry formula metric quality delaunay boundary patch_mesh control formats)
 set(sanitized_nightly model cage refine improve quad patch sizes sampling estimate assemble across
-    model_file cad exchange tiles pieces)
+    model_file cad exchange tiles pieces fuzz)
 get_property(stages GLOBAL PROPERTY surfmesh_test_stages)
 
 # surfmesh_add_sanitized_tests(<name of the fixture> <labels> <stages...>)
@@ -46,9 +46,11 @@ function(surfmesh_add_sanitized_tests fixture labels)
     endif()
   endforeach()
   # OpenCASCADE keeps what its readers allocate.
-  if("cad" IN_LIST ARGN AND "cad" IN_LIST stages)
-    set_property(TEST Sanitize.cad APPEND PROPERTY ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
-  endif()
+  foreach(stage IN ITEMS cad fuzz)
+    if(TARGET surfmesh_cad AND "${stage}" IN_LIST ARGN AND "${stage}" IN_LIST stages)
+      set_property(TEST Sanitize.${stage} APPEND PROPERTY ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
+    endif()
+  endforeach()
   list(JOIN targets "," targets)  # a list would become several arguments
   surfmesh_add_building_test(Sanitize.${fixture} "${labels}"
     ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D TARGETS=${targets}
@@ -65,3 +67,14 @@ if(TARGET surfmesh_program)
     ${PROJECT_SOURCE_DIR}/../shared/bench/soak.py $<TARGET_FILE:surfmesh_program> 50 14)
   set_tests_properties(Soak.RandomModels PROPERTIES LABELS "soak;long" SKIP_RETURN_CODE 77)
 endif()
+
+# Half a minute of each fuzz target; longer runs are for tests/fuzz/run.sh. Skipped without clang.
+set(fuzz_run ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/run.sh)
+surfmesh_add_building_test(Fuzz.Build "fuzz;long" bash ${fuzz_run} --build)
+set_tests_properties(Fuzz.Build PROPERTIES FIXTURES_SETUP FuzzBuild SKIP_RETURN_CODE 77)
+get_property(fuzz_targets GLOBAL PROPERTY surfmesh_fuzz_targets)
+foreach(target IN LISTS fuzz_targets)
+  add_test(NAME Fuzz.${target} COMMAND bash ${fuzz_run} --built 30 ${target})
+  set_tests_properties(Fuzz.${target} PROPERTIES
+    LABELS "fuzz;long" FIXTURES_REQUIRED FuzzBuild SKIP_RETURN_CODE 77 TIMEOUT 600)
+endforeach()
