@@ -48,7 +48,7 @@ surfmesh_add_building_test(PublicHeaders.CompileAlone "package;long"
 # that share work under the thread sanitizer. Those of nightly lists take longer to build and to run.
 set(sanitized core io geometry formula metric quality delaunay boundary patch_mesh control formats)
 set(sanitized_nightly model cage refine improve quad patch sizes sampling estimate assemble across
-    model_file cad exchange tiles pieces)
+    model_file cad exchange tiles pieces fuzz)
 set(threads_nightly core io quality assemble across sizes formats pipeline)
 get_property(stages GLOBAL PROPERTY surfmesh_test_stages)
 
@@ -82,9 +82,11 @@ surfmesh_add_sanitized_tests(SanitizeThreads sanitize-threads BuildThreads
 set_property(TEST SanitizeThreads.pipeline APPEND PROPERTY ENVIRONMENT
   "GTEST_FILTER=Threads*:*AnyNumberOfThreads*:*DoNotDependOnThreads*:PiecesOf.*")
 # OpenCASCADE keeps what its readers allocate.
-if("cad" IN_LIST stages)
-  set_property(TEST Sanitize.cad APPEND PROPERTY ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
-endif()
+foreach(stage IN ITEMS cad fuzz)
+  if(TARGET surfmesh_cad AND stage IN_LIST stages)
+    set_property(TEST Sanitize.${stage} APPEND PROPERTY ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
+  endif()
+endforeach()
 
 # Random small models through the program, judged by scripts: one that is shared, and our own of
 # quads, NURBS, tiles, pieces and formats. tests/soak/nightly.sh runs as many as fit into a night.
@@ -104,3 +106,14 @@ if(TARGET surfmesh_program)
     ${CMAKE_CURRENT_SOURCE_DIR}/faults/faults.py $<TARGET_FILE_DIR:surfmesh_program>)
   set_tests_properties(Faults.FromOutside PROPERTIES LABELS "faults;long" TIMEOUT 900)
 endif()
+
+# Half a minute of each fuzz target; longer runs are for tests/fuzz/run.sh. Skipped without clang.
+set(fuzz_run ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/run.sh)
+surfmesh_add_building_test(Fuzz.Build "fuzz;long" bash ${fuzz_run} --build)
+set_tests_properties(Fuzz.Build PROPERTIES FIXTURES_SETUP FuzzBuild SKIP_RETURN_CODE 77)
+get_property(fuzz_targets GLOBAL PROPERTY surfmesh_fuzz_targets)
+foreach(target IN LISTS fuzz_targets)
+  add_test(NAME Fuzz.${target} COMMAND bash ${fuzz_run} --built 30 ${target})
+  set_tests_properties(Fuzz.${target} PROPERTIES
+    LABELS "fuzz;long" FIXTURES_REQUIRED FuzzBuild SKIP_RETURN_CODE 77 TIMEOUT 600)
+endforeach()

@@ -6,6 +6,8 @@
 # --cad adds OpenCASCADE, by which surfmesh reads STEP, IGES and BREP files: 40 MB to load, 250 MB
 # installed.
 # --mpi adds Open MPI and METIS, for meshing on clusters: 30 MB installed.
+# --fuzz adds clang and its library for fuzzing, by which tests/fuzz is built: 55 MB to load, 310 MB
+# installed. Its tests are skipped without, so it is no error if they cannot be installed.
 # --python adds what the Python module and its examples take: 200 MB.
 # --viewer makes the script of the pages that `surfmesh view` writes: it needs npm, which is installed
 # if there is none (Debian's, 400 MB), and loads three.js, esbuild and what drives a browser in tests
@@ -28,11 +30,12 @@ viewer=
 for argument in "$@"; do
   case "$argument" in
     --readers)
-      readers=(python3-meshio python3-vtk9 gmsh python3-gmsh calculix-ccx admesh
+      readers+=(python3-meshio python3-vtk9 gmsh python3-gmsh calculix-ccx admesh
         librsvg2-bin chromium zsh man-db mandoc)
       ;;
     # The second only because CMake files of the first name what is in it.
     --cad) required+=(libocct-data-exchange-dev libocct-modeling-algorithms-dev) ;;
+    --fuzz) readers+=(clang libclang-rt-14-dev llvm) ;;
     --mpi) required+=(libopenmpi-dev openmpi-bin libmetis-dev) ;;
     --python)
       required+=(pybind11-dev python3-dev python3-numpy python3-scipy python3-matplotlib)
@@ -41,7 +44,8 @@ for argument in "$@"; do
     --release) required+=(doxygen dpkg-dev debootstrap) ;;
     --viewer) viewer=yes ;;
     *)
-      echo "usage: $0 [--readers] [--cad] [--mpi] [--python] [--reference] [--release] [--viewer]" >&2
+      echo "usage: $0 [--readers] [--cad] [--mpi] [--python] [--fuzz] [--reference] [--release]" \
+        "[--viewer]" >&2
       exit 2
       ;;
   esac

@@ -138,8 +138,8 @@ Search::Search(const FormulaProgram& program, const BreakSearch& task)
     if (may_break(program, step)) hazards_.push_back({&step});
   }
   // A comparison often keeps a point of infinity away, and is not its cause.
-  std::ranges::stable_partition(hazards_,
-                                [](const Hazard& hazard) { return may_be_infinite(*hazard.step); });
+  std::stable_partition(hazards_.begin(), hazards_.end(),
+                        [](const Hazard& hazard) { return may_be_infinite(*hazard.step); });
 }
 
 std::vector<FormulaBreak> Search::run() {

@@ -123,7 +123,7 @@ FaceSteps steps_of(const detail::ResultCorners& values, FaceHandle fh) {
   const FaceCorners corners = corners_of(values.mesh, fh);
   const bool is_quad = corners.count == 4;
   FaceSteps steps{.metric = mean_metric(values, fh)};
-  for (const std::size_t i : {0, 1}) {
+  for (const std::size_t i : {0u, 1u}) {
     const HalfedgeHandle from = corners.first[i];
     const HalfedgeHandle to = corners.first[is_quad ? i + 2 : (i + 1) % 3];
     steps.in_space[i] = detail::point_of(values.mesh, to) - detail::point_of(values.mesh, from);

@@ -256,7 +256,7 @@ MeshFault find_self_intersections(const MeshArrays& set, const RunContext& conte
   MeshFault result{"self_intersection", 0, {}};
   for (const auto& [range, found] : find_by_ranges(search, context)) {
     for (const auto& [face, partner] : found.first) {
-      result.add([&] {
+      result.add([&, face = face, partner = partner] {  // clang 14 captures no bindings
         return fmt::format("faces {}{} and {}{} near {}", face, detail::patch_text(set, face),
                            partner, detail::patch_text(set, partner),
                            point_text(search.place_of(face, partner)));

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <array>
+#include <string>
+
+#include "fuzz/byte_reader.hh"
+#include "fuzz/checks.hh"
+#include "fuzz/targets.hh"
+#include "surfmesh_cad/read_cad.hh"
+
+namespace surfmesh::fuzz {
+
+void try_cad(Bytes input) {
+  constexpr std::array kEndings = {".step", ".brep", ".igs"};
+  ByteReader bytes(input);
+  const std::string name = std::string("part").append(bytes.one_of(kEndings));
+  const auto path = write_scratch(name, bytes.rest());
+  accepts([&] { check_usable(read_cad(path)); });
+}
+
+}  // namespace surfmesh::fuzz
