@@ -63,7 +63,7 @@ function(surfmesh_add_sanitized_tests prefix preset fixture labels)
       set_tests_properties(${prefix}.${stage} PROPERTIES
         LABELS "${labels}" FIXTURES_REQUIRED ${fixture} TIMEOUT 1800
         # Not the folder in which the same test may run just now without sanitizers.
-        ENVIRONMENT "TEST_TMPDIR=${PROJECT_BINARY_DIR}/${preset};TSAN_OPTIONS=suppressions=${CMAKE_CURRENT_SOURCE_DIR}/thread_sanitizer.supp")
+        ENVIRONMENT "TEST_TMPDIR=${PROJECT_BINARY_DIR}/${preset}")
     endif()
   endforeach()
   list(JOIN targets "," targets)  # a list would become several arguments

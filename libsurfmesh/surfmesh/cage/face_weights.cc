@@ -13,14 +13,14 @@
 namespace surfmesh {
 namespace {
 
-using Weights = std::vector<double>;
+using CornerWeights = std::vector<double>;
 
 /// Bilinear weights of the corners (0,0), (1,0), (1,1), (0,1).
 std::array<double, 4> bilinear(Uv uv) {
   return {(1 - uv.u) * (1 - uv.v), uv.u * (1 - uv.v), uv.u * uv.v, (1 - uv.u) * uv.v};
 }
 
-void share_quarter(const std::vector<int>& kept, int part, Uv uv, Weights& weights) {
+void share_quarter(const std::vector<int>& kept, int part, Uv uv, CornerWeights& weights) {
   const auto corner = std::lower_bound(kept.begin(), kept.end(), part);
   const std::size_t n = kept.size();
   const auto k = static_cast<std::size_t>(corner - kept.begin()) % n;
@@ -34,7 +34,7 @@ void share_quarter(const std::vector<int>& kept, int part, Uv uv, Weights& weigh
   for (std::size_t i = 0; i < n; ++i) weight(i) += in_middle / static_cast<double>(n);
 }
 
-void share_whole(const std::vector<int>& kept, Uv uv, Weights& weights) {
+void share_whole(const std::vector<int>& kept, Uv uv, CornerWeights& weights) {
   if (kept.size() == 3) {
     weights[static_cast<std::size_t>(kept[0])] = 1 - uv.u - uv.v;
     weights[static_cast<std::size_t>(kept[1])] = uv.u;
@@ -88,7 +88,7 @@ std::vector<int> kept_corners(const Cage& cage, int face, int count) {
 std::vector<double> face_weights(const Cage& cage, const CagePlace& place) {
   check_place(cage, place);
   const std::vector<int> kept = kept_corners(cage, place.face, place.corners);
-  Weights weights(cage.faces[static_cast<std::size_t>(place.face)].size(), 0);
+  CornerWeights weights(cage.faces[static_cast<std::size_t>(place.face)].size(), 0);
   if (place.part >= 0) {
     share_quarter(kept, place.part, place.uv, weights);
   } else {

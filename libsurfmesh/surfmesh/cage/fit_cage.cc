@@ -27,7 +27,7 @@ namespace surfmesh::detail {
 namespace {
 
 /// Distances of less than this share of the diagonal are rounding.
-constexpr double kRounding = 1e-9;
+constexpr double kFitRounding = 1e-9;
 /// Noise of vertices is up to about the roughness, a median; these multiples are tried as fits.
 constexpr std::array kTriedFits = {1.0, 2.0, 4.0};
 /// A fit that leaves less noise than this share of the limit for it is worth being named.
@@ -39,7 +39,7 @@ constexpr std::size_t kFewTriangles = 150;
 /// Times that vertices are passed by where the surface folds, before faces are kept flat there, and
 /// times in all.
 constexpr int kPassingRounds = 2;
-constexpr int kMostRounds = 6;
+constexpr int kMostFitRounds = 6;
 
 std::string percent(double share) { return fmt::format("{:.2g}%", 100 * share); }
 
@@ -84,7 +84,7 @@ class CageFitter {
     InterpolationOptions options{scheme_, options_.fit.value_or(Length())};
     InterpolatingCage found = interpolating_cage(mesh, options);
     waves_ = measure_waves(mesh, found.cage, scheme_);
-    for (int round = 0; round < kMostRounds && !waves_.folded_faces.empty(); ++round) {
+    for (int round = 0; round < kMostFitRounds && !waves_.folded_faces.empty(); ++round) {
       if (round < kPassingRounds && options.fit.value == 0) {
         options.passed_by = passed_by_ = united(passed_by_, vertices_of(mesh, waves_.folded_faces));
       } else {
@@ -219,7 +219,7 @@ class CageFitter {
     if (fit_.fit > 0 && !found.is_least_squares) {
       return fmt::format("the surface stays within {:.3g} of the vertices", fit_.fit);
     }
-    if (found.distance <= kRounding * diagonal(cage_)) {
+    if (found.distance <= kFitRounding * diagonal(cage_)) {
       return "the surface passes through the vertices";
     }
     return fmt::format("the surface misses the vertices by up to {:.3g}", found.distance);
@@ -240,7 +240,7 @@ class CageFitter {
   }
 
   void tell_distance(const InterpolatingCage& found) {
-    if (fit_.distance <= std::max(fit_.fit, kRounding * diagonal(cage_))) return;
+    if (fit_.distance <= std::max(fit_.fit, kFitRounding * diagonal(cage_))) return;
     std::string text = found.has_stopped
                            ? "no surface through all vertices was found before the search ended"
                            : "no surface of these faces passes through all vertices";

@@ -19,7 +19,7 @@
 namespace surfmesh {
 namespace {
 
-constexpr int kNone = -1;
+constexpr int kNoRegion = -1;
 
 /// The angles within which regions stay, radians; see gather_regions.hh.
 constexpr double kMostTurn = kMostTurnOfRegion / detail::kDegrees;
@@ -44,7 +44,7 @@ constexpr int kMostRounds = 30;
 class RegionGatherer {
  public:
   RegionGatherer(const FaceNeighbours& neighbours, const std::vector<FaceShape>& shapes)
-      : neighbours_(neighbours), shapes_(shapes), region_of_(shapes.size(), kNone) {}
+      : neighbours_(neighbours), shapes_(shapes), region_of_(shapes.size(), kNoRegion) {}
 
   /// The region of each face, from 0; -1 for faces by themselves.
   std::vector<int> run() {
@@ -72,7 +72,7 @@ class RegionGatherer {
 
  private:
   struct Seed {
-    int face = kNone;
+    int face = kNoRegion;
     Vec3 axis;
   };
 
@@ -116,7 +116,7 @@ class RegionGatherer {
     for (int side = 0; side < neighbours_.corner_count(); ++side) {
       if (neighbours_.across({face, side}).face >= 0) continue;
       for (const int other : level.GetEdgeFaces(neighbours_.edge({face, side}))) {
-        if (other != face && region(other) != kNone && region(other) == of_region) return true;
+        if (other != face && region(other) != kNoRegion && region(other) == of_region) return true;
       }
     }
     return false;
@@ -133,13 +133,13 @@ class RegionGatherer {
     for (std::size_t taken = 0; !offers.empty() && taken < limit;) {
       const auto [cost, face, of_region] = offers.top();
       offers.pop();
-      if (region(face) != kNone || is_beside_itself(face, of_region)) continue;
+      if (region(face) != kNoRegion || is_beside_itself(face, of_region)) continue;
       region(face) = of_region;
       ++taken;
       for (int side = 0; side < neighbours_.corner_count(); ++side) {
         const int next = neighbours_.across({face, side}).face;
         const Vec3& axis = seeds_[index(of_region)].axis;
-        if (next < 0 || region(next) != kNone || !fits(next, axis, kMostTurn)) continue;
+        if (next < 0 || region(next) != kNoRegion || !fits(next, axis, kMostTurn)) continue;
         offers.emplace(cost + step_cost(face, next, axis), next, of_region);
       }
     }
@@ -148,7 +148,7 @@ class RegionGatherer {
   /// One region after the other, each from the first face that is left.
   void place_first_seeds() {
     for (int face = 0; face < neighbours_.face_count(); ++face) {
-      if (region(face) != kNone || !may_be_in_region(face)) continue;
+      if (region(face) != kNoRegion || !may_be_in_region(face)) continue;
       grow_from(face);
     }
     move_seeds();
@@ -162,7 +162,7 @@ class RegionGatherer {
   }
 
   void flood() {
-    std::fill(region_of_.begin(), region_of_.end(), kNone);
+    std::fill(region_of_.begin(), region_of_.end(), kNoRegion);
     Offers offers;
     for (std::size_t r = 0; r < seeds_.size(); ++r) {
       offers.emplace(0.0, seeds_[r].face, static_cast<int>(r));
@@ -173,7 +173,7 @@ class RegionGatherer {
   std::vector<std::vector<int>> faces_by_region() const {
     std::vector<std::vector<int>> faces(seeds_.size());
     for (int f = 0; f < neighbours_.face_count(); ++f) {
-      if (region(f) != kNone) faces[index(region(f))].push_back(f);
+      if (region(f) != kNoRegion) faces[index(region(f))].push_back(f);
     }
     return faces;
   }
@@ -204,7 +204,7 @@ class RegionGatherer {
         least = distance;
         seed = {f, normal};
       }
-      if (seed.face != kNone) seeds_[r] = seed;
+      if (seed.face != kNoRegion) seeds_[r] = seed;
     }
   }
 
@@ -212,7 +212,7 @@ class RegionGatherer {
   void merge() {
     std::vector<Sum> sums(seeds_.size());
     for (int f = 0; f < neighbours_.face_count(); ++f) {
-      if (region(f) != kNone) sums[index(region(f))].add(f, shape(f));
+      if (region(f) != kNoRegion) sums[index(region(f))].add(f, shape(f));
     }
     std::vector<std::tuple<double, int, int>> pairs;
     for (const auto& [a, b] : neighbouring_regions()) {
@@ -242,14 +242,14 @@ class RegionGatherer {
         return fits(face, axis, kMostTurn) && !is_beside_itself(face, other_region);
       });
     };
-    return all_fit(a.faces, region(b.faces.front())) && all_fit(b.faces, kNone);
+    return all_fit(a.faces, region(b.faces.front())) && all_fit(b.faces, kNoRegion);
   }
 
   /// Pairs of regions with an edge in common, the lower one first.
   std::set<std::pair<int, int>> neighbouring_regions() const {
     std::set<std::pair<int, int>> pairs;
     for (int f = 0; f < neighbours_.face_count(); ++f) {
-      for (int side = 0; side < neighbours_.corner_count() && region(f) != kNone; ++side) {
+      for (int side = 0; side < neighbours_.corner_count() && region(f) != kNoRegion; ++side) {
         const int next = neighbours_.across({f, side}).face;
         if (next >= 0 && region(next) > region(f)) pairs.emplace(region(f), region(next));
       }
@@ -265,7 +265,7 @@ class RegionGatherer {
       const bool is_small = faces[r].size() < kFewFaces;
       if (!is_small) kept.push_back(seeds_[r]);
       for (const int face : faces[r]) {
-        region(face) = is_small ? kNone : static_cast<int>(kept.size()) - 1;
+        region(face) = is_small ? kNoRegion : static_cast<int>(kept.size()) - 1;
       }
     }
     seeds_ = std::move(kept);
@@ -278,7 +278,7 @@ class RegionGatherer {
     const std::size_t before = seeds_.size();
     std::vector<char> is_seen(shapes_.size(), 0);
     for (int face = 0; face < neighbours_.face_count(); ++face) {
-      if (is_seen[index(face)] || region(face) != kNone || !may_be_in_region(face)) continue;
+      if (is_seen[index(face)] || region(face) != kNoRegion || !may_be_in_region(face)) continue;
       if (mark_connected(face, is_seen) < least) continue;
       seeds_.push_back({face, shape(face).normal});
     }
@@ -305,7 +305,8 @@ class RegionGatherer {
       stack.pop_back();
       for (int side = 0; side < neighbours_.corner_count(); ++side) {
         const int next = neighbours_.across({face, side}).face;
-        if (next < 0 || is_seen[index(next)] || region(next) != kNone || !may_be_in_region(next)) {
+        if (next < 0 || is_seen[index(next)] || region(next) != kNoRegion ||
+            !may_be_in_region(next)) {
           continue;
         }
         is_seen[index(next)] = 1;
@@ -322,7 +323,7 @@ class RegionGatherer {
     for (std::size_t r = 0; r < faces.size(); ++r) {
       if (faces[r].empty() || faces[r].size() >= kFewFaces) continue;
       const int host = host_of(faces[r], static_cast<int>(r));
-      if (host == kNone) continue;
+      if (host == kNoRegion) continue;
       for (const int face : faces[r]) region(face) = host;
       faces[index(host)].insert(faces[index(host)].end(), faces[r].begin(), faces[r].end());
       faces[r].clear();
@@ -334,7 +335,7 @@ class RegionGatherer {
     for (const int face : faces) {
       for (int side = 0; side < neighbours_.corner_count(); ++side) {
         const int next = neighbours_.across({face, side}).face;
-        if (next < 0 || region(next) == own || region(next) == kNone) continue;
+        if (next < 0 || region(next) == own || region(next) == kNoRegion) continue;
         const auto known = std::find_if(shared.begin(), shared.end(), [&](const auto& entry) {
           return entry.first == region(next);
         });
@@ -354,7 +355,7 @@ class RegionGatherer {
       });
       if (fit) return host;
     }
-    return kNone;
+    return kNoRegion;
   }
 
   const FaceNeighbours& neighbours_;

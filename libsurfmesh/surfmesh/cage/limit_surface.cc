@@ -49,7 +49,7 @@ struct RoundedSide {
 };
 
 /// What the cage tells of a face's limit surface.
-struct FaceTraits {
+struct LimitTraits {
   Domain domain;
   bool is_regular = true;  ///< one polynomial
   std::vector<SingularPoint> singular_points = {};
@@ -61,7 +61,7 @@ struct FaceTraits {
 /// The limit surface over one face, with what makes it a surface for meshing.
 class LimitSurface : public CageSurface {
  public:
-  LimitSurface(std::unique_ptr<const FaceEvaluator> evaluator, const FaceTraits& traits)
+  LimitSurface(std::unique_ptr<const FaceEvaluator> evaluator, const LimitTraits& traits)
       : evaluator_(std::move(evaluator)),
         domain_(traits.domain),
         is_sign_in_doubt_(traits.domain.shape == Domain::Shape::Triangle && !traits.is_regular),
@@ -363,7 +363,7 @@ class SurfaceMaker {
     }
     return std::make_shared<LimitSurface>(
         std::move(evaluator),
-        FaceTraits{
+        LimitTraits{
             .domain = domain(), .rounded_sides = rounded_sides(face), .face = of_cage(face)});
   }
 
@@ -371,12 +371,12 @@ class SurfaceMaker {
       int face, std::unique_ptr<const FaceEvaluator> evaluator) const {
     const bool has_parts = scheme_ == Sdc::SCHEME_CATMARK && options_.is_regular_by_hand;
     return std::make_shared<LimitSurface>(std::move(evaluator),
-                                          FaceTraits{.domain = domain(),
-                                                     .is_regular = false,
-                                                     .singular_points = singular_points(face),
-                                                     .rounded_sides = rounded_sides(face),
-                                                     .has_parts = has_parts,
-                                                     .face = of_cage(face)});
+                                          LimitTraits{.domain = domain(),
+                                                      .is_regular = false,
+                                                      .singular_points = singular_points(face),
+                                                      .rounded_sides = rounded_sides(face),
+                                                      .has_parts = has_parts,
+                                                      .face = of_cage(face)});
   }
 
   FaceOfCage of_cage(int face) const {

@@ -11,6 +11,7 @@
 #include "surfmesh/cage/cage_sides.hh"
 #include "surfmesh/cage/creases.hh"
 #include "surfmesh/cage/face_angles.hh"
+#include "surfmesh/cage/median.hh"
 #include "surfmesh/cage/sharp_features.hh"
 
 namespace surfmesh {
@@ -29,14 +30,7 @@ constexpr double kSpikeHeight = 0.17;
 /// some are nearly as great.
 constexpr double kSpikeFoot = 0.4;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-double median_of(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+constexpr double kNoTurn = std::numeric_limits<double>::quiet_NaN();
 
 double mean_length(const Cage& cage) {
   double sum = 0;
@@ -149,7 +143,7 @@ class VertexHeights {
 
   /// That of the neighbours' mean above a vertex; not a number for features.
   double height(std::size_t v) const {
-    if (is_feature_[v] || sums_[v].count == 0 || sums_[v].length == 0) return kNone;
+    if (is_feature_[v] || sums_[v].count == 0 || sums_[v].length == 0) return kNoTurn;
     return sums_[v].step.dot(normals_[v].normalized()) / sums_[v].count;
   }
 
@@ -168,7 +162,7 @@ double median_turn(const Cage& cage) {
     all.push_back(edge.angle * kDegrees);
     if (all.back() < kFeatureAngle) smooth.push_back(all.back());
   }
-  return median_of(2 * smooth.size() < all.size() ? std::move(all) : std::move(smooth));
+  return detail::median_of(2 * smooth.size() < all.size() ? std::move(all) : std::move(smooth));
 }
 
 /// The share of the edges that have two faces.
@@ -192,7 +186,7 @@ void measure_noise(const Cage& cage, MeshTurns& turns) {
   const auto noisy =
       std::count_if(differences.begin(), differences.end(), [=](double d) { return d > least; });
   turns.noisy_share = static_cast<double>(noisy) / static_cast<double>(differences.size());
-  turns.roughness = median_of(std::move(differences));
+  turns.roughness = detail::median_of(std::move(differences));
 }
 
 /// Spikes: a vertex that is moved by d, in a surface where all heights are h, has the height h - d,

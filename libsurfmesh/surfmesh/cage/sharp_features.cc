@@ -12,6 +12,7 @@
 #include "surfmesh/cage/cage_sides.hh"
 #include "surfmesh/cage/creases.hh"
 #include "surfmesh/cage/face_angles.hh"
+#include "surfmesh/cage/median.hh"
 #include "surfmesh/core/disjoint_sets.hh"
 
 namespace surfmesh {
@@ -150,12 +151,6 @@ std::vector<Candidate> candidates_of(const Cage& cage) {
   return candidates;
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Finds the lines of edges that are features.
 class FeatureLines {
  public:
@@ -273,13 +268,13 @@ class FeatureLines {
   double median_ratio(const std::vector<int>& edges) const {
     std::vector<double> ratios;
     for (const int e : edges) ratios.push_back(edge(e).ratio);
-    return median_of(std::move(ratios));
+    return detail::median_of(std::move(ratios));
   }
 
   double median_angle(const std::vector<int>& edges) const {
     std::vector<double> angles;
     for (const int e : edges) angles.push_back(edge(e).angle);
-    return median_of(std::move(angles));
+    return detail::median_of(std::move(angles));
   }
 
   /// True for connected edges with few ends that stand out or are sharp.

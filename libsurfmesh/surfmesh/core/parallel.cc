@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh/core/parallel.hh"
 
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <ctime>
 #include <exception>
 #include <mutex>
 #include <numeric>
-#include <optional>
 #include <thread>
 #include <utility>
 
-#include "surfmesh/core/happens_before.hh"
+#include "surfmesh/core/threads.hh"
 
 namespace surfmesh {
 namespace {
@@ -74,24 +68,12 @@ class SharedIndices {
     if (threads == 1) {
       run_remaining();
     } else {
-      // A thread that waits for the last calls must not begin other work: its clock is running.
-      order_.before();
-      tbb::this_task_arena::isolate([&] {
-        tbb::parallel_for(
-            0, threads, [this](int) { work(); }, tbb::simple_partitioner());
-      });
-      order_.after();
+      detail::run_at_once(threads, [this] { work(); });
     }
     seconds_of_others += seconds_;
   }
 
   void work() {
-    order_.after();
-    work_and_clock();
-    order_.before();
-  }
-
-  void work_and_clock() {
     const double start = seconds_of_this_thread();
     {
       const SharedCall shared;
@@ -127,7 +109,6 @@ class SharedIndices {
   std::mutex mutex_;
   std::exception_ptr error_;
   double seconds_ = 0;  ///< of other threads than the caller
-  detail::HappensBefore order_;
 };
 
 /// Run `body` in this thread as if its calls were shared already. No other thread is needed, so
@@ -141,27 +122,13 @@ void run_alone(const std::function<void()>& body) {
 
 void with_threads(int threads, const std::function<void()>& body) {
   if (threads == 1) return run_alone(body);
-  const int cores = tbb::info::default_concurrency();
-  if (threads == 0) threads = cores;
-  std::optional<tbb::global_control> more_than_cores;
-  if (threads > cores) {
-    more_than_cores.emplace(tbb::global_control::max_allowed_parallelism,
-                            static_cast<std::size_t>(threads));
-  }
-  detail::HappensBefore order;  // another thread of the arena may run it
-  order.before();
-  tbb::task_arena(threads).execute([&] {
-    order.after();
-    body();
-    order.before();
-  });
-  order.after();
+  detail::with_thread_limit(threads, body);
 }
 
 void share_indices(const std::vector<std::size_t>& indices,
                    const std::function<void(std::size_t)>& body) {
   if (indices.empty()) return;
-  const int threads = is_in_shared_call ? 1 : tbb::this_task_arena::max_concurrency();
+  const int threads = is_in_shared_call ? 1 : detail::thread_limit();
   SharedIndices(indices, body)
       .run(static_cast<int>(std::min(static_cast<std::size_t>(threads), indices.size())));
 }

@@ -11,7 +11,7 @@
 namespace surfmesh {
 namespace {
 
-constexpr int kChordsPerPart = 64;
+constexpr int kRegionChordsPerPart = 64;
 constexpr std::size_t kMostCells = 512;
 
 /// Share of the domain's area that rounding may leave between it and its loop.
@@ -53,7 +53,7 @@ PatchRegion::PatchRegion(const Model& model, int patch) : domain_(model.surface(
 void PatchRegion::add_loop(const Model& model, const PatchLoop& loop) {
   for (const LoopEntry& entry : loop) {
     const ContourUse& use = model.use(entry);
-    std::vector<double> ends = divided_parts(model.contour(entry).breaks, kChordsPerPart);
+    std::vector<double> ends = divided_parts(model.contour(entry).breaks, kRegionChordsPerPart);
     if (!use.is_forward) std::reverse(ends.begin(), ends.end());
     Uv last = use.curve->evaluate(ends.front());
     for (std::size_t i = 1; i < ends.size(); ++i) {

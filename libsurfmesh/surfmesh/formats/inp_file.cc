@@ -20,13 +20,13 @@ namespace {
 constexpr std::size_t kRealWidth = 20;
 
 /// Names have up to 80 characters; numbers that make them differ come behind.
-constexpr std::size_t kLongestName = 70;
+constexpr std::size_t kLongestInpName = 70;
 
 /// Numbers in a line of a set; up to 16 are read.
 constexpr std::size_t kPerLine = 10;
 
 /// Names begin with a letter and have no other characters than these.
-std::string word_of(std::string_view name) {
+std::string inp_word(std::string_view name) {
   std::string word;
   bool is_first = true;
   for (const char c : name) {
@@ -38,13 +38,13 @@ std::string word_of(std::string_view name) {
     if ((static_cast<unsigned char>(c) & 0xC0U) == 0x80U) continue;
     word += is_letter || is_digit || c == '_' || c == '-' ? c : '_';
   }
-  return shortened(word, kLongestName);
+  return shortened(word, kLongestInpName);
 }
 
 /// The sets of all elements and of all nodes.
 constexpr std::array<std::string_view, 2> kTaken = {"SURFACE", "NODES"};
 
-constexpr WordRule kWords = {word_of, false, kTaken};
+constexpr WordRule kInpWords = {inp_word, false, kTaken};
 
 class InpWriter {
  public:
@@ -52,7 +52,7 @@ class InpWriter {
       : elements_(mesh_elements(mesh, ".inp")),
         has_patches_(find(mesh, keys::face_patch).is_valid()),
         names_(names_with_defaults(names)),
-        words_(file_words(names_, kWords)),
+        words_(file_words(names_, kInpWords)),
         writer_(file) {}
 
   void write() {
@@ -165,7 +165,7 @@ void write_inp(const PolyMesh& mesh, const MeshNames& names, const OutputOptions
 }
 
 std::vector<ChangedName> changed_in_inp(const PolyMesh& mesh, const MeshNames& names) {
-  return changed_words(mesh, names, kWords);
+  return changed_words(mesh, names, kInpWords);
 }
 
 std::vector<std::string> lost_in_inp(const PolyMesh& mesh, const MeshNames& names,
@@ -174,7 +174,7 @@ std::vector<std::string> lost_in_inp(const PolyMesh& mesh, const MeshNames& name
   add_lost_sets(mesh, names, lost);
   add_lost_digits(mesh, kRealWidth, RealStyle::Plain, lost);
   add_split_faces(mesh, 4, lost);
-  add_changed_words(mesh, names, kWords, lost);
+  add_changed_words(mesh, names, kInpWords, lost);
   return lost;
 }
 

@@ -123,9 +123,9 @@ class MeditSink {
   std::uint64_t place_ = 0;
 };
 
-std::string word_of(std::string_view name) { return one_line(name); }
+std::string medit_word(std::string_view name) { return one_line(name); }
 
-constexpr WordRule kWords = {word_of};
+constexpr WordRule kMeditWords = {medit_word};
 
 /// The numbers of a line: an element with its reference, a corner, a ridge.
 constexpr std::size_t bytes_of(std::size_t integers) { return integers * sizeof(int); }
@@ -157,7 +157,7 @@ class MeditWriter {
   }
 
   void write_names() {
-    const FileWords words = file_words(names_, kWords);
+    const FileWords words = file_words(names_, kMeditWords);
     const auto write_all = [&](std::string_view kind, const std::vector<std::string>& all) {
       for (std::size_t i = 0; i < all.size(); ++i) {
         if (!all[i].empty()) out_.comment(fmt::format("{} {} {}", kind, i + 1, all[i]));
@@ -263,7 +263,7 @@ void write_companion_of_medit(const PolyMesh& mesh, OutputFile& file) {
 }
 
 std::vector<ChangedName> changed_in_medit(const PolyMesh& mesh, const MeshNames& names) {
-  return changed_words(mesh, names, kWords);
+  return changed_words(mesh, names, kMeditWords);
 }
 
 std::vector<std::string> lost_in_medit(const PolyMesh& mesh, const MeshNames& names,
@@ -272,7 +272,7 @@ std::vector<std::string> lost_in_medit(const PolyMesh& mesh, const MeshNames& na
   std::vector<std::string> lost = lost_properties(mesh, {.metric = has_metrics, .contours = true});
   if (has_metrics) lost.push_back("the metric of corners where those at a vertex differ");
   add_split_faces(mesh, 4, lost);
-  add_changed_words(mesh, names, kWords, lost);
+  add_changed_words(mesh, names, kMeditWords, lost);
   return lost;
 }
 

@@ -18,20 +18,20 @@ namespace surfmesh {
 namespace {
 
 /// Gmsh takes lines of 128 bytes for a name with its quotes.
-constexpr std::size_t kLongestName = 120;
+constexpr std::size_t kLongestMshName = 120;
 
 /// What Gmsh calls elements of two, three and four nodes.
 constexpr int kLine = 1, kTriangle = 2, kQuad = 3;
 
 /// Nothing escapes a quote, and other readers take a backslash for an escape.
-std::string word_of(std::string_view name) {
-  std::string word = shortened(one_line(name), kLongestName);
+std::string msh_word(std::string_view name) {
+  std::string word = shortened(one_line(name), kLongestMshName);
   std::replace(word.begin(), word.end(), '"', '\'');
   std::replace(word.begin(), word.end(), '\\', '/');
   return word;
 }
 
-constexpr WordRule kWords = {word_of};
+constexpr WordRule kMshWords = {msh_word};
 
 bool is_binary(MshVersion version) {
   return version == MshVersion::Binary41 || version == MshVersion::Binary22;
@@ -130,7 +130,7 @@ struct PhysicalName {
 class Entities {
  public:
   Entities(const PolyMesh& mesh, const MeshElements& elements, const MeshNames& names) {
-    const FileWords words = file_words(names, kWords);
+    const FileWords words = file_words(names, kMshWords);
     add_curves(elements, words);
     const bool has_patches = find(mesh, keys::face_patch).is_valid();
     add_surfaces(elements, has_patches ? names.patches.size() : 0);
@@ -484,7 +484,7 @@ void write_msh(const PolyMesh& mesh, const MeshNames& names, const OutputOptions
 }
 
 std::vector<ChangedName> changed_in_msh(const PolyMesh& mesh, const MeshNames& names) {
-  return changed_words(mesh, names, kWords);
+  return changed_words(mesh, names, kMshWords);
 }
 
 /// Version 2.2 has one physical group an element.
@@ -520,7 +520,7 @@ std::vector<std::string> lost_in_msh(const PolyMesh& mesh, const MeshNames& name
   std::vector<std::string> lost = lost_properties(mesh, {.contours = true});
   add_split_faces(mesh, 4, lost);
   if (is_version_2(options.msh)) add_lost_groups(mesh, names, lost);
-  add_changed_words(mesh, names, kWords, lost);
+  add_changed_words(mesh, names, kMshWords, lost);
   return lost;
 }
 

@@ -44,7 +44,7 @@ constexpr std::array<std::string_view, 6> kPatchNames = {
     "patch", "gmsh:geometrical", "gmsh:physical", "medit:ref", "CellEntityIds", "ref"};
 
 /// Numbers of patches up to this one are read: memory grows with them.
-constexpr std::int64_t kMostPatches = 10'000'000;
+constexpr std::int64_t kMostVtuPatches = 10'000'000;
 
 /// What names of arrays of patches begin with.
 constexpr std::string_view kPatchPrefix = "patch:";
@@ -239,10 +239,10 @@ class VtuReader {
       return;
     }
     for (const std::int64_t patch : builder_.references()) {
-      if (patch < -1 || patch > kMostPatches) {
+      if (patch < -1 || patch > kMostVtuPatches) {
         throw Error(ErrorCode::InvalidInput,
                     fmt::format("{}: patch {} is not a number from 0 to {}, or -1 for none",
-                                document_.form.name, patch, kMostPatches));
+                                document_.form.name, patch, kMostVtuPatches));
       }
       builder_.grid.patches.push_back(static_cast<int>(patch));
     }

@@ -16,7 +16,7 @@ namespace surfmesh {
 namespace {
 
 /// Error of one operation as a share of its result, once at the middle and once elsewhere.
-constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
+constexpr double kSlopeRounding = 8 * std::numeric_limits<double>::epsilon();
 
 constexpr Interval kOne = {1, 1};
 constexpr Interval kZero = {0, 0};
@@ -203,7 +203,7 @@ void SlopesOfResult::step_back(std::size_t instruction) {
   const std::size_t index = program_.variable_count() + instruction;
   const Interval slope = slopes_[index];
   if (slope == kZero) return;
-  rounding_ += kRounding * abs(slope).upper * abs(registers_[index]).upper;
+  rounding_ += kSlopeRounding * abs(slope).upper * abs(registers_[index]).upper;
   const Instruction& step = program_.instructions()[instruction];
   const auto [a, b, d] = step.operand;
   const Slopes own = slopes_of(step, at(a), at(b), registers_[index]);
@@ -219,14 +219,14 @@ void SlopesOfResult::step_back(std::size_t instruction) {
 
 Interval SlopesOfResult::difference(int result, std::span<const Interval> variables) {
   slopes_[static_cast<std::size_t>(result)] = kOne;
-  rounding_ = kRounding * abs(registers_[static_cast<std::size_t>(result)]).upper;
+  rounding_ = kSlopeRounding * abs(registers_[static_cast<std::size_t>(result)]).upper;
   for (std::size_t i = program_.instructions().size(); i-- > 0;) step_back(i);
   Interval sum = kZero;
   for (std::size_t i = 0; i < variables.size(); ++i) {
     if (slopes_[i] == kZero) continue;
     const Interval middle = Interval::of(variables[i].middle());
     sum = sum + slopes_[i] * (variables[i] - middle);
-    rounding_ += kRounding * abs(slopes_[i]).upper * abs(variables[i]).upper;
+    rounding_ += kSlopeRounding * abs(slopes_[i]).upper * abs(variables[i]).upper;
   }
   return sum + Interval{-rounding_, rounding_} + kUnderflow;
 }

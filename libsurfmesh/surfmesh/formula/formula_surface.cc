@@ -11,12 +11,12 @@
 namespace surfmesh {
 namespace {
 
-const std::vector<std::string> kParameters = {"u", "v"};
+const std::vector<std::string> kSurfaceParameters = {"u", "v"};
 
 FormulaProgram read(const SurfaceFormulas& formulas,
                     const std::map<std::string, double>& constants) {
-  return read_coordinates({{"x", formulas.x}, {"y", formulas.y}, {"z", formulas.z}}, kParameters,
-                          constants, formulas.where);
+  return read_coordinates({{"x", formulas.x}, {"y", formulas.y}, {"z", formulas.z}},
+                          kSurfaceParameters, constants, formulas.where);
 }
 
 }  // namespace

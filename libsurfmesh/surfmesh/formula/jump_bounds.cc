@@ -11,7 +11,7 @@ namespace surfmesh {
 namespace {
 
 /// Several roundings, as a share.
-constexpr double kMargin = 8 * std::numeric_limits<double>::epsilon();
+constexpr double kJumpMargin = 8 * std::numeric_limits<double>::epsilon();
 
 double sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
@@ -26,7 +26,7 @@ Interval truth(bool is_everywhere, bool is_nowhere) {
 /// jump it would be less by a period, which the margin tells from roundings.
 bool is_in_one_period(const Interval& a, double period) {
   if (is_single(a)) return true;
-  return a.width() < (1 - kMargin) * std::abs(period) &&
+  return a.width() < (1 - kJumpMargin) * std::abs(period) &&
          floored_mod(a.lower, period) <= floored_mod(a.upper, period);
 }
 
@@ -45,7 +45,7 @@ std::optional<double> whole_periods(const Interval& a, const Interval& b) {
     return std::round((a.lower - floored_mod(a.lower, b.lower)) / b.lower);
   }
   const Interval quotient = a / b;
-  const double slack = kMargin * (1 + abs(quotient).upper);
+  const double slack = kJumpMargin * (1 + abs(quotient).upper);
   const double first = std::floor(quotient.lower - slack);
   const double last = std::floor(quotient.upper + slack);
   if (first != last) return {};
@@ -59,7 +59,7 @@ Interval mod(const Interval& a, const Interval& b) {
   if (!periods) return all;
   if (is_single(b)) return {floored_mod(a.lower, b.lower), floored_mod(a.upper, b.lower)};
   const Interval rest = a - Interval::of(*periods) * b;
-  const double error = kMargin * abs(a).upper;
+  const double error = kJumpMargin * abs(a).upper;
   return {std::clamp(rest.lower - error, all.lower, all.upper),
           std::clamp(rest.upper + error, all.lower, all.upper)};
 }

@@ -11,7 +11,7 @@ namespace {
 /// The first intervals of each part, each seen at four places.
 constexpr int kFirstIntervals = 8;
 
-constexpr int kMaxHalvings = 9;
+constexpr int kMaxSegmentHalvings = 9;
 
 double distance_from_chord(const Vec3& p, const Vec3& a, const Vec3& b) {
   return (p - a - nearest_share(a, b, p) * (b - a)).norm();
@@ -40,7 +40,7 @@ class Divider {
       const Vec3 p = curve_.evaluate((1 - share) * a.t + share * b.t);
       is_near = distance_from_chord(p, a.point, b.point) <= tolerance_;
     }
-    if (is_near || depth == kMaxHalvings) {
+    if (is_near || depth == kMaxSegmentHalvings) {
       points_.push_back(b);
       return;
     }

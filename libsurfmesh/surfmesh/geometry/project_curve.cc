@@ -18,7 +18,7 @@ namespace {
 
 /// The first steps along the curve, and the halvings of one of them.
 constexpr int kFirstSteps = 64;
-constexpr int kMaxHalvings = 16;
+constexpr int kMaxStepHalvings = 16;
 
 /// The middle of a step is this near to that of its chord, as a share of its length: Newton then
 /// has a good start anywhere on the step.
@@ -71,7 +71,7 @@ class Follower {
   std::vector<Station> run(Uv start) {
     stations_ = {{0, start}};
     for (int i = 1; i <= kFirstSteps; ++i) {
-      if (!follow(double(i) / kFirstSteps, kMaxHalvings)) break;
+      if (!follow(double(i) / kFirstSteps, kMaxStepHalvings)) break;
     }
     return stations_;
   }

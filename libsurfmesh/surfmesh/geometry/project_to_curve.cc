@@ -32,7 +32,7 @@ constexpr double kLeastStep = std::numeric_limits<double>::epsilon();
 constexpr int kScanIntervals = 32;
 constexpr int kMaxNewtonSteps = 12;
 /// Halvings that bring an interval of length 2/32 down to the rounding of t.
-constexpr int kMaxHalvings = 50;
+constexpr int kMaxNewtonHalvings = 50;
 constexpr int kMaxRootSteps = 100;
 
 Uv tangent_uv(const Curve& curve, double t) {
@@ -134,7 +134,7 @@ std::array<double, kScanIntervals + 1> Projection::scan() const {
 /// Halve the bracket until the slope changes its sign over it, or it is as small as the rounding
 /// of t. Needs values only, so it also passes points where the tangent vanishes.
 Bracket Projection::narrow(Bracket b) const {
-  for (int i = 0; i < kMaxHalvings; ++i) {
+  for (int i = 0; i < kMaxNewtonHalvings; ++i) {
     if (b.low.slope() < 0 && b.high.slope() > 0) break;
     const Foot left = at((b.low.t + b.middle.t) / 2);
     const Foot right = at((b.middle.t + b.high.t) / 2);

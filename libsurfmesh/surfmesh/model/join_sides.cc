@@ -23,7 +23,7 @@ namespace surfmesh {
 namespace {
 
 /// Breaks nearer to an end than this t are it.
-constexpr double kBesideEnd = 1e-9;
+constexpr double kBesideSideEnd = 1e-9;
 
 /// The t at which a side goes from one cell of its surface to the next.
 std::vector<double> cell_breaks(const SideLine& line) {
@@ -35,7 +35,7 @@ std::vector<double> cell_breaks(const SideLine& line) {
     const Uv border = line.surface->from_cells({cell, cell});
     const double t = is_along_u ? (border.u - line.a.u) / (line.b.u - line.a.u)
                                 : (border.v - line.a.v) / (line.b.v - line.a.v);
-    if (t > kBesideEnd && t < 1 - kBesideEnd) breaks.push_back(t);
+    if (t > kBesideSideEnd && t < 1 - kBesideSideEnd) breaks.push_back(t);
   }
   std::sort(breaks.begin(), breaks.end());
   return breaks;

@@ -9,8 +9,8 @@ namespace surfmesh {
 namespace {
 
 /// Parts of a segment that is near a point, and how often these are divided.
-constexpr int kParts = 8;
-constexpr int kMaxDivisions = 4;
+constexpr int kRegionParts = 8;
+constexpr int kMaxRegionDivisions = 4;
 
 /// Curves meet up to rounding only: a ray must not pass between their ends.
 std::vector<LoopSegment> closed_segments(const LoopCurves& loop) {
@@ -58,7 +58,7 @@ bool LoopRegion::contains(Uv point) const {
   const BoxTree::Box ray = plane_box(at, {std::numeric_limits<double>::infinity(), at.v});
   bool result = false;
   tree_.visit(ray, [&](std::size_t i) {
-    if (meets_ray(segments_[i], point, kMaxDivisions)) result = !result;
+    if (meets_ray(segments_[i], point, kMaxRegionDivisions)) result = !result;
   });
   return result;
 }
@@ -69,7 +69,8 @@ bool LoopRegion::contains(Uv point) const {
 bool LoopRegion::meets_ray(const LoopSegment& segment, Uv point, int divisions) const {
   const double distance = scale_.length(scale_.foot(point, segment) - point);
   if (divisions > 0 && distance < kBulge * scale_.length(segment)) {
-    std::vector<LoopSegment> parts = segments_of(*segment.curve, segment.s0, segment.s1, kParts);
+    std::vector<LoopSegment> parts =
+        segments_of(*segment.curve, segment.s0, segment.s1, kRegionParts);
     parts.front().a = segment.a;
     parts.back().b = segment.b;
     bool result = false;

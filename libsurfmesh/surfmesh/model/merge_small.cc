@@ -24,14 +24,14 @@ namespace {
 constexpr double kLeastShare = 1e-6;
 
 /// Intervals of each part of a contour.
-constexpr int kPartIntervals = 8;
+constexpr int kIntervalsOfLength = 8;
 
 /// The length of a contour that is no longer than `most`.
 std::optional<double> short_length(const Model& model, const Contour& contour, double most) {
   const ContourUse& use = contour.uses.front();
   double length = 0;
   Vec3 last = model.point(use, 0);
-  for (const double t : divided_parts(contour.breaks, kPartIntervals)) {
+  for (const double t : divided_parts(contour.breaks, kIntervalsOfLength)) {
     const Vec3 next = model.point(use, t);
     length += (next - last).norm();
     if (length > most) return std::nullopt;
@@ -210,7 +210,7 @@ class SliverMerger {
     const double most = std::max({least_, one.tolerance, other.tolerance});
     const ContourUse& use = model_.use(b);
     const bool is_opposed = model_.use(a).is_forward == use.is_forward;
-    for (const double t : divided_parts(one.breaks, kPartIntervals)) {
+    for (const double t : divided_parts(one.breaks, kIntervalsOfLength)) {
       const Vec3 point = model_.point(model_.use(a), t);
       const double foot =
           project_to_curve(*patch.surface, *use.curve, point, is_opposed ? 1 - t : t);

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kLeastSamples = kLineSamples / 4;
 
 /// A stretch is longer than this many gaps, or it is short rather than near.
-constexpr double kLengthPerGap = 4;
+constexpr double kMissLengthPerGap = 4;
 
 /// A piece between ends of sides that are nearly one is at most this share of its sides.
 constexpr double kShortShare = 0.01;
@@ -39,24 +39,24 @@ double distance_to_curve(const Vec3& p, const SampledLine& curve, double t_guess
 }
 
 /// Samples first to last - 1 of a curve.
-struct Stretch {
+struct NearStretch {
   std::size_t first = 0;
   std::size_t last = 0;
 };
 
 /// The longest run of numbers for which `is_near` holds.
 template <class Predicate>
-Stretch longest_run(std::size_t count, const Predicate& is_near) {
-  Stretch best;
-  Stretch current;
+NearStretch longest_run(std::size_t count, const Predicate& is_near) {
+  NearStretch best;
+  NearStretch current;
   for (std::size_t i = 0; i < count; ++i) {
-    current = is_near(i) ? Stretch{current.first, i + 1} : Stretch{i + 1, i + 1};
+    current = is_near(i) ? NearStretch{current.first, i + 1} : NearStretch{i + 1, i + 1};
     if (current.last - current.first > best.last - best.first) best = current;
   }
   return best;
 }
 
-double length(const SampledLine& curve, const Stretch& stretch) {
+double length(const SampledLine& curve, const NearStretch& stretch) {
   double result = 0;
   for (std::size_t i = stretch.first + 1; i < stretch.last; ++i) {
     result += (curve.points[i] - curve.points[i - 1]).norm();
@@ -99,7 +99,7 @@ struct Along {
 /// How a stretch of `a` runs along `b`, or nothing.
 std::optional<Along> along(const SampledLine& a, const SampledLine& b, const JoinLengths& lengths) {
   const std::size_t count = a.points.size();
-  const Stretch rough = longest_run(
+  const NearStretch rough = longest_run(
       count, [&](std::size_t i) { return least_distance(a.points[i], b) <= lengths.near; });
   if (rough.last - rough.first <= kLeastSamples) return std::nullopt;
   const std::vector<double> parameters = sample_parameters(kLineSamples);
@@ -107,13 +107,13 @@ std::optional<Along> along(const SampledLine& a, const SampledLine& b, const Joi
   for (const Vec3& p : a.points) {
     distances.push_back(distance_to_curve(p, b, parameters[b.nearest(p)]));
   }
-  const Stretch run =
+  const NearStretch run =
       longest_run(count, [&](std::size_t i) { return distances[i] <= lengths.near; });
   if (run.last - run.first <= kLeastSamples) return std::nullopt;
   const auto begin = distances.begin();
   const double result = *std::max_element(begin + static_cast<std::ptrdiff_t>(run.first),
                                           begin + static_cast<std::ptrdiff_t>(run.last));
-  if (length(a, run) < kLengthPerGap * std::max(result, lengths.join)) return std::nullopt;
+  if (length(a, run) < kMissLengthPerGap * std::max(result, lengths.join)) return std::nullopt;
   return Along{result, a.points[(run.first + run.last) / 2], run.last - run.first == count};
 }
 

@@ -172,7 +172,7 @@ BackgroundInput read_background_source(const JsonNode& node, const std::filesyst
   return input;
 }
 
-Vec3 read_point(const JsonNode& node, const Constants& constants) {
+Vec3 read_space_point(const JsonNode& node, const Constants& constants) {
   const std::vector<JsonNode> values = node.elements(3);
   Vec3 point;
   for (int i = 0; i < 3; ++i) {
@@ -188,9 +188,10 @@ NearSource read_near(const JsonNode& node, const Constants& constants) {
   const std::vector<JsonNode> elements = near.elements();
   NearSource source{{}, read_wish(node), {}, node.place()};
   if (!elements.empty() && elements[0].json().is_array()) {
-    for (const JsonNode& point : elements) source.line.push_back(read_point(point, constants));
+    for (const JsonNode& point : elements)
+      source.line.push_back(read_space_point(point, constants));
   } else {
-    source.line.push_back(read_point(near, constants));
+    source.line.push_back(read_space_point(near, constants));
   }
   return source;
 }
@@ -198,14 +199,16 @@ NearSource read_near(const JsonNode& node, const Constants& constants) {
 /// A ball is a point with a radius.
 NearSource read_ball(const JsonNode& node, const JsonNode& inside, const Constants& constants) {
   if (node.has("radius")) node.at("radius").fail("the ball has its own radius");
-  NearSource source{{read_point(inside.at("ball"), constants)}, read_wish(node), {}, node.place()};
+  NearSource source{
+      {read_space_point(inside.at("ball"), constants)}, read_wish(node), {}, node.place()};
   source.wish.radius = read_length(inside.at("radius"));
   return source;
 }
 
 BoxSource read_box(const JsonNode& node, const JsonNode& box, const Constants& constants) {
   const std::vector<JsonNode> corners = box.elements(2);
-  const Vec3 a = read_point(corners[0], constants), b = read_point(corners[1], constants);
+  const Vec3 a = read_space_point(corners[0], constants),
+             b = read_space_point(corners[1], constants);
   return {Eigen::AlignedBox3d(a.cwiseMin(b), a.cwiseMax(b)), read_wish(node), {}, node.place()};
 }
 

@@ -88,12 +88,12 @@ class TableReader {
   }
 
   void read_header(const std::vector<std::string_view>& cells) {
-    using Names = std::vector<std::string_view>;
-    if (cells == Names{"u", "v", "size"}) {
+    using Header = std::vector<std::string_view>;
+    if (cells == Header{"u", "v", "size"}) {
       columns_ = Columns::Size;
-    } else if (cells == Names{"u", "v", "ls", "lt", "angle"}) {
+    } else if (cells == Header{"u", "v", "ls", "lt", "angle"}) {
       columns_ = Columns::Lengths;
-    } else if (cells == Names{"u", "v", "m11", "m12", "m22"}) {
+    } else if (cells == Header{"u", "v", "m11", "m12", "m22"}) {
       columns_ = Columns::Metric;
     } else {
       fail("the first line must name the columns: u,v,size or u,v,ls,lt,angle or u,v,m11,m12,m22");

@@ -29,7 +29,7 @@ constexpr double kLeastJacobian = 0.2;
 constexpr int kFirstSmoothings = 8;
 
 /// Sweeps of smoothing over all vertices after a round.
-constexpr int kSweeps = 4;
+constexpr int kQuadSweeps = 4;
 
 class Division {
  public:
@@ -47,8 +47,8 @@ class Division {
     std::vector<FaceHandle> far = far_quads(context);
     if (far.size() > mesh_.n_faces() / kQuadsPerFar) return geometry_.queries();
     for (int round = 0; round < kMostRounds && divide(far); ++round, far = far_quads(context)) {
-      smooth_quads(mesh_, geometry_, SmoothingAim::BetterShape, kSweeps, context);
-      smooth_quads(mesh_, geometry_, SmoothingAim::WorstCorners, kSweeps, context);
+      smooth_quads(mesh_, geometry_, SmoothingAim::BetterShape, kQuadSweeps, context);
+      smooth_quads(mesh_, geometry_, SmoothingAim::WorstCorners, kQuadSweeps, context);
     }
     compact_patch(mesh_, editor_);
     return geometry_.queries();

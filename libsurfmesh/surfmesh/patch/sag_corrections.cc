@@ -13,7 +13,7 @@
 namespace surfmesh::detail {
 namespace {
 
-constexpr int kMostRounds = 8;
+constexpr int kMostCorrections = 8;
 
 /// Beside half of the triangles of a patch, so many may be corrected.
 constexpr std::size_t kFreeFaces = 20;
@@ -38,7 +38,7 @@ constexpr double kFirstBend = 0.05, kLastBend = 0.95;
 constexpr double kFirstBendStep = 0.125, kLastBendStep = 0.002;
 
 /// Least gain of shape for which an edge is swapped or a node moved.
-constexpr double kLeastGain = 0.01;
+constexpr double kLeastCorrectionGain = 0.01;
 
 /// Nodes whose triangles all have this shape stay where they are.
 constexpr double kGoodShape = 0.6;
@@ -57,7 +57,7 @@ class SagCorrector {
     boundary_count_ = boundary_vertices(patch_.boundary).size();
     measure_new_faces();
     const std::size_t limit = kFreeFaces + delaunay_.n_faces() / 2;
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMostCorrections; ++round) {
       const std::vector<FaceHandle> far = far_faces();
       // Where most triangles are too far the sizes are to blame, or hmin is in the way.
       if (far.empty() || far.size() > limit || result_.nodes > limit) break;
@@ -167,7 +167,7 @@ class SagCorrector {
   void swap_for_shape(EdgeHandle eh) {
     if (!is_inner(patch_, eh) || !delaunay_.can_flip(eh)) return;
     const Diamond diamond = diamond_of(patch_, eh);
-    if (shape_of(diamond.swapped()) < shape_of(diamond.triangles()) + kLeastGain) return;
+    if (shape_of(diamond.swapped()) < shape_of(diamond.triangles()) + kLeastCorrectionGain) return;
     if (is_nearer(diamond.swapped(), diamond.triangles())) flip(eh);
   }
 
@@ -271,7 +271,7 @@ class SagCorrector {
     for (const double share : {1.0, 0.5, 0.25}) {
       const PatchCorner then = corner_at(patch_, lerp(now.uv, middle, share));
       const CornerTriangles moved = star_of(patch_, vh, then);
-      if (!are_upright(moved) || shape_of(moved) < shape + kLeastGain) continue;
+      if (!are_upright(moved) || shape_of(moved) < shape + kLeastCorrectionGain) continue;
       if (!is_nearer(moved, star_of(patch_, vh, now))) continue;
       move(vh, then);
       return;

@@ -16,7 +16,7 @@
 namespace surfmesh::detail {
 namespace {
 
-constexpr int kSweeps = 2;
+constexpr int kSmoothingSweeps = 2;
 
 /// Nodes whose triangles are all of a better quality stay where they are.
 constexpr double kGoodQuality = 0.9;
@@ -28,7 +28,7 @@ constexpr double kLeastSwapGain = 0.01;
 /// units of the metric, and the least gain of shape for one.
 constexpr double kPoorShape = 0.52;
 constexpr std::array<double, 4> kSearchSteps = {0.3, 0.15, 0.07, 0.03};
-constexpr double kLeastGain = 0.01;
+constexpr double kLeastSmoothingGain = 0.01;
 
 /// Unit vectors around a circle.
 constexpr double kDiagonal = std::numbers::sqrt2 / 2;
@@ -52,11 +52,11 @@ class SmoothingWithinSag {
         first_inner_(boundary_vertices(patch.boundary).size()) {}
 
   void run() {
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (int sweep = 0; sweep < kSmoothingSweeps; ++sweep) {
       for_each_node([this](VertexHandle vh) { smooth(vh); });
       swap_edges();
     }
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (int sweep = 0; sweep < kSmoothingSweeps; ++sweep) {
       for_each_node([this](VertexHandle vh) { search(vh); });
     }
   }
@@ -136,7 +136,7 @@ class SmoothingWithinSag {
   }
 
   void take_if_better(VertexHandle vh, const MetricCorner& there, Place& best) const {
-    const double least = best.score + kLeastGain;
+    const double least = best.score + kLeastSmoothingGain;
     const double quality = star_.quality(there);
     if (best.score >= kPoorShape || quality < least) return;
     const PatchCorner corner = corner_at(patch_, there.uv);

@@ -22,7 +22,7 @@ namespace {
 using detail::HistogramText;
 using detail::TextTable;
 
-constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 /// Places of a kind of fault in the short style.
 constexpr std::size_t kFewPlaces = 3;
@@ -74,8 +74,8 @@ HistogramText angle_text(const ShapeStatistics& shape, const TextStyle& style) {
   }
   HistogramText text{
       .heading = {"angles of corners (degrees)",
-                  fmt::format("least {:.2f}, greatest {:.2f}", kDegrees * shape.min_angle,
-                              kDegrees * shape.max_angle)},
+                  fmt::format("least {:.2f}, greatest {:.2f}", kDegreesPerRadian * shape.min_angle,
+                              kDegreesPerRadian * shape.max_angle)},
       .rows = detail::rows_between(shape.angles, limits),
       .share = {},
       .total = 0};
@@ -99,8 +99,8 @@ std::string figures_text(const QualityStatistics& quality) {
 
 void add_shape(const ShapeStatistics& shape, TextTable& table) {
   table.add("angles", fmt::format("from {:.2f} (face {}) to {:.2f} degrees (face {})",
-                                  kDegrees * shape.min_angle, shape.min_angle_face,
-                                  kDegrees * shape.max_angle, shape.max_angle_face));
+                                  kDegreesPerRadian * shape.min_angle, shape.min_angle_face,
+                                  kDegreesPerRadian * shape.max_angle, shape.max_angle_face));
   table.add("lengths", fmt::format("from {:.4g} to {:.4g}, mean {:.4g}", shape.min_edge,
                                    shape.max_edge, shape.mean_edge));
   if (shape.quality.count > 0) table.add("shape", figures_text(shape.quality));

@@ -12,14 +12,12 @@
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/pipeline/control_spaces.hh"
 #include "surfmesh/pipeline/options_of_model.hh"
+#include "surfmesh/pipeline/reach_sag.hh"
 #include "surfmesh/pipeline/sag_notices.hh"
 #include "surfmesh/pipeline/unused_options.hh"
 
 namespace surfmesh::detail {
 namespace {
-
-/// Corrections see a little less than the measure: they aim below the sag.
-constexpr double kCorrectedShare = 0.97;
 
 PipelineOptions without_across(PipelineOptions options) {
   options.across.is_on = false;

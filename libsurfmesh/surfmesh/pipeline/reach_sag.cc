@@ -28,9 +28,6 @@ namespace {
 /// Meshes that are corrected. The last ones take little time, for most patches stay as they are.
 constexpr int kMostCorrectedMeshes = 10;
 
-/// Corrections see a little less than the measure: they aim below the sag.
-constexpr double kCorrectedShare = 0.97;
-
 /// Share of the sag at which the scaling of sizes aims, and bounds of one scaling. Sags scatter:
 /// with 0.85 a tenth of the triangles is corrected, which takes nearly as many triangles and costs
 /// shape.

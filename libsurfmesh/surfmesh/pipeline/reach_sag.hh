@@ -8,6 +8,9 @@
 
 namespace surfmesh::detail {
 
+/// Corrections see a little less than the measure: they aim at this share of the sag.
+inline constexpr double kCorrectedShare = 0.97;
+
 /// What is to be meshed within a sag, and the sizes that are wanted beside.
 struct SagTask {
   const Model& model;

@@ -22,13 +22,13 @@ namespace {
 constexpr double kLeastDistance = 0.55;
 
 /// Distance in the metric halfway below which a place is not looked at any further.
-constexpr double kHopeless = 0.4;
+constexpr double kHopelessDistance = 0.4;
 
 /// Least metric distance of a new node from a segment of the boundary.
 constexpr double kLeastToBoundary = 0.45;
 
 /// A neighbour within these bounds stands for the node that would be placed.
-constexpr double kNearest = 0.6, kFarthest = 1.35, kSideways = 0.4;
+constexpr double kNearestNode = 0.6, kFarthest = 1.35, kSideways = 0.4;
 
 /// Metric length at which the metric is differentiated.
 constexpr double kDifference = 0.3;
@@ -162,7 +162,7 @@ class Placement {
     const Uv at = delaunay_.uv(from);
     for (const VertexHandle vh : delaunay_.mesh().vv_range(from)) {
       const Uv there = cross.frame.along(direction, delaunay_.uv(vh) - at);
-      if (there.u >= kNearest && there.u <= kFarthest && std::abs(there.v) <= kSideways) {
+      if (there.u >= kNearestNode && there.u <= kFarthest && std::abs(there.v) <= kSideways) {
         return true;
       }
     }
@@ -219,7 +219,7 @@ class Placement {
   bool is_hopeless(VertexHandle from, Uv p, const RootFrame& frame, Direction direction) const {
     for (const VertexHandle vh : delaunay_.mesh().vv_range(from)) {
       const Uv there = frame.along(direction, delaunay_.uv(vh) - p);
-      if (std::max(std::abs(there.u), std::abs(there.v)) < kHopeless) return true;
+      if (std::max(std::abs(there.u), std::abs(there.v)) < kHopelessDistance) return true;
     }
     return false;
   }

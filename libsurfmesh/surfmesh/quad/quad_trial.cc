@@ -16,7 +16,7 @@ constexpr int kRoundsOfBad = 8;
 /// Rounds in other trials, each with the energy above which it is the last, as a multiple of that
 /// before the change. Three trials of four end before the last round; of the good changes one in
 /// 20 is lost.
-constexpr std::array kHopeless = {8.0, 2.0, 1.15, 1.0};
+constexpr std::array kHopelessEnergies = {8.0, 2.0, 1.15, 1.0};
 
 }  // namespace
 
@@ -92,7 +92,7 @@ QuadTrial::Sum QuadTrial::smooth_bad() {
 
 QuadTrial::Sum QuadTrial::smooth(double energy_before) {
   Sum sum;
-  for (const double hopeless : kHopeless) {
+  for (const double hopeless : kHopelessEnergies) {
     smooth_once({});
     sum = measure();
     if (sum.energy > hopeless * energy_before) break;

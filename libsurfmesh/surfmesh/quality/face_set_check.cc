@@ -20,7 +20,6 @@
 namespace surfmesh {
 namespace {
 
-constexpr double kPoorQuality = 0.3;
 constexpr int kAngleBins = 18;
 constexpr double kDegree = std::numbers::pi / 180;
 
@@ -323,7 +322,7 @@ class ShapeMeter {
       shape_.quality.worst_face = static_cast<int>(f);
     }
     quality_sum_ += quality;
-    if (quality < kPoorQuality) ++poor_;
+    if (quality < detail::kPoorQuality) ++poor_;
   }
 
   const MeshArrays& set_;

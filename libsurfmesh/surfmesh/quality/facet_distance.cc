@@ -100,11 +100,11 @@ class FacetSamples {
 
   /// A side that several triangles share is one sample.
   void add_sides(const Facets& facets) {
-    struct Side {
+    struct SideOfTriangle {
       int low, high;
       std::size_t triangle;
     };
-    std::vector<Side> sides;
+    std::vector<SideOfTriangle> sides;
     sides.reserve(3 * facets.triangles.size());
     for (std::size_t t = 0; t < facets.triangles.size(); ++t) {
       for (std::size_t i = 0; i < 3; ++i) {
@@ -113,11 +113,11 @@ class FacetSamples {
         sides.push_back({low, high, t});
       }
     }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    std::sort(sides.begin(), sides.end(), [](const SideOfTriangle& a, const SideOfTriangle& b) {
       return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
     });
     for (std::size_t i = 0; i < sides.size(); ++i) {
-      const Side& side = sides[i];
+      const SideOfTriangle& side = sides[i];
       if (i == 0 || side.low != sides[i - 1].low || side.high != sides[i - 1].high) {
         add((facets.points[static_cast<std::size_t>(side.low)] +
              facets.points[static_cast<std::size_t>(side.high)]) /

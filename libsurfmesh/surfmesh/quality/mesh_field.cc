@@ -81,7 +81,7 @@ struct FaceCorners {
   std::size_t count = 0;
 };
 
-FaceCorners corners_of(const PolyMesh& mesh, FaceHandle fh) {
+FaceCorners first_corners_of(const PolyMesh& mesh, FaceHandle fh) {
   FaceCorners corners;
   for_each_corner(mesh, fh, [&](HalfedgeHandle corner) {
     if (corners.count < corners.first.size()) corners.first[corners.count] = corner;
@@ -91,7 +91,7 @@ FaceCorners corners_of(const PolyMesh& mesh, FaceHandle fh) {
 }
 
 double shape(const PolyMesh& mesh, FaceHandle fh) {
-  const FaceCorners corners = corners_of(mesh, fh);
+  const FaceCorners corners = first_corners_of(mesh, fh);
   if (corners.count == 4) return quad_space_jacobian(mesh, fh);
   if (corners.count != 3) return kUnset;
   const auto [first, second, third, none] = corners.first;
@@ -120,7 +120,7 @@ Metric mean_metric(const detail::ResultCorners& values, FaceHandle fh) {
 
 /// Two sides of a face, or the diagonals of a quad.
 FaceSteps steps_of(const detail::ResultCorners& values, FaceHandle fh) {
-  const FaceCorners corners = corners_of(values.mesh, fh);
+  const FaceCorners corners = first_corners_of(values.mesh, fh);
   const bool is_quad = corners.count == 4;
   FaceSteps steps{.metric = mean_metric(values, fh)};
   for (const std::size_t i : {0u, 1u}) {

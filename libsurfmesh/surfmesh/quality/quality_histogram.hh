@@ -10,6 +10,9 @@
 
 namespace surfmesh::detail {
 
+/// Triangles below this quality are counted apart.
+inline constexpr double kPoorQuality = 0.3;
+
 inline constexpr int kQualityBins = 10;  ///< from 0 to 1
 
 /// A bin for what is turned over, from −1 to 0, and ten from 0 to 1, all empty.

@@ -22,8 +22,6 @@
 namespace surfmesh {
 namespace {
 
-constexpr double kPoorQuality = 0.3;
-
 using Corners = detail::ResultCorners;
 
 /// Length of a step, 0 where rounding has made a singular metric negative; NaN stays NaN.
@@ -140,7 +138,7 @@ struct QualitySums {
     ++count;
     detail::count_quality(quality, histogram);
     take_worst(quality, static_cast<int>(face));
-    if (quality < kPoorQuality) ++poor;
+    if (quality < detail::kPoorQuality) ++poor;
     double& own = of_patches.next(patch).value;
     own = std::min(own, quality);
   }

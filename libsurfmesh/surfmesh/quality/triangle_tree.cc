@@ -16,7 +16,7 @@ constexpr std::size_t kDeepest = 64;
 
 /// Below this square of the sine of its angle a triangle counts as flat: its height is 1e-10 of its
 /// sides, which is what the distance of a point in it is wrong by.
-constexpr double kFlat = 1e-20;
+constexpr double kFlatTriangle = 1e-20;
 
 /// The square of the distance from a segment that begins at a, d long.
 double from_segment(const Vec3& from_a, const Vec3& d) {
@@ -53,7 +53,7 @@ TriangleTree::Triangle TriangleTree::triangle_of(const Facets& facets, std::size
   triangle.ab = facets.points[static_cast<std::size_t>(b)] - triangle.a;
   triangle.ac = facets.points[static_cast<std::size_t>(c)] - triangle.a;
   triangle.is_flat = triangle.ab.cross(triangle.ac).squaredNorm() <=
-                     kFlat * triangle.ab.squaredNorm() * triangle.ac.squaredNorm();
+                     kFlatTriangle * triangle.ab.squaredNorm() * triangle.ac.squaredNorm();
   return triangle;
 }
 

@@ -20,13 +20,13 @@ namespace {
 
 /// Sizes of two patches that differ by less agree: ln of their ratio. Interpolation between nodes
 /// on a contour differs by about as much.
-constexpr double kAgreement = 0.05;
+constexpr double kMeshAgreement = 0.05;
 
 /// Greatest distance between two points where a contour is compared, in units of the smaller sizes.
-constexpr double kLongestStep = 2;
-constexpr int kFirstSteps = 4;
+constexpr double kLongestMeshStep = 2;
+constexpr int kFirstMeshSteps = 4;
 /// 4 × 2^12 points: more than sizes differ along one contour.
-constexpr int kMaxHalvings = 12;
+constexpr int kMaxMeshHalvings = 12;
 
 /// A point of a contour as one of its patches sees it.
 struct Side {
@@ -120,9 +120,9 @@ class MeshGradation {
     const ComparedContour compared(model_, contour);
     Station last = compared.station(0);
     lower(compared, last);
-    for (int i = 1; i <= kFirstSteps; ++i) {
-      Station next = compared.station(double(i) / kFirstSteps);
-      compare_between(compared, last, next, kMaxHalvings);
+    for (int i = 1; i <= kFirstMeshSteps; ++i) {
+      Station next = compared.station(double(i) / kFirstMeshSteps);
+      compare_between(compared, last, next, kMaxMeshHalvings);
       lower(compared, next);
       last = std::move(next);
     }
@@ -131,7 +131,7 @@ class MeshGradation {
   /// Compare within an interval of t, at points two units apart at most.
   void compare_between(const ComparedContour& compared, const Station& from, const Station& to,
                        int halvings) {
-    if (halvings == 0 || units_between(compared, from, to) <= kLongestStep) return;
+    if (halvings == 0 || units_between(compared, from, to) <= kLongestMeshStep) return;
     const Station middle = compared.station(0.5 * (from.t + to.t));
     lower(compared, middle);
     compare_between(compared, from, middle, halvings - 1);
@@ -175,7 +175,7 @@ class MeshGradation {
         const bool is_mirrored = uses[from].is_forward == uses[to].is_forward;
         least = limited_size(least, carried(sizes[from], sides[from], sides[to], is_mirrored));
       }
-      if (log_conformity(sizes[to], least) > kAgreement &&
+      if (log_conformity(sizes[to], least) > kMeshAgreement &&
           is_news(compared, to, station.t, least)) {
         add(compared, to, sides[to], least);
       }
@@ -189,7 +189,7 @@ class MeshGradation {
     const auto [entry, is_first] = given.try_emplace({use, t}, size);
     if (is_first) return true;
     const SizeTensor lowered = limited_size(entry->second, size);
-    if (log_conformity(entry->second, lowered) <= kAgreement) return false;
+    if (log_conformity(entry->second, lowered) <= kMeshAgreement) return false;
     entry->second = lowered;
     return true;
   }

@@ -18,7 +18,7 @@ constexpr double kOutsideByRounding = 1e-12;
 
 /// Greatest distance of a chord from its curve, as a share of the least size there: far below what
 /// elements of that size can follow.
-constexpr double kChordShare = 0.1;
+constexpr double kPlaceChordShare = 0.1;
 
 /// A placed size without its place.
 PlacedSize wish_of(const LocalSize& wish, const SizeBounds& bounds) {
@@ -41,7 +41,7 @@ void add_segment(PlacedSize placed, const Vec3& from, const Vec3& to,
 }
 
 void add_curve(const SpaceCurve& curve, const PlacedSize& placed, std::vector<PlacedSize>& sizes) {
-  const auto points = curve_polyline(curve, kChordShare * least_length(placed));
+  const auto points = curve_polyline(curve, kPlaceChordShare * least_length(placed));
   for (std::size_t i = 1; i < points.size(); ++i) {
     add_segment(placed, points[i - 1].point, points[i].point, sizes);
   }

@@ -26,10 +26,10 @@ constexpr double kFacing = 0.5;
 constexpr double kLongestPiece = 2;
 
 /// Halvings of one chord.
-constexpr int kMaxHalvings = 12;
+constexpr int kMaxGapHalvings = 12;
 
 /// Distance of chords from contours as a share of hmax, where no gap asks for less.
-constexpr double kChordShare = 0.02;
+constexpr double kGapChordShare = 0.02;
 
 /// Ratio of the size along the boundary to that across the gap.
 constexpr double kAlong = 2;
@@ -46,8 +46,8 @@ class GapSearch {
             std::vector<std::vector<PlacedSize>>& sizes)
       : bounds_(sizing.bounds),
         rows_height_(sizing.proximity * kRowHeight),
-        pieces_(model, patches, kChordShare * sizing.bounds.hmax, rows_height_ * sizing.bounds.hmin,
-                rows_height_ * sizing.bounds.hmax),
+        pieces_(model, patches, kGapChordShare * sizing.bounds.hmax,
+                rows_height_ * sizing.bounds.hmin, rows_height_ * sizing.bounds.hmax),
         sizes_(sizes) {}
 
   void run() {
@@ -70,7 +70,7 @@ class GapSearch {
                         [&](const BoundaryPoint& point) { return are_facing(piece, point); });
     if (!opposite) return;
     const double least_seen = std::max(opposite->distance, rows_height_ * bounds_.hmin);
-    if (piece.width() <= kLongestPiece * least_seen || depth == kMaxHalvings) {
+    if (piece.width() <= kLongestPiece * least_seen || depth == kMaxGapHalvings) {
       add(piece, *opposite);
       return;
     }

@@ -33,7 +33,7 @@ constexpr std::size_t kMostPatchesAround = 8;
 constexpr double kLeastShare = 1e-7;
 
 /// A line shorter than this share of the longest one is a point.
-constexpr double kPoleShare = 1e-6;
+constexpr double kRingPoleShare = 1e-6;
 
 /// Near a pole the length of lines is like that of a V, or flatter. A line between two others that
 /// is longer than this share of their sum is near none.
@@ -283,7 +283,7 @@ Ring Tube::measure() const {
 /// Find the lines that are points among those of least length.
 void Tube::find_poles(Ring& ring) const {
   const auto& lengths = ring.lengths;
-  const double small = kPoleShare * *std::max_element(lengths.begin(), lengths.end());
+  const double small = kRingPoleShare * *std::max_element(lengths.begin(), lengths.end());
   const std::size_t last = lengths.size() - 1;
   const auto length_at = [&](double line) {
     return line_length(parameter_at(ring, line), kMeasured);

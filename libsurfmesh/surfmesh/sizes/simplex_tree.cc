@@ -18,7 +18,7 @@ constexpr std::size_t kLeafSimplices = 4;
 constexpr std::size_t kMaxDepth = 64;
 
 /// Share of the numbers of a bound that it is lowered by: more than their rounding.
-constexpr double kRounding = 1e-13;
+constexpr double kTreeRounding = 1e-13;
 
 using Weights = std::array<double, 3>;
 
@@ -173,7 +173,7 @@ NearSimplex SimplexTree::nearest(const Vec3& point) const {
 double LinearBound::in(const Eigen::AlignedBox3d& box) const {
   const double middle = value + slope.dot(box.center() - from);
   const double change = 0.5 * slope.cwiseAbs().dot(box.sizes());
-  const double rounding = kRounding * (std::abs(value) + std::abs(middle) + change);
+  const double rounding = kTreeRounding * (std::abs(value) + std::abs(middle) + change);
   return std::max(least, middle - change - rounding);
 }
 

@@ -29,7 +29,7 @@ constexpr double kPoleSpeed = 1e-9;
 
 /// Logarithm of the ratio of two lengths that differ by rounding: sizes that come from a mesh have
 /// been metrics in between.
-constexpr double kRounding = 1e-9;
+constexpr double kTableRounding = 1e-9;
 
 /// Speed of a parameter: |p_u| and |p_v|.
 double speed_of_u(const FirstFormFactor& form) { return form.l11; }
@@ -99,7 +99,7 @@ std::size_t count_clamped(const TableSource& source, const Surface& surface,
                           const SizeBounds& bounds) {
   const std::vector<ControlNode> nodes = unbounded_nodes(source, surface, bounds);
   const auto count = std::count_if(nodes.begin(), nodes.end(), [&](const ControlNode& node) {
-    return log_conformity(node.size, bounds.clamp(node.size)) > kRounding;
+    return log_conformity(node.size, bounds.clamp(node.size)) > kTableRounding;
   });
   return static_cast<std::size_t>(count);
 }
