@@ -17,6 +17,7 @@
 #include "guest/failing_allocator.hh"
 #include "support/folders.hh"
 #include "surfmesh/core/out_of_memory.hh"
+#include "surfmesh/core/parallel.hh"
 #include "surfmesh/exchange/serial_exchange.hh"
 #include "surfmesh/formats/piece_folder.hh"
 #include "surfmesh/pipeline/check_mesh.hh"
@@ -99,19 +100,28 @@ Work readers() {
           prepare_formats};
 }
 
+/// Of one flat patch: surfaces are searched from many samples of each.
+const std::string kChecked = "plate.json";
+const Settings kNothing;
+
+void check_files(const fs::path& folder) {
+  const ModelInput input = load(kChecked, kNothing);
+  for (const char* name : {"a.om", "a.obj"}) {
+    MeshCheck check = check_mesh(read_mesh_arrays(path_of(folder, name)));
+    MeshFile mesh = read_mesh(path_of(folder, name));
+    check.stored = measure_stored_metric(mesh.mesh);
+    add_fit(check, measure_fit(mesh, input));
+    if (to_json(check).empty() || to_text(check).empty()) std::abort();
+  }
+}
+
 Work checks() {
   return {"Checks",
+          [](const fs::path& folder) { with_threads(1, [&folder] { check_files(folder); }); },
           [](const fs::path& folder) {
-            const ModelInput input = load("cube.obj", kSmallCube);
-            for (const char* name : {"a.om", "a.obj"}) {
-              MeshCheck check = check_mesh(read_mesh_arrays(path_of(folder, name)));
-              MeshFile mesh = read_mesh(path_of(folder, name));
-              check.stored = measure_stored_metric(mesh.mesh);
-              add_fit(check, measure_fit(mesh, input));
-              if (to_json(check).empty() || to_text(check).empty()) std::abort();
-            }
-          },
-          prepare_formats};
+            const MeshResult result = meshed(kChecked, kNothing);
+            for (const char* name : {"a.om", "a.obj"}) write_mesh(result, folder / name);
+          }};
 }
 
 Work pieces() {

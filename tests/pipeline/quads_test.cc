@@ -249,21 +249,19 @@ TEST(QuadsAtPoles, AreQuads) {
 TEST(FrontalQuads, CloseNoGapWithAVertexInside) {
   const TestFolder folder;
   write_text(folder / "sizes.csv", "u,v,ls,lt,angle\n3.02009,0.433841,0.197123,0.161048,169.551\n");
-  const std::string surface = R"("surface": {"where": {"r": "1+0.160694*sin(1.99241*v+1.1029)"
-}
-, "x" : "r*cos(u)", "y" : "r*sin(u)", "z" : "3.68582*v"
-})";
-  write_text(folder / "tube.json",
-             R"({"patches": [{"name": "a", )" + surface +
-                 R"(, "domain": {"u": [0, 1.9697], "v": [0, 2]},
-                     "sources": [{"field": {"size": "if(u<0.606846,0.133968,0.643339)"
-}
-}]
-}
-, {"name": "b", )" +
-                 surface +
-                 R"(, "domain": {"u": [1.9697, 3.9394], "v": [0, 2]},
-                     "sources": [{"table": "sizes.csv"}]}]})");
+  const std::string surface =
+      "\"surface\": {\"where\": {\"r\": \"1+0.160694*sin(1.99241*v+1.1029)\"}, "
+      "\"x\": \"r*cos(u)\", \"y\": \"r*sin(u)\", \"z\": \"3.68582*v\"}, ";
+  std::string model = "{\"patches\": [{\"name\": \"a\", ";
+  model += surface;
+  model +=
+      "\"domain\": {\"u\": [0, 1.9697], \"v\": [0, 2]}, \"sources\": [{\"field\": "
+      "{\"size\": \"if(u<0.606846,0.133968,0.643339)\"}}]}, {\"name\": \"b\", ";
+  model += surface;
+  model +=
+      "\"domain\": {\"u\": [1.9697, 3.9394], \"v\": [0, 2]}, "
+      "\"sources\": [{\"table\": \"sizes.csv\"}]}]}";
+  write_text(folder / "tube.json", model);
   const MeshResult result = mesh_with(
       load_model(folder / "tube.json"), true,
       {{"quad_method", "frontal"}, {"quad_front", "lee-lo"}, {"sag", "1%"}, {"threads", "1"}});

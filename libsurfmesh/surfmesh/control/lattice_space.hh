@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "surfmesh/control/control_space.hh"
+#include "surfmesh/core/copy_mesh.hh"
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/run_context.hh"
@@ -176,7 +177,7 @@ class LatticeSpace : public ControlSpace {
   void take_logarithms();
 
   Domain domain_;
-  PolyMesh mesh_;
+  CopiedMesh mesh_;
   PropertyKey<VertexHandle, Uv>::Handle uv_;
   PropertyKey<VertexHandle, SizeTensor>::Handle size_;
   std::vector<FirstFormFactor> forms_;  ///< by node

@@ -18,12 +18,9 @@ void copy_properties(Iterator first, Iterator last, Has has, Add add) {
   }
 }
 
-}  // namespace
-
-std::unique_ptr<PolyMesh> copy_of(const PolyMesh& mesh) {
-  auto copy = std::make_unique<PolyMesh>();
-  copy->assign(mesh);
-  PolyMesh& to = *copy;
+/// Copy into a new mesh.
+void copy_into(const PolyMesh& mesh, PolyMesh& to) {
+  to.assign(mesh);
   copy_properties(
       mesh.vprops_begin(), mesh.vprops_end(),
       [&](const std::string& name) { return to._get_vprop(name) != nullptr; },
@@ -40,7 +37,16 @@ std::unique_ptr<PolyMesh> copy_of(const PolyMesh& mesh) {
       mesh.fprops_begin(), mesh.fprops_end(),
       [&](const std::string& name) { return to._get_fprop(name) != nullptr; },
       [&](OpenMesh::BaseProperty* property) { to._add_fprop(property); });
+}
+
+}  // namespace
+
+std::unique_ptr<PolyMesh> copy_of(const PolyMesh& mesh) {
+  auto copy = std::make_unique<PolyMesh>();
+  copy_into(mesh, *copy);
   return copy;
 }
+
+CopiedMesh::CopiedMesh(const CopiedMesh& other) : PolyMesh() { copy_into(other, *this); }
 
 }  // namespace surfmesh

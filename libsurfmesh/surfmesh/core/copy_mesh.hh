@@ -13,4 +13,13 @@ namespace surfmesh {
 /// what belongs to the other mesh.
 std::unique_ptr<PolyMesh> copy_of(const PolyMesh& mesh);
 
+/// A mesh as a member of what is copied. Handles of properties stay valid in copies where no
+/// property before them was removed.
+class CopiedMesh : public PolyMesh {
+ public:
+  CopiedMesh() = default;
+  CopiedMesh(const CopiedMesh& other);
+  CopiedMesh& operator=(const CopiedMesh&) = delete;
+};
+
 }  // namespace surfmesh
