@@ -31,7 +31,7 @@ constexpr std::size_t kMostElements = 1500;
 void check_triangles(DelaunayMesh& delaunay, std::string_view stage) {
   delaunay.shrink();
   const PolyMesh& mesh = delaunay.mesh();
-  check_proper(mesh, stage);
+  check_links(mesh, stage);
   for (const FaceHandle fh : mesh.faces()) {
     std::vector<Uv> corners;
     for (const VertexHandle vh : mesh.fv_range(fh)) corners.push_back(delaunay.uv(vh));
@@ -67,7 +67,7 @@ void mesh_in_stages(const ModelInput& input, Observer& observer) {
   detail::MeshPlan plan(input.model, sizing, options, context, report);
   ControlSpaces control =
       make_control_spaces(input.model, input.sources, sizing, options.control, context);
-  for (const auto& space : control.spaces) check_proper(space->mesh(), "control");
+  for (const auto& space : control.spaces) check_links(space->mesh(), "control");
   plan.take_spaces(std::move(control));
   ContourDemands demands;
   if (has_quads) demands.parity = SegmentParity::EvenPatches;
