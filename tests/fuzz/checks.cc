@@ -93,10 +93,14 @@ void check_usable(const Model& model) {
   }
 }
 
-void check_proper(const PolyMesh& mesh, std::string_view stage) {
+void check_links(const PolyMesh& mesh, std::string_view stage) {
   const std::vector<std::string> faults = find_faults(mesh);
   demand(faults.empty(),
          std::string(stage) + ": " + (faults.empty() ? std::string() : faults.front()));
+}
+
+void check_proper(const PolyMesh& mesh, std::string_view stage) {
+  check_links(mesh, stage);
   for (const VertexHandle vh : mesh.vertices()) {
     demand(to_eigen(mesh.point(vh)).allFinite(), std::string(stage) + ": a position is not finite");
   }

@@ -55,6 +55,9 @@ class Deadline final : public Observer {
 /// or tell with an Error of code Geometry where not.
 void check_usable(const Model& model);
 
+/// Check the half-edge structure: of meshes in parameters, too, which have no positions.
+void check_links(const PolyMesh& mesh, std::string_view stage);
+
 /// Check the half-edge structure, and that positions are finite.
 void check_proper(const PolyMesh& mesh, std::string_view stage);
 

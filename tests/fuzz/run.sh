@@ -108,7 +108,7 @@ for target in "${targets[@]}"; do
   [ "$target" = cad ] && leaks=0
   touch "$build/started"
   "$programs/fuzz_$target" "${folders[@]}" "${dictionary[@]}" -max_total_time="$seconds" \
-    -max_len="$(longest "$target")" -timeout=30 -rss_limit_mb=2048 \
+    -max_len="$(longest "$target")" -timeout=120 -rss_limit_mb=2048 \
     -detect_leaks=$leaks \
     -artifact_prefix="$found/" -print_final_stats=1 >"$log" 2>&1 || true
   mapfile -t findings < <(find "$found" -type f -newer "$build/started" ! -name 'slow-unit-*')

@@ -51,10 +51,21 @@ class Maker {
     add_sources();
     add_sizing();
     add_options();
-    return {root_.dump(1), std::move(cages_)};
+    return {text(), std::move(cages_)};
   }
 
  private:
+  std::string text() const {
+    Json root = Json::object();
+    if (!patch_list_.empty()) root["patches"] = patch_list_;
+    if (!contours_.empty()) root["contours"] = contours_;
+    if (!cage_list_.empty()) root["cages"] = cage_list_;
+    if (!sources_.empty()) root["sources"] = sources_;
+    root["sizing"] = sizing_;
+    root["options"] = options_;
+    return root.dump(1);
+  }
+
   std::string number(double from, double to) { return text_of(bytes_.real(from, to)); }
 
   /// A smooth function of u and v; 0 most often.
@@ -68,7 +79,7 @@ class Maker {
 
   Json& add_patch(const Json& surface, const Json& u, const Json& v) {
     const std::string name = std::string("p").append(std::to_string(patches_++));
-    return root_["patches"].emplace_back(
+    return patch_list_.emplace_back(
         Json{{"name", name}, {"surface", surface}, {"domain", {{"u", u}, {"v", v}}}});
   }
 
@@ -95,8 +106,7 @@ class Maker {
       Json on = {{"patch", p},
                  {"u", filled("$+$*cos(t)*$", {x, a, wobble})},
                  {"v", filled("0.5+$*sin(t)*$", {b, wobble})}};
-      root_["contours"].push_back(
-          {{"name", hole}, {"range", {0, "2*pi"}}, {"on", Json::array({on})}});
+      contours_.push_back({{"name", hole}, {"range", {0, "2*pi"}}, {"on", Json::array({on})}});
       loops.push_back(Json::array({bytes_.happens(40) ? hole : filled("-$", {hole})}));
     }
     patch["loops"] = loops;
@@ -213,7 +223,7 @@ class Maker {
     Json cage = {{"name", name}, {"file", name + ".obj"}};
     add_choice(cage, "scheme", {"catmark", "loop", "bilinear"}, 90);
     add_choice(cage, "patches", {"faces", "blocks", "regions"}, 90);
-    root_["cages"].push_back(cage);
+    cage_list_.push_back(cage);
   }
 
   void add_net() {
@@ -240,7 +250,7 @@ class Maker {
     const Json net = {
         {"degree", {degree, degree}}, {"knots", {knots(m), knots(n)}}, {"points", rows}};
     const std::string name = std::string("p").append(std::to_string(patches_++));
-    root_["patches"].push_back({{"name", name}, {"surface", {{"nurbs", net}}}});
+    patch_list_.push_back({{"name", name}, {"surface", {{"nurbs", net}}}});
   }
 
   /// A patch whose side is that of two others.
@@ -273,7 +283,7 @@ class Maker {
   }
 
   void add_source() {
-    Json& patch = root_["patches"][bytes_.below(root_["patches"].size())];
+    Json& patch = patch_list_[bytes_.below(patch_list_.size())];
     const Json size = size_of();
     const std::string name = patch["name"];
     switch (bytes_.below(7)) {
@@ -305,10 +315,9 @@ class Maker {
                                       {"m22", number(5, 400)}}}});
         break;
       default:
-        root_["sources"].push_back(
-            {{"near", {bytes_.real(-1, 2), bytes_.real(-1, 2), bytes_.real(-1, 1)}},
-             {"size", size},
-             {"radius", radius()}});
+        sources_.push_back({{"near", {bytes_.real(-1, 2), bytes_.real(-1, 2), bytes_.real(-1, 1)}},
+                            {"size", size},
+                            {"radius", radius()}});
     }
   }
 
@@ -328,7 +337,7 @@ class Maker {
   }
 
   void add_sizing() {
-    Json& sizing = root_["sizing"];
+    Json& sizing = sizing_;
     sizing["hmax"] = share(-0.3, -1.6);
     sizing["hmin"] = share(-1.7, -4);
     add_choice(sizing, "curvature", {0, 0.1, 0.5, 2}, 100);
@@ -346,7 +355,7 @@ class Maker {
   }
 
   void add_options() {
-    Json& options = root_["options"];
+    Json& options = options_;
     add_choice(options, "quads", {true}, 80);
     add_choice(options, "quad_method", {"best", "frontal"}, 80);
     add_choice(options, "quad_front", {"lee-lo", "q-morph", "mixed"}, 80);
@@ -381,7 +390,12 @@ class Maker {
   }
 
   ByteReader& bytes_;
-  Json root_ = Json::object();
+  Json patch_list_ = Json::array();
+  Json contours_ = Json::array();
+  Json cage_list_ = Json::array();
+  Json sources_ = Json::array();
+  Json sizing_ = Json::object();
+  Json options_ = Json::object();
   std::vector<Seed> cages_;
   std::size_t patches_ = 0;
 };

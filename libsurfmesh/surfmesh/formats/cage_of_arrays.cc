@@ -10,16 +10,12 @@
 namespace surfmesh {
 namespace {
 
-/// The faces of each patch.
-std::vector<std::vector<int>> faces_of_patches(const MeshArrays& mesh) {
-  std::vector<std::vector<int>> faces(mesh.names.patches.size());
+/// The faces of each patch that has any: numbers may be far apart.
+std::unordered_map<int, std::vector<int>> faces_of_patches(const MeshArrays& mesh) {
+  std::unordered_map<int, std::vector<int>> faces;
   for (std::size_t f = 0; f < mesh.patches.size(); ++f) {
     const int patch = mesh.patches[f];
-    if (patch < 0) continue;
-    if (static_cast<std::size_t>(patch) >= faces.size()) {
-      faces.resize(static_cast<std::size_t>(patch) + 1);
-    }
-    faces[static_cast<std::size_t>(patch)].push_back(static_cast<int>(f));
+    if (patch >= 0) faces[patch].push_back(static_cast<int>(f));
   }
   return faces;
 }
@@ -52,16 +48,17 @@ class FaceGroups {
 };
 
 std::vector<Cage::FaceGroup> groups_of(const MeshArrays& mesh) {
-  const std::vector<std::vector<int>> faces = faces_of_patches(mesh);
+  const auto faces = faces_of_patches(mesh);
   FaceGroups groups;
+  const auto add = [&](const std::string& name, int patch) {
+    const auto found = faces.find(patch);
+    if (found != faces.end()) groups.add(name, found->second);
+  };
   for (std::size_t p = 0; p < mesh.names.patches.size(); ++p) {
-    groups.add(mesh.names.patches[p], faces[p]);
+    add(mesh.names.patches[p], static_cast<int>(p));
   }
   for (const Group& group : mesh.names.groups) {
-    for (const int patch : group.patches) {
-      if (patch < 0 || static_cast<std::size_t>(patch) >= faces.size()) continue;
-      groups.add(group.name, faces[static_cast<std::size_t>(patch)]);
-    }
+    for (const int patch : group.patches) add(group.name, patch);
   }
   return groups.finish();
 }

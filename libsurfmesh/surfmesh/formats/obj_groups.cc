@@ -7,6 +7,7 @@
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/formats/obj_labels.hh"
+#include "surfmesh/formats/patch_numbers.hh"
 
 namespace surfmesh {
 namespace {
@@ -21,9 +22,6 @@ std::string word_of(std::string name) {
   if (name.back() == '\\') name.back() = '_';
   return name;
 }
-
-/// A file names all patches up to the greatest, so that they keep their numbers.
-constexpr int kMostPatches = 10'000'000;
 
 /// True if patches come up in the order of their numbers, without gaps, in the faces.
 bool are_in_order(std::span<const int> patches, std::size_t count) {

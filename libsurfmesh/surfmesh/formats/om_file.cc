@@ -21,6 +21,7 @@
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/formats/cage_of_arrays.hh"
+#include "surfmesh/formats/patch_numbers.hh"
 #include "surfmesh/io/byte_scanner.hh"
 #include "surfmesh/io/file_writer.hh"
 
@@ -423,6 +424,18 @@ void read_checked(std::string bytes, const OmCheck& check, const std::string& na
   }
 }
 
+/// Throws   InvalidInput for a patch that arrays by patch have no room for
+void check_patches(const PolyMesh& mesh, const std::string& name) {
+  const auto patch_of = find(mesh, keys::face_patch);
+  if (!patch_of.is_valid()) return;
+  for (const FaceHandle fh : mesh.faces()) {
+    const int patch = mesh.property(patch_of, fh);
+    if (patch <= kMostPatches) continue;
+    fail(name, fmt::format("face {} is of patch {}, and patches are read up to {}", fh.idx(), patch,
+                           kMostPatches));
+  }
+}
+
 /// The faces only. That there are none is told by whoever reads.
 MeshArraysFile parse_om_faces(std::string bytes, const std::string& name) {
   const MeshFile file = parse_om(std::move(bytes), name);
@@ -446,6 +459,7 @@ MeshFile parse_om(std::string bytes, const std::string& name) {
   MeshFile file;
   if (!check.names.empty()) file.names = NamesReader(check.names, name).read();
   read_checked(std::move(bytes), check, name, file.mesh);
+  check_patches(file.mesh, name);
   PolyMesh& mesh = file.mesh;
   make_persistent(mesh.vprops_begin(), mesh.vprops_end());
   make_persistent(mesh.hprops_begin(), mesh.hprops_end());

@@ -16,6 +16,7 @@
 #include "surfmesh/core/shared_vertices.hh"
 #include "surfmesh/formats/cage_of_arrays.hh"
 #include "surfmesh/formats/cage_text.hh"
+#include "surfmesh/formats/patch_numbers.hh"
 #include "surfmesh/formats/ply_head.hh"
 #include "surfmesh/formats/ply_header.hh"
 #include "surfmesh/io/byte_scanner.hh"
@@ -256,8 +257,9 @@ class BodyReader {
 
   void read_patch(const Property& property) {
     const std::int64_t patch = values_.integer(property.type, "a patch");
-    if (patch < -1 || patch > std::numeric_limits<int>::max()) {
-      values_.fail(fmt::format("patch {} is not a number from 0, or -1 for none", patch));
+    if (patch < -1 || patch > kMostPatches) {
+      values_.fail(fmt::format("patch {} is not a number from 0 to {}, or -1 for none", patch,
+                               kMostPatches));
     }
     file_.mesh.patches.push_back(static_cast<int>(patch));
   }

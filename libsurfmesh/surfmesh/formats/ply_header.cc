@@ -11,6 +11,7 @@
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/formats/cage_text.hh"
+#include "surfmesh/formats/patch_numbers.hh"
 
 namespace surfmesh::ply {
 namespace {
@@ -204,7 +205,7 @@ void HeaderReader::read_comment() {
     }
   } else if (keyword == "faces") {
     const auto count = next_number(1, most);
-    const auto patch = next_number(-1, most);
+    const auto patch = next_number(-1, kMostPatches);
     if (count && patch) header_.runs.push_back({static_cast<std::size_t>(*count), *patch});
   }
 }

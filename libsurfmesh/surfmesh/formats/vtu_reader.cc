@@ -12,6 +12,7 @@
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/formats/grid_builder.hh"
+#include "surfmesh/formats/patch_numbers.hh"
 #include "surfmesh/formats/vtu_document.hh"
 #include "surfmesh/io/text_scanner.hh"
 
@@ -42,9 +43,6 @@ enum class CellType {
 /// Numbers at cells that tell patches: ours first, which are taken as they are.
 constexpr std::array<std::string_view, 6> kPatchNames = {
     "patch", "gmsh:geometrical", "gmsh:physical", "medit:ref", "CellEntityIds", "ref"};
-
-/// Numbers of patches up to this one are read: memory grows with them.
-constexpr std::int64_t kMostVtuPatches = 10'000'000;
 
 /// What names of arrays of patches begin with.
 constexpr std::string_view kPatchPrefix = "patch:";
@@ -239,10 +237,10 @@ class VtuReader {
       return;
     }
     for (const std::int64_t patch : builder_.references()) {
-      if (patch < -1 || patch > kMostVtuPatches) {
+      if (patch < -1 || patch > kMostPatches) {
         throw Error(ErrorCode::InvalidInput,
                     fmt::format("{}: patch {} is not a number from 0 to {}, or -1 for none",
-                                document_.form.name, patch, kMostVtuPatches));
+                                document_.form.name, patch, kMostPatches));
       }
       builder_.grid.patches.push_back(static_cast<int>(patch));
     }

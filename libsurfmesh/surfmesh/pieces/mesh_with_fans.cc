@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "surfmesh/assemble/loose_faces.hh"
+#include "surfmesh/core/copy_mesh.hh"
 #include "surfmesh/core/properties.hh"
 
 namespace surfmesh::detail {
@@ -60,7 +61,7 @@ class FanAdder {
 }  // namespace
 
 std::unique_ptr<PolyMesh> mesh_with_fans(const PatchMesh& tile, const Model& model) {
-  auto mesh = std::make_unique<PolyMesh>(*tile.mesh);
+  auto mesh = copy_of(*tile.mesh);
   FanAdder adder(*mesh, tile.boundary, model);
   for (const PoleFan& fan : tile.boundary.fans) adder.add(fan);
   return mesh;
