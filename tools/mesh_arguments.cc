@@ -50,6 +50,8 @@ std::string to_way(std::string& text) {
 
 /// Have the options that count where ranks share the work.
 void suit_ranks(CLI::App& command) {
+  // What is hidden is known by its address, which another option may get.
+  show_in_short_help(command, command.get_option("--across"));
   command.remove_option(command.get_option("--across"));
   hide_in_short_help(command, command.get_option("--normals"));
   show_in_short_help(command, command.get_option("--tile"));

@@ -30,7 +30,7 @@ viewer=
 for argument in "$@"; do
   case "$argument" in
     --readers)
-      readers+=(python3-meshio python3-vtk9 gmsh python3-gmsh calculix-ccx admesh
+      readers+=(strace python3-meshio python3-vtk9 gmsh python3-gmsh calculix-ccx admesh
         librsvg2-bin chromium zsh man-db mandoc)
       ;;
     # The second only because CMake files of the first name what is in it.

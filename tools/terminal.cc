@@ -26,7 +26,7 @@ bool is_utf8_locale() {
 }
 
 /// mpirun gives its processes a terminal of its own, wherever it writes what they print.
-bool is_shown(int stream) { return isatty(stream) == 1 && processes_by_mpirun() == 0; }
+bool is_shown(int stream) { return isatty(stream) == 1 && processes_by_mpirun() < 2; }
 
 }  // namespace
 

@@ -185,6 +185,12 @@ def permissions(bench, scenarios):
     """Folders and files that may not be written, for one who is not root."""
     if os.geteuid() != 0:
         return print("skipped: permissions: only root can become somebody else")
+    try:
+        program = os.path.join(os.path.abspath(bench.options.programs), "surfmesh")
+        subprocess.run([program, "--version"], preexec_fn=become_nobody, check=True,
+                       stdout=subprocess.DEVNULL)
+    except (OSError, subprocess.SubprocessError):
+        return print("skipped: permissions: nobody else can run the program where it is")
     for scenario in scenarios:
         for what in ("the folder", "an old output", "both"):
             folder = bench.folder(scenario, True, NOBODY)

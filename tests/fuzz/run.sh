@@ -5,7 +5,8 @@
 #
 # Exit status 1 where something was found; the input, as small as a minute can make it, then lies in
 # build/fuzz/findings/TARGET. 77 (skipped) where clang or its library for fuzzing is missing:
-# tools/setup.sh --fuzz installs them. What is learnt stays in build/fuzz/corpus.
+# tools/setup.sh --fuzz installs them. What is learnt stays in build/fuzz/corpus. With a number in
+# SURFMESH_FUZZ_SEED the same changes of inputs are tried each time.
 set -euo pipefail
 
 usage() {
@@ -71,6 +72,16 @@ longest() {
 }
 
 export UBSAN_OPTIONS="print_stacktrace=1"
+# Targets that end by a finding leave their files behind.
+remove_left_files() {
+  local folder
+  for folder in /dev/shm/surfmesh_fuzz.* "${TMPDIR:-/tmp}"/surfmesh_fuzz.*; do
+    if [ -d "$folder" ] && ! kill -0 "${folder##*.}" 2>/dev/null; then
+      rm -rf "$folder"
+    fi
+  done
+}
+trap remove_left_files EXIT
 
 # number NAME: the last number that libFuzzer tells by this name, 0 if none.
 number() {
@@ -109,7 +120,7 @@ for target in "${targets[@]}"; do
   touch "$build/started"
   "$programs/fuzz_$target" "${folders[@]}" "${dictionary[@]}" -max_total_time="$seconds" \
     -max_len="$(longest "$target")" -timeout=120 -rss_limit_mb=2048 \
-    -detect_leaks=$leaks \
+    -detect_leaks=$leaks -seed="${SURFMESH_FUZZ_SEED:-0}" \
     -artifact_prefix="$found/" -print_final_stats=1 >"$log" 2>&1 || true
   mapfile -t findings < <(find "$found" -type f -newer "$build/started" ! -name 'slow-unit-*')
   printf '%-10s %12s %10s %10s  %s\n' "$target" "$(number stat::number_of_executed_units)" \

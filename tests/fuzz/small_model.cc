@@ -35,6 +35,9 @@ std::string filled(std::string_view text, std::initializer_list<std::string> val
   return result;
 }
 
+/// How far a second part of a model is from the first, which it must not lie on.
+constexpr double kFar = 10;
+
 class Maker {
  public:
   explicit Maker(ByteReader& bytes) : bytes_(bytes) {}
@@ -47,6 +50,7 @@ class Maker {
         &Maker::add_cone,  &Maker::add_cage,    &Maker::add_net,  &Maker::add_tee,
         &Maker::add_loose};
     (this->*bytes_.one_of(kKinds))();
+    shift_ = kFar;
     if (bytes_.happens(20)) (this->*bytes_.one_of(kKinds))();
     add_sources();
     add_sizing();
@@ -77,7 +81,11 @@ class Maker {
     return filled(term, {number(-0.5, 0.5), number(-6, 6), number(-6, 6)});
   }
 
-  Json& add_patch(const Json& surface, const Json& u, const Json& v) {
+  Json& add_patch(Json surface, const Json& u, const Json& v) {
+    if (shift_ > 0) {
+      const std::string x = surface["x"];
+      surface["x"] = filled("$+($)", {text_of(shift_), x});
+    }
     const std::string name = std::string("p").append(std::to_string(patches_++));
     return patch_list_.emplace_back(
         Json{{"name", name}, {"surface", surface}, {"domain", {{"u", u}, {"v", v}}}});
@@ -208,7 +216,7 @@ class Maker {
     for (std::size_t i = 0; i < 8; ++i) {
       text += "v";
       for (const std::size_t bit : {1u, 2u, 4u}) {
-        const double corner = (i & bit) != 0 ? 1 : 0;
+        const double corner = ((i & bit) != 0 ? 1 : 0) + (bit == 1 ? shift_ : 0);
         text += ' ';
         text += text_of(corner + (bytes_.happens(60) ? bytes_.real(-0.6, 0.6) : 0));
       }
@@ -232,7 +240,7 @@ class Maker {
     for (std::size_t j = 0; j < n; ++j) {
       Json row = Json::array();
       for (std::size_t i = 0; i < m; ++i) {
-        row.push_back({rounded(static_cast<double>(i) + bytes_.real(0, 0.6)),
+        row.push_back({rounded(shift_ + static_cast<double>(i) + bytes_.real(0, 0.6)),
                        rounded(static_cast<double>(j) + bytes_.real(0, 0.6)),
                        rounded(bytes_.real(0, 1))});
       }
@@ -390,6 +398,7 @@ class Maker {
   }
 
   ByteReader& bytes_;
+  double shift_ = 0;  ///< along x, of what is added
   Json patch_list_ = Json::array();
   Json contours_ = Json::array();
   Json cage_list_ = Json::array();

@@ -166,6 +166,9 @@ TEST_F(MpiProgram, SaysWhatItCanWriteAndWithWhatItRuns) {
   EXPECT_NE(out_.find("of all pieces: .obj .ply"), std::string::npos) << out_;
   EXPECT_EQ(out_.find(".om keeps everything"), std::string::npos) << out_;
   EXPECT_NE(out_.find("  mpirun -n 4 surfmesh-mpi mesh "), std::string::npos) << out_;
+  for (const char* flag : {"  --pieces FOLDER", "  --tile "}) {
+    EXPECT_NE(out_.find(flag), std::string::npos) << flag << out_;
+  }
   EXPECT_EQ(run_ranks(2, "--version"), 0) << err_;
   EXPECT_TRUE(out_.starts_with("surfmesh " SURFMESH_VERSION " with ")) << out_;
   EXPECT_EQ(out_.find('\n'), out_.size() - 1) << "printed twice: " << out_;

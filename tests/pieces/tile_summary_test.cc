@@ -223,6 +223,7 @@ TEST_P(SummaryOf, ATileMeasuresLengthsInSpace) {
     const SummedValues& found = made_.of_tiles[t].lengths;
     EXPECT_EQ(found.count(), expected.count);
     EXPECT_NEAR(found.moments.mean(), expected.mean(), 1e-12);
+    EXPECT_NEAR(found.moments.stddev(), expected.deviation, 1e-12);
     EXPECT_EQ(found.min, expected.min);
     EXPECT_EQ(found.max, expected.max);
   }

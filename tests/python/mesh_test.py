@@ -203,9 +203,9 @@ class PatchNumbers(support.FolderTest):
                        "comment patches 0 1\nelement vertex 4\nproperty double x\n"
                        "property double y\nproperty double z\nelement face 2\n"
                        "property list uchar int vertex_indices\nproperty int patch\nend_header\n"
-                       "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 1\n3 0 2 3 2147483647\n")
+                       "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 1\n3 0 2 3 10000000\n")
         mesh = surfmesh.read_mesh(self.path("mesh.ply"))
-        self.assertEqual(mesh.patch.tolist(), [1, 2147483647])
+        self.assertEqual(mesh.patch.tolist(), [1, 10000000])
         self.assertEqual(mesh.group.tolist(), [0, -1])
 
 

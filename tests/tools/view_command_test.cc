@@ -232,14 +232,14 @@ TEST_F(ViewProgram, RefusesPatchNumbersThatNoMeshHas) {
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
       "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
       "property int patch\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 ";
-  write_text(folder_ / "m.ply", head + "300000000\n");
+  write_text(folder_ / "m.ply", head + "10000000\n");
   EXPECT_EQ(view("m.ply -o p.html"), 1);
   EXPECT_EQ(err_,
-            "surfmesh: error: m.ply: face 0 is on patch 300000000: a page has no patch of a number "
+            "surfmesh: error: m.ply: face 0 is on patch 10000000: a page has no patch of a number "
             "above 99999\n");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "p.html"));
   // A picture needs no room for numbers.
-  for (const char* options : {"", " --colour patch", " --fit 300000000"}) {
+  for (const char* options : {"", " --colour patch", " --fit 10000000"}) {
     EXPECT_EQ(
         shell(std::string("ulimit -v 2000000; a/bin/surfmesh picture m.ply -o p.svg") + options), 0)
         << options << err_;

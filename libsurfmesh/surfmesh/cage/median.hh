@@ -8,6 +8,7 @@
 namespace surfmesh::detail {
 
 /// The middle one of some numbers, the greater of two; 0 if there are none.
+///
 /// Cost     O(numbers)
 inline double median_of(std::vector<double> values) {
   if (values.empty()) return 0;

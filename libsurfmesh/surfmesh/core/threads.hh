@@ -12,6 +12,7 @@ int thread_limit();
 void with_thread_limit(int threads, const std::function<void()>& body);
 
 /// Run `body` on so many threads at once, or fewer where others are busy, and wait for all.
+///
 /// Pre      threads is at most thread_limit(); `body` does not throw
 void run_at_once(int threads, const std::function<void()>& body);
 

@@ -215,6 +215,7 @@ void PieceFolder::take_back() {
   // What was published is then under the name of the old one, and removed with this.
   if (!old_.empty() && exchange(old_, folder_)) return;
   std::error_code ignored;
+  if (!old_.empty() && !fs::exists(old_, ignored)) return;  // the new one is better than none
   fs::remove_all(folder_, ignored);
   if (!old_.empty()) rename(std::exchange(old_, fs::path()), folder_, given_);
 }

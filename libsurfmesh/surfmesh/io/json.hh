@@ -29,9 +29,11 @@ struct JsonAllocator : std::allocator<T> {
 using Json = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool,
                                   std::int64_t, std::uint64_t, double, JsonAllocator>;
 
-/// Delete an object, an array or a text that was made by its allocator.
+/// Delete an object, an array or a text that was made by its allocator; null where memory ran out
+/// before it was made.
 template <class Value>
 void delete_json_part(Value* part) {
+  if (!part) return;
   JsonAllocator<Value> allocator;
   std::destroy_at(part);
   allocator.deallocate(part, 1);
@@ -40,7 +42,9 @@ void delete_json_part(Value* part) {
 }  // namespace surfmesh
 
 // What follows takes the place of members of nlohmann-json 3.11.2 that are not safe where memory
-// runs out.
+// runs out. They are private to it: with any other version it is used as it is.
+#if NLOHMANN_JSON_VERSION_MAJOR == 3 && NLOHMANN_JSON_VERSION_MINOR == 11 && \
+    NLOHMANN_JSON_VERSION_PATCH == 2
 
 /// Make an object of a list of pairs whose first is a text, else an array.
 ///
@@ -81,3 +85,5 @@ inline void surfmesh::Json::json_value::destroy(value_t kind) {
   if (kind == value_t::string) surfmesh::delete_json_part(string);
   if (kind == value_t::binary) surfmesh::delete_json_part(binary);
 }
+
+#endif

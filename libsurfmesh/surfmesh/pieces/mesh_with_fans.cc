@@ -37,6 +37,7 @@ class FanAdder {
     std::vector<VertexHandle> corners = {pole};
     for (std::size_t k = 0; k <= step; ++k) corners.emplace_back(fan.ring[i + step - k]);
     const FaceHandle fh = mesh_.add_face(corners);
+    if (!fh.is_valid()) return;  // it would make the mesh improper
     mesh_.property(patch_, fh) = boundary_.patch;
     const CornerValue at_pole = value_at_pole(fan, i, mesh_.property(node_metric_, corners.back()),
                                               mesh_.property(node_metric_, corners[1]));

@@ -63,9 +63,8 @@ SummedValues space_jacobians_of(const QuadStatistics& quads) {
                           static_cast<std::int64_t>(quads.folded));
 }
 
-/// Of lengths in space no more is told than the bounds and the mean.
 SummedValues summed(const detail::SpaceLengths& lengths) {
-  return {detail::Moments::of(lengths.count, lengths.mean, 0), lengths.min, lengths.max, 0, {}};
+  return {lengths.moments, lengths.min, lengths.max, 0, {}};
 }
 
 FacePlace place_of(const PolyMesh& mesh, int face) {

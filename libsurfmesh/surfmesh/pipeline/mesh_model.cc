@@ -210,7 +210,7 @@ class Run {
     report_.diagonal = model_.diagonal;
     report_.tolerance = greatest_tolerance(model_);
     const detail::SpaceLengths lengths = detail::measure_lengths(mesh);
-    report_.lengths = {lengths.min, lengths.mean, lengths.max};
+    report_.lengths = {lengths.min, lengths.moments.mean(), lengths.max};
     locate_worst(mesh);
     append(detail::notices_of_faces(model_, report_, detail::told_faces(mesh, report_)),
            report_.notices);

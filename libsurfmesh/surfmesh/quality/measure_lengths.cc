@@ -10,16 +10,20 @@ namespace surfmesh::detail {
 namespace {
 
 struct Sums {
+  Moments moments;
   double min = std::numeric_limits<double>::infinity();
   double max = 0;
-  double sum = 0;
 
-  void add(double length) { *this += {length, length, length}; }
+  void add(double length) {
+    moments.add(length);
+    min = std::min(min, length);
+    max = std::max(max, length);
+  }
 
   Sums& operator+=(const Sums& other) {
+    moments += other.moments;
     min = std::min(min, other.min);
     max = std::max(max, other.max);
-    sum += other.sum;
     return *this;
   }
 };
@@ -27,16 +31,15 @@ struct Sums {
 }  // namespace
 
 SpaceLengths measure_lengths(const PolyMesh& mesh) {
-  const std::size_t count = mesh.n_edges();
-  if (count == 0) return {};
-  const Sums sums = sum_of_ranges(count, [&](std::size_t first, std::size_t end) {
+  if (mesh.n_edges() == 0) return {};
+  const Sums sums = sum_of_ranges(mesh.n_edges(), [&](std::size_t first, std::size_t end) {
     Sums own;
     for (std::size_t e = first; e < end; ++e) {
       own.add(mesh.calc_edge_length(EdgeHandle(static_cast<int>(e))));
     }
     return own;
   });
-  return {count, sums.min, sums.sum / static_cast<double>(count), sums.max};
+  return {sums.moments, sums.min, sums.max};
 }
 
 }  // namespace surfmesh::detail
