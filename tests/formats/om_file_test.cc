@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <string_view>
+
 #include <OpenMesh/Core/System/omstream.hh>
 #include <cstring>
 
@@ -163,6 +166,22 @@ TEST(OmFile, IsRefusedByItsFaults) {
   write_text(path, "solid");
   EXPECT_EQ(error_of([&] { read_mesh(path); }),
             "invalid input: " + path + ": this is not an .om file of a version that is read");
+}
+
+TEST(OmFile, IsRefusedForAPositionThatIsNotFinite) {
+  const TestFolder folder;
+  PolyMesh mesh = wavy_grid(1, 0);
+  const double known = 12345.5, unset = std::numeric_limits<double>::quiet_NaN();
+  mesh.point(VertexHandle(2))[0] = known;
+  write_mesh(mesh, folder / "a.om");
+  std::string bytes = read_text(folder / "a.om");
+  const std::size_t at =
+      bytes.find(std::string_view(reinterpret_cast<const char*>(&known), sizeof(known)));
+  ASSERT_NE(at, std::string::npos);
+  std::memcpy(bytes.data() + at, &unset, sizeof(unset));
+  const std::string error = error_of([&] { parse_om(bytes, "b.om"); });
+  EXPECT_TRUE(error.starts_with("invalid input: b.om: the position of vertex 2 is (nan, "))
+      << error;
 }
 
 TEST(OmFile, IsRefusedWhereverItIsCut) {

@@ -127,6 +127,25 @@ TEST(MeasureShape, KnowsTheAnglesOfASetSquare) {
   EXPECT_EQ(sum, 3u);
 }
 
+TEST(MeasureShape, HoldsForLengthsWhoseProductsAreNoNumbers) {
+  for (const double length : {1e-200, 1e-3, 1e200}) {
+    const ShapeStatistics shape = measure_shape(
+        set_of({{0, 0, 0}, {length, 0, 0}, {length / 2, length * std::numbers::sqrt3 / 2, 0}},
+               {{0, 1, 2}}));
+    EXPECT_NEAR(shape.quality.min, 1, 1e-14) << length;
+    EXPECT_NEAR(shape.max_angle, std::numbers::pi / 3, 1e-14) << length;
+    EXPECT_NEAR(shape.max_edge / length, 1, 1e-14);
+    EXPECT_EQ(shape.quality.below_0_3, 0);
+  }
+}
+
+TEST(MeasureShape, TakesAFaceThatIsLongerThanAnyNumber) {
+  const ShapeStatistics shape =
+      measure_shape(set_of({{-1e308, 0, 0}, {1e308, 0, 0}, {0, 1e308, 0}}, {{0, 1, 2}}));
+  EXPECT_EQ(shape.quality.min, 0);
+  EXPECT_TRUE(std::isinf(shape.max_edge));
+}
+
 TEST(MeasureShape, LeavesQuadsOutOfTheQuality) {
   const ShapeStatistics shape = measure_shape(set_of(kCorners, kCube));
   EXPECT_EQ(shape.quality.count, 0u);

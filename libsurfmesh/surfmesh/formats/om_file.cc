@@ -19,6 +19,7 @@
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/mesh_arrays.hh"
+#include "surfmesh/core/notice.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/formats/cage_of_arrays.hh"
 #include "surfmesh/formats/patch_numbers.hh"
@@ -424,6 +425,16 @@ void read_checked(std::string bytes, const OmCheck& check, const std::string& na
   }
 }
 
+/// Throws   InvalidInput for a face with a position that is not finite
+void check_positions(const PolyMesh& mesh, const std::string& name) {
+  for (const VertexHandle vh : mesh.vertices()) {
+    const Vec3 point = to_eigen(mesh.point(vh));
+    if (point.allFinite() || mesh.is_isolated(vh)) continue;
+    fail(name, fmt::format("the position of vertex {} is {}, which is not finite", vh.idx(),
+                           point_text(point)));
+  }
+}
+
 /// Throws   InvalidInput for a patch that arrays by patch have no room for
 void check_patches(const PolyMesh& mesh, const std::string& name) {
   const auto patch_of = find(mesh, keys::face_patch);
@@ -459,6 +470,7 @@ MeshFile parse_om(std::string bytes, const std::string& name) {
   MeshFile file;
   if (!check.names.empty()) file.names = NamesReader(check.names, name).read();
   read_checked(std::move(bytes), check, name, file.mesh);
+  check_positions(file.mesh, name);
   check_patches(file.mesh, name);
   PolyMesh& mesh = file.mesh;
   make_persistent(mesh.vprops_begin(), mesh.vprops_end());

@@ -21,6 +21,8 @@ namespace surfmesh {
 namespace {
 
 constexpr int kAngleBins = 18;
+/// Powers of 2 up to this one, and as many below 1, are numbers with all their digits.
+constexpr int kGreatestExponent = 1000;
 constexpr double kDegree = std::numbers::pi / 180;
 
 /// A side of a face, by its vertices.
@@ -281,16 +283,32 @@ class ShapeMeter {
     const auto point = [&](std::size_t k) {
       return set_.points[static_cast<std::size_t>(face[k % n])];
     };
+    double longest = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vec3 side = point(k + 1) - point(k);
+      add_length(side.stableNorm());
+      longest = std::max(longest, side.lpNorm<Eigen::Infinity>());
+    }
+    const double scale = scale_for(longest);
+    const auto side = [&](std::size_t from, std::size_t to) {
+      return Vec3(scale > 0 ? Vec3(scale * (point(to) - point(from))) : Vec3::Zero());
+    };
     double squares = 0;
     for (std::size_t k = 0; k < n; ++k) {
-      const Vec3 next = point(k + 1) - point(k), back = point(k + n - 1) - point(k);
+      const Vec3 next = side(k, k + 1), back = side(k, k + n - 1);
       add_angle(std::atan2(next.cross(back).norm(), next.dot(back)), f);
-      add_length(next.norm());
       squares += next.squaredNorm();
     }
     if (n != 3) return;
-    const double area = double_area(set_, f).norm();
+    const double area = side(0, 1).cross(side(0, 2)).norm();
     add_quality(squares > 0 ? 2 * std::numbers::sqrt3 * area / squares : 0, f);
+  }
+
+  /// A power of 2 that brings lengths near to 1, so that their products neither overflow nor
+  /// vanish; 0 where there is none.
+  static double scale_for(double longest) {
+    if (!(longest > 0) || !std::isfinite(longest)) return 0;
+    return std::ldexp(1.0, -std::clamp(std::ilogb(longest), -kGreatestExponent, kGreatestExponent));
   }
 
   void add_angle(double angle, std::size_t f) {

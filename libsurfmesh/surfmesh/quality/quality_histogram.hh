@@ -51,11 +51,12 @@ inline void add_counts(const std::vector<HistogramBin>& more, std::vector<Histog
   for (std::size_t i = 0; i < bins.size(); ++i) bins[i].count += more[i].count;
 }
 
-/// Count a quality, which by rounding may be a little beyond 1. The bins agree with comparisons to
-/// their limits: a quality is below 0.3 exactly if its bin is.
+/// Count a quality, which by rounding may be a little beyond 1; one that is no number counts as
+/// turned over. The bins agree with comparisons to their limits: a quality is below 0.3 exactly if
+/// its bin is.
 inline void count_quality(double quality, std::vector<HistogramBin>& bins) {
   const double position = std::clamp(1 + quality * kQualityBins, 0.0, double{kQualityBins});
-  std::size_t bin = quality < 0 ? 0 : static_cast<std::size_t>(position);
+  std::size_t bin = quality >= 0 ? static_cast<std::size_t>(position) : 0;
   if (bin > 0 && quality < bins[bin].from) --bin;
   ++bins[bin].count;
 }
