@@ -79,7 +79,9 @@ void try_result(Bytes input) {
   accepts([&] {
     const MeshFile file = read(format, text);
     if (file.mesh.n_faces() > kMostFaces) return;
-    check_proper(file.mesh, "read");
+    // Links of an .om file are as they were written: reading sees to it that they lead somewhere,
+    // and `check` tells whether the mesh is proper.
+    if (format.ending != ".om") check_proper(file.mesh, "read");
     write_and_read(file, other);
   });
 }
