@@ -68,8 +68,9 @@ class PointGrid {
 
   const Vec3& at(int index) const { return points_[static_cast<std::size_t>(index)]; }
 
+  /// All points are in one cell where they are too far from each other for numbers of cells.
   Cell cell_of(const Vec3& point) const {
-    if (!(width_ > 0)) return {};
+    if (!(width_ > 0) || !std::isfinite(width_) || !std::isfinite(tolerance_)) return {};
     Cell cell;
     for (int axis = 0; axis < 3; ++axis) {
       cell[static_cast<std::size_t>(axis)] =
