@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Which lines of libsurfmesh the tests run: builds with counters in build/coverage, runs the tests and
 # prints lines and branches by folder, and the files that are covered least. Exit status 1 if fewer
-# lines than LEAST are covered. A page for each file is in build/coverage/report. Takes an hour on two
-# cores.
+# lines than LEAST are covered. A page for each file is in build/coverage/report.
 #
 #   tests/coverage.sh            all tests but those with the label long
 #   tests/coverage.sh -L quad    options of ctest choose among them; the counters of earlier runs stay

@@ -9,7 +9,7 @@
 Works on a copy of the last commit in build/mutation, with a build of its own, and goes on where it
 stopped: build/mutation/results.jsonl has a line for each mutant. A mutant is *killed* if the tests
 of its folder fail or take far too long, *survived* if they pass, *same* if the compiler makes the
-same code of it, and *unbuilt* if it does not compile. Takes about half a minute for each.
+same code of it, and *unbuilt* if it does not compile.
 """
 
 import argparse

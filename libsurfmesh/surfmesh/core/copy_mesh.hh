@@ -7,7 +7,8 @@
 
 namespace surfmesh {
 
-/// Copy a mesh with all its properties.
+/// Copy a mesh with all named properties of its elements, which is all that this library attaches;
+/// properties of the mesh itself are left out.
 ///
 /// OpenMesh's own copies leak properties where memory runs out, and those by assignment even delete
 /// what belongs to the other mesh.
