@@ -24,7 +24,20 @@ namespace surfmesh {
 
 #if defined(SURFMESH_READS_CAD)
 
-CadReader cad_reader() { return read_cad; }
+namespace {
+
+/// OpenCASCADE ends the program at some damaged files.
+Model read_cad_or_tell(const std::filesystem::path& path, const CadOptions& options) {
+  const TellsCrash tells(
+      fmt::format("surfmesh: error: {}: OpenCASCADE, which reads it, crashed: the file is damaged, "
+                  "or has what it cannot read; save it anew, as STEP where it is another format\n",
+                  path.string()));
+  return read_cad(path, options);
+}
+
+}  // namespace
+
+CadReader cad_reader() { return read_cad_or_tell; }
 
 #elif defined(SURFMESH_HAS_CAD)
 

@@ -14,6 +14,7 @@
 #include <cstring>
 #include <ctime>
 #include <string_view>
+#include <utility>
 
 #include "exit_status.hh"
 #include "surfmesh/core/error.hh"
@@ -37,6 +38,7 @@ std::array<std::atomic<const char*>, kMostTemporaries> temporaries = {};
 std::atomic<timer_t> timer = {};
 std::atomic<const char*> terminal_wipe = nullptr;
 std::atomic<bool> is_silent = false;
+std::atomic<const char*> crash_text = nullptr;
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
               std::atomic<const char*>::is_always_lock_free &&
               std::atomic<timer_t>::is_always_lock_free);
@@ -68,13 +70,17 @@ void remove_at_once(const char* path) {
   if (unlink(path) != 0 && (errno == EISDIR || errno == EPERM)) remove_folder(path);
 }
 
+void remove_temporaries() {
+  for (const auto& temporary : temporaries) {
+    if (const char* path = temporary) remove_at_once(path);
+  }
+}
+
 void end_at_once() {
   if (is_committing) return start_timer();
   wipe_terminal();
   if (status_when_done != kNotDone) _exit(status_when_done);
-  for (const auto& temporary : temporaries) {
-    if (const char* path = temporary) remove_at_once(path);
-  }
+  remove_temporaries();
   constexpr std::string_view kText = "surfmesh: stopped by a signal\n";
   if (!is_silent) {
     [[maybe_unused]] const auto written = write(STDERR_FILENO, kText.data(), kText.size());
@@ -97,6 +103,28 @@ extern "C" void stop_late(int /*number*/) {
   const int code = errno;
   end_at_once();
   errno = code;
+}
+
+extern "C" void tell_crash(int /*number*/) {
+  wipe_terminal();
+  remove_temporaries();
+  const char* text = crash_text;
+  if (text && !is_silent) {
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, text, std::strlen(text));
+  }
+  _exit(kFailed);
+}
+
+/// What a program is sent for its own faults.
+constexpr std::array kCrashes = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+
+/// A handler of its own stack runs where recursion has used up that of the program.
+void use_own_stack() {
+  alignas(std::max_align_t) static std::array<char, 65536> room;
+  stack_t stack = {};
+  stack.ss_sp = room.data();
+  stack.ss_size = room.size();
+  sigaltstack(&stack, nullptr);
 }
 
 bool is_ignored(int number) {
@@ -152,6 +180,17 @@ void commit_against_signals(int status, const std::function<void()>& commit) {
 }
 
 void be_silent_on_signals() { is_silent = true; }
+
+TellsCrash::TellsCrash(std::string text) : text_(std::move(text)) {
+  crash_text = text_.c_str();
+  use_own_stack();
+  for (const int number : kCrashes) handle(number, tell_crash, SA_ONSTACK);
+}
+
+TellsCrash::~TellsCrash() {
+  for (const int number : kCrashes) handle(number, SIG_DFL, 0);
+  crash_text = nullptr;
+}
 
 void set_terminal_wipe(const char* text) { terminal_wipe = text; }
 

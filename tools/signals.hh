@@ -28,6 +28,19 @@ void commit_against_signals(int status, const std::function<void()>& commit);
 /// Do not tell of a signal that ends the program, as where another process tells of it.
 void be_silent_on_signals();
 
+/// While it exists, a crash of the program is told by a text, and ends it with exit status 1; no
+/// file of a RemovedOnSignal is left behind. For libraries that fall over damaged files.
+class TellsCrash {
+ public:
+  explicit TellsCrash(std::string text);
+  ~TellsCrash();
+  TellsCrash(const TellsCrash&) = delete;
+  TellsCrash& operator=(const TellsCrash&) = delete;
+
+ private:
+  std::string text_;
+};
+
 /// What to write to the standard error before the program ends at once, or becomes another one, so
 /// that no line of progress is left on the terminal. It must live on; null for nothing.
 void set_terminal_wipe(const char* text);

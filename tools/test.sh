@@ -33,12 +33,11 @@ tools/setup.sh "${setup[@]}"
 if [ "${#setup[@]}" -gt 0 ]; then
   tools/setup.sh --viewer || echo "test: there are no pages for browsers, their tests are skipped" >&2
 fi
-# Where all is built from nothing, as in CI, it is faster in joined files; who works on the library has
-# them apart.
-joined=OFF
-if [ -n "${CI-}" ]; then
-  joined=ON
+# What is built from nothing is built faster in joined files; a build that is there stays as it is.
+joined=()
+if [ ! -f build/release/CMakeCache.txt ]; then
+  joined=(-D SURFMESH_UNITY_BUILD=ON)
 fi
-cmake --preset release -D SURFMESH_UNITY_BUILD="$joined"
+cmake --preset release "${joined[@]}"
 cmake --build --preset release
 exec ctest --preset "$tests"

@@ -232,6 +232,15 @@ TEST(FormulaBounds, AreUnboundedAtPoles) {
   expect_near(bounds_of("u^-3", {-1, 1}), {});
   expect_near(bounds_of("1/u", {0, 2}), {0.5, kInfinity});
   expect_near(bounds_of("u^-3", {-2, 0}), {-kInfinity, -0.125});
+  expect_near(bounds_of("u^v", {0, 0}, {-1, 0}), {});
+}
+
+/// −0 to the power of −1 is −∞, which only constant exponents knew of.
+TEST(FormulaBounds, HoldPowersOfNegativeZero) {
+  const FormulaProgram program = program_of("(u*v)^-0^v");
+  const double value = value_of(program, -2, 0);
+  EXPECT_EQ(value, -kInfinity);
+  EXPECT_TRUE(bounds_of(program, {{-2, -2}, {0, 0}}).contains(value));
 }
 
 TEST(FormulaBounds, KnowTheCutOfAngles) {

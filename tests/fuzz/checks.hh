@@ -4,11 +4,13 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fuzz/targets.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/core/observer.hh"
+#include "surfmesh/formats/mesh_format.hh"
 #include "surfmesh/model/model.hh"
 
 namespace surfmesh::fuzz {
@@ -29,6 +31,16 @@ bool accepts(Body body) {
     demand(error.what()[0] != '\0', "an error tells its reason");
     return false;
   }
+}
+
+/// The formats for which something holds.
+template <class Predicate>
+std::vector<const MeshFormat*> formats_that(Predicate holds) {
+  std::vector<const MeshFormat*> formats;
+  for (const MeshFormat& format : mesh_formats()) {
+    if (holds(format)) formats.push_back(&format);
+  }
+  return formats;
 }
 
 /// A folder in memory, if the system has one, for the files of this program; removed at its end.

@@ -41,9 +41,12 @@ class FuzzTarget : public ::testing::TestWithParam<Target> {};
 TEST_P(FuzzTarget, TakesItsSeeds) {
   const std::vector<Seed> seeds = seeds_of(GetParam().name);
   EXPECT_GT(seeds.size(), 5u);
+  std::size_t taken = 0;
   for (const Seed& seed : seeds) {
-    EXPECT_NO_THROW(GetParam().run(bytes_of(seed.bytes))) << seed.name;
+    EXPECT_NO_THROW(taken += GetParam().run(bytes_of(seed.bytes)) ? 1 : 0) << seed.name;
   }
+  // What is refused shows little of what comes after reading. Models by chance often are.
+  EXPECT_GE(10 * taken, (GetParam().name == "pipeline" ? 5 : 8) * seeds.size());
 }
 
 TEST_P(FuzzTarget, TakesWhatItFoundOnce) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// What is fuzzed: functions of any bytes. They throw a Finding, or anything else, only for a fault
-/// of the library.
+/// of the library, and return whether it took the bytes; false if it refused them with an Error.
 namespace surfmesh::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;
@@ -22,34 +22,34 @@ class Finding : public std::logic_error {
 
 /// Read a control cage: its format, its options, the file. One that is accepted has to become a
 /// model of surfaces that can be evaluated.
-void try_cage(Bytes bytes);
+bool try_cage(Bytes bytes);
 
 /// Read a model file, whose cages and tables are those of seed_files(), and estimate its mesh.
-void try_model(Bytes bytes);
+bool try_model(Bytes bytes);
 
 /// Read formulas, a line each, of which the last may use those before. Values at all orders agree,
 /// and bounds hold them.
-void try_formula(Bytes bytes);
+bool try_formula(Bytes bytes);
 
 /// Read a table of sizes or a background mesh: its kind, the file. What is accepted has to answer
 /// with sizes.
-void try_table(Bytes bytes);
+bool try_table(Bytes bytes);
 
 /// Read a mesh: its format, the one to write it in, the file. One that is accepted is proper, and
 /// reads back as it was written.
-void try_result(Bytes bytes);
+bool try_result(Bytes bytes);
 
 /// Read a CAD file: its format, the file. One that is accepted has to become a model of surfaces
 /// that can be evaluated.
-void try_cad(Bytes bytes);
+bool try_cad(Bytes bytes);
 
 /// Make a small model, sizes and options of numbers, and mesh it. The mesh is sound after each
 /// stage.
-void try_pipeline(Bytes bytes);
+bool try_pipeline(Bytes bytes);
 
 struct Target {
   std::string_view name;  ///< of its program, fuzz_NAME, and its folders
-  void (*run)(Bytes bytes) = nullptr;
+  bool (*run)(Bytes bytes) = nullptr;
 };
 
 /// All of those that are built: `cad` needs OpenCASCADE.

@@ -9,13 +9,13 @@
 
 namespace surfmesh::fuzz {
 
-void try_cad(Bytes input) {
+bool try_cad(Bytes input) {
   // OpenCASCADE's reader of IGES files ends the program at damaged ones; see DECISIONS.md.
   constexpr std::array kEndings = {".step", ".brep"};
   ByteReader bytes(input);
   const std::string name = std::string("part").append(bytes.one_of(kEndings));
   const auto path = write_scratch(name, bytes.rest());
-  accepts([&] { check_usable(read_cad(path)); });
+  return accepts([&] { check_usable(read_cad(path)); });
 }
 
 }  // namespace surfmesh::fuzz

@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
 #include <string>
-#include <vector>
 
 #include "fuzz/byte_reader.hh"
 #include "fuzz/checks.hh"
 #include "fuzz/targets.hh"
 #include "surfmesh/cage/cage_model.hh"
-#include "surfmesh/formats/mesh_format.hh"
 
 namespace surfmesh::fuzz {
 namespace {
 
 /// Larger cages show nothing new and take long.
 constexpr std::size_t kMostFaces = 64;
-
-std::vector<const MeshFormat*> cage_formats() {
-  std::vector<const MeshFormat*> formats;
-  for (const MeshFormat& format : mesh_formats()) {
-    if (format.parse_cage != nullptr) formats.push_back(&format);
-  }
-  return formats;
-}
 
 CageOptions read_options(ByteReader& bytes) {
   CageOptions options;
@@ -43,13 +33,13 @@ CageOptions read_options(ByteReader& bytes) {
 
 }  // namespace
 
-void try_cage(Bytes input) {
+bool try_cage(Bytes input) {
   ByteReader bytes(input);
-  const std::vector<const MeshFormat*> formats = cage_formats();
+  const auto formats = formats_that([](const MeshFormat& f) { return f.parse_cage != nullptr; });
   const MeshFormat& format = *bytes.one_of(formats);
   const CageOptions options = read_options(bytes);
   const std::string text = bytes.rest();
-  accepts([&] {
+  return accepts([&] {
     const Cage cage = format.parse_cage(text, std::string("cage").append(format.ending));
     check_ranges(cage);
     if (cage.faces.size() > kMostFaces) return;

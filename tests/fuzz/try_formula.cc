@@ -65,13 +65,13 @@ std::vector<std::string> lines_of(Bytes bytes) {
 
 }  // namespace
 
-void try_formula(Bytes bytes) {
+bool try_formula(Bytes bytes) {
   const std::vector<std::string> lines = lines_of(bytes);
   std::vector<NamedFormula> where;
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
     where.push_back({std::string("f").append(std::to_string(i)), lines[i]});
   }
-  accepts([&] {
+  const bool is_taken = accepts([&] {
     const FormulaProgram program =
         parse_formulas(std::vector{lines.back()}, kVariables, {{"c", 0.5}}, where);
     check_values(program);
@@ -80,6 +80,7 @@ void try_formula(Bytes bytes) {
     }
   });
   accepts([&] { evaluate_constant(lines.back()); });
+  return is_taken;
 }
 
 }  // namespace surfmesh::fuzz

@@ -11,7 +11,7 @@ namespace surfmesh::fuzz {
 namespace {
 
 constexpr double kSeconds = 1;
-constexpr std::size_t kMostElements = 2000;
+constexpr std::size_t kMostElements = 20000;
 
 bool write_seed_files() {
   for (const Seed& seed : seed_files()) write_scratch(seed.name, seed.bytes);
@@ -20,11 +20,11 @@ bool write_seed_files() {
 
 }  // namespace
 
-void try_model(Bytes bytes) {
+bool try_model(Bytes bytes) {
   static const bool has_files = write_seed_files();
   demand(has_files, "the files beside the model are written");
   const auto path = write_scratch("model.json", std::string(bytes.begin(), bytes.end()));
-  accepts([&] {
+  return accepts([&] {
     Deadline deadline(kSeconds);
     ModelInput input = load_model(path, {}, &deadline);
     check_usable(input.model);

@@ -136,13 +136,13 @@ bool is_same(const PolyMesh& a, const PolyMesh& b) {
 
 }  // namespace
 
-void try_pipeline(Bytes input) {
+bool try_pipeline(Bytes input) {
   ByteReader bytes(input);
   const bool is_repeated = bytes.happens(20), is_staged = bytes.happens(128);
   const SmallModel small = make_small_model(bytes);
   for (const Seed& cage : small.cages) write_scratch(cage.name, cage.bytes);
   const auto path = write_scratch("small.json", small.text);
-  accepts([&] {
+  return accepts([&] {
     Deadline deadline(kSeconds);
     ModelInput model = load_model(path, {}, &deadline);
     model.options.threads = 1;

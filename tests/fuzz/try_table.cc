@@ -48,13 +48,24 @@ void check_table(const std::string& text) {
   demand(!interpolate_table(source, *surface, bounds, 0.1).points().empty(), "tables have points");
 }
 
-/// Two triangles and a tetrahedron, for values of another file.
+/// Three triangles, for values of another file.
 GridFile small_grid() {
   GridFile grid;
-  grid.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  grid.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0.5, 0}};
   grid.faces.add(std::array{0, 1, 2});
   grid.faces.add(std::array{0, 2, 3});
+  grid.faces.add(std::array{1, 4, 2});
   return grid;
+}
+
+/// Values for a mesh without, that a file beside it would have.
+void add_own_sizes(GridFile& grid) {
+  GridValues& sizes = grid.at_points.emplace_back();
+  sizes.name = std::string("h");
+  sizes.components = 1;
+  for (std::size_t i = 0; i < grid.points.size(); ++i) {
+    sizes.numbers.push_back(0.1 + 0.05 * static_cast<double>(i % 7));
+  }
 }
 
 GridFile read_grid_of(Kind kind, std::string text) {
@@ -92,21 +103,23 @@ void check_field(const FieldSource& field, const Surface& surface) {
 }
 
 void check_background(Kind kind, std::string text, BackgroundIn in) {
-  const GridFile grid = read_grid_of(kind, std::move(text));
+  GridFile grid = read_grid_of(kind, std::move(text));
   if (grid.points.size() > kMostNodes) return;
+  if (grid.at_points.empty()) add_own_sizes(grid);
+  const std::string name = grid.at_points.front().name;
   const auto surface = sheet();
-  const auto sizes = std::make_shared<BackgroundSizes>(background_mesh(grid, "", in), in);
+  const auto sizes = std::make_shared<BackgroundSizes>(background_mesh(grid, name, in), in);
   check_field(background_field(sizes, 0, surface), *surface);
 }
 
 }  // namespace
 
-void try_table(Bytes input) {
+bool try_table(Bytes input) {
   ByteReader bytes(input);
   const Kind kind = bytes.one_of(kKinds);
   const BackgroundIn in = bytes.happens(80) ? BackgroundIn::Uv : BackgroundIn::Space;
   std::string text = bytes.rest();
-  accepts([&] {
+  return accepts([&] {
     if (kind == Kind::Table) {
       check_table(text);
     } else {

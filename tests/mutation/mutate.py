@@ -118,7 +118,9 @@ class Bench:
 
     def __init__(self, folders):
         self.make_copy()
-        must(["cmake", "--preset", "release", "-D", "SURFMESH_BUILD_BENCH=OFF"])
+        must(["cmake", "--preset", "release", "-D", "SURFMESH_BUILD_BENCH=OFF",
+              "-D", "SURFMESH_UNITY_BUILD=ON",
+              "-D", "SURFMESH_COMPILED_APART=" + ";".join(FOLDERS)])
         must(["cmake", "--build", BUILD, "--target"] + [f"{f}_test" for f in folders])
         self.hashes = {}  # of objects without a mutant, by source
         self.seconds = {}

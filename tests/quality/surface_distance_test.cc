@@ -150,6 +150,60 @@ TEST(MeasureDistance, CallsNoFaceTurnedThatFacesOneOfTwoSheetsInOnePlace) {
   EXPECT_TRUE(measure_distance(mesh, model, search, true).faults.empty());
 }
 
+/// Set the u of the corners of a face as if nearest points had been found there.
+template <class Find>
+void move_corners(PolyMesh& mesh, FaceHandle fh, Find u_of) {
+  const auto uv_of = require(mesh, keys::corner_uv);
+  for (const HalfedgeHandle heh : mesh.fh_range(fh)) {
+    double& u = mesh.property(uv_of, heh).u;
+    u = u_of(u);
+  }
+}
+
+TEST(MeasureDistance, CallsNoFaceTurnedWhereThePatchHasNoClearSide) {
+  // As above; x < 0 is on one sheet only.
+  const Model model =
+      testing::model_of({make_callable_surface(Domain{0, 1, 0, 1}, [](auto u, auto v) {
+        return std::array{sin(3.2 * u), v, 0 * u};
+      })});
+  constexpr int kColumns = 64, kRows = 8;
+  PolyMesh mesh = mesh_over(*model.patches[0].surface, kColumns, kRows);
+  const SurfaceSearch search(model);
+  project_mesh(mesh, {}, model, search);
+  for (const FaceHandle fh : mesh.faces()) {
+    // The wrong sheet in five rows of eight.
+    const bool is_wrong = fh.idx() / 2 / kColumns < 5;
+    const bool is_left = fh.idx() / 2 % kColumns < kColumns / 2;
+    move_corners(mesh, fh, [&](double u) {
+      const double other = kPi / 3.2 - u;
+      const bool has_two = other >= 0 && other <= 1, stays = (u < 0.5) == (is_left != is_wrong);
+      return has_two && !stays ? other : u;
+    });
+  }
+  const SurfaceDistance distance = measure_distance(mesh, model, search, true);
+  EXPECT_TRUE(distance.faults.empty());
+  EXPECT_GT(distance.unjudged, 0u);
+}
+
+TEST(MeasureDistance, CallsNoFaceTurnedWhoseNearestPointsAreAcrossABlade) {
+  // Both sides of the blade meet at the corners of faces; between them, the other one is nearer.
+  const Model model =
+      testing::model_of({make_callable_surface(Domain{-1, 1, 0, 1}, [](auto u, auto v) {
+        const auto wave = sin(4 * kPi * v);
+        return std::array{u * u, v + 0 * u, 0.007 * u * wave * wave + 0.2 * v * (1.0 - v)};
+      })});
+  PolyMesh mesh = mesh_over(*model.patches[0].surface, 40, 4);
+  const SurfaceSearch search(model);
+  project_mesh(mesh, {}, model, search);
+  for (int face = 50; face < 70; ++face) {
+    const auto across = [](double u) { return -u; };
+    move_corners(mesh, FaceHandle(face), across);
+    const SurfaceDistance distance = measure_distance(mesh, model, search, true);
+    EXPECT_TRUE(distance.faults.empty()) << face;
+    move_corners(mesh, FaceHandle(face), across);
+  }
+}
+
 TEST(MeasureDistance, FallsWithTheSquareOfTheElements) {
   const Model model = testing::model_of({testing::whole_torus()});
   const SurfaceSearch search(model);

@@ -129,8 +129,9 @@ Interval positive_power(const Interval& x, const Interval& y) {
                        std::pow(x.upper, y.lower), std::pow(x.upper, y.upper)}));
 }
 
-/// Powers of negative numbers exist for integers y, and have either sign.
+/// Powers of negative numbers exist for integers y, and have either sign, as have those of −0.
 Interval general_power(const Interval& x, const Interval& y) {
+  if (x.lower == 0 && x.upper == 0 && y.lower < 0) return {};
   if (x.lower >= 0) return positive_power(abs(x), y);
   const double greatest = positive_power(abs(x), y).upper;
   return {-greatest, greatest};

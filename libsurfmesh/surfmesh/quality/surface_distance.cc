@@ -35,6 +35,11 @@ void ask_at(FaceHandle fh, const RunContext& context) {
 /// projected to the wrong side, whose normal is about perpendicular.
 constexpr double kClearlyTurned = 0.5;
 
+/// The share of a patch by which more of it has to lie on one side of the surface than on the
+/// other, for projected faces to tell which side the mesh follows. Where a surface is folded onto
+/// itself, nearest points are of either sheet.
+constexpr double kClearSide = 0.5;
+
 Vec3 sum_of(const std::vector<Vec3>& vectors) {
   Vec3 sum = Vec3::Zero();
   for (const Vec3& vector : vectors) sum += vector;
@@ -67,6 +72,7 @@ class DistanceMeter {
         is_off_(mesh.n_faces(), 0),
         is_coarse_(mesh.n_faces(), 0),
         side_of_(model.patches.size(), 0),
+        area_of_(model.patches.size(), 0),
         on_surface_(surface_tolerance(mesh, model)),
         off_surface_(
             std::max({kOffSurface * model.diagonal, model.joining, greatest_tolerance(model)})) {}
@@ -128,6 +134,7 @@ class DistanceMeter {
     is_coarse_[index(fh)] = are_opposed(normals) || normals.size() < 2 ? 1 : 0;
     const auto patch = static_cast<std::size_t>(mesh_.property(patch_of_, fh));
     side_of_[patch] += cosine > 0 ? area.norm() : -area.norm();
+    area_of_[patch] += area.norm();
   }
 
   /// Returns the normal p_u × p_v of the surface there; zero where it has none.
@@ -198,9 +205,8 @@ class DistanceMeter {
     const double least_facing = is_projected_ ? -kClearlyTurned : 0;
     for (const FaceHandle fh : mesh_.faces()) {
       ask_at(fh, context);
-      const double side = side_of_[static_cast<std::size_t>(mesh_.property(patch_of_, fh))];
-      if (facing_[index(fh)] * (side < 0 ? -1 : 1) > least_facing) continue;
-      if (is_projected_ && !can_be_judged(fh)) {
+      if (facing_its_side(fh) > least_facing) continue;
+      if (is_projected_ && (!can_be_judged(fh) || goes_on_in_a_neighbour(fh))) {
         ++result_.unjudged;
         continue;
       }
@@ -212,10 +218,32 @@ class DistanceMeter {
     }
   }
 
+  /// Cosine of the angle between face and surface, as the mesh follows its patch.
+  double facing_its_side(FaceHandle fh) const {
+    const double side = side_of_[static_cast<std::size_t>(mesh_.property(patch_of_, fh))];
+    return side < 0 ? -facing_[index(fh)] : facing_[index(fh)];
+  }
+
+  /// True if a face about parallel to this one lies beside it and is not turned: at a knife edge of
+  /// the surface, nearest points of one of them are on the other side of the blade.
+  bool goes_on_in_a_neighbour(FaceHandle fh) const {
+    const auto normal = [&](FaceHandle face) {
+      return detail::double_area_of(mesh_, corners_of(mesh_, face));
+    };
+    const auto neighbours = mesh_.ff_range(fh);
+    return std::any_of(neighbours.begin(), neighbours.end(), [&](FaceHandle other) {
+      return facing_its_side(other) > 0 && facing(normal(fh), normal(other)) > kClearlyTurned;
+    });
+  }
+
   /// False if the projection has not found a corner of a face, although most corners of the mesh
-  /// lie on the surface, or if the normals at its corners do not tell its side.
+  /// lie on the surface, or if the normals at its corners do not tell its side, or its patch has
+  /// none.
   bool can_be_judged(FaceHandle fh) const {
-    return !is_coarse_[index(fh)] && (!is_off_[index(fh)] || 2 * corners_off_ > corners_);
+    const auto patch = static_cast<std::size_t>(mesh_.property(patch_of_, fh));
+    const bool is_clear = std::abs(side_of_[patch]) >= kClearSide * area_of_[patch];
+    return is_clear && !is_coarse_[index(fh)] &&
+           (!is_off_[index(fh)] || 2 * corners_off_ > corners_);
   }
 
   /// True if a face is turned against one sheet of the surface, but not against another one in
@@ -244,6 +272,7 @@ class DistanceMeter {
   /// Of faces, across which the surface turns by more than 90°, or with one corner on their patch.
   std::vector<char> is_coarse_;
   std::vector<double> side_of_;  ///< of each patch, area along minus area against the normal
+  std::vector<double> area_of_;  ///< of each patch
   double on_surface_;            ///< distances below are rounding
   double off_surface_;           ///< farther than this, corners are a fault
   SurfaceDistance result_;
