@@ -18,7 +18,7 @@
 namespace surfmesh {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kCheckFooter =
     "Faults (exit status 3): non_manifold_edge, non_manifold_vertex, turned_neighbour (faces that\n"
     "  pass their edge in the same direction), degenerate_face, duplicate_face, duplicate_vertex,\n"
     "  unused_vertex; with --model: turned_face (against the normal of the surface),\n"
@@ -47,7 +47,7 @@ JudgedBy judged_by(const Settings& settings) {
 void CheckCommand::add_to(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "check", "Describe a mesh, list its faults, and tell how it fits its model.");
-  command->footer(kFooter);
+  command->footer(kCheckFooter);
   command->add_option("MESH", mesh_, "mesh: " + readable_mesh_endings())->required()->type_name("");
   CLI::Option* model =
       command->add_option("--model", model_, "what it is a mesh of: cage, CAD file or model file")

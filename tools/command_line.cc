@@ -19,7 +19,7 @@
 namespace surfmesh {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kProgramFooter =
     "Examples:\n"
     "  surfmesh mesh cage.obj -o mesh.om        mesh the limit surface of a cage\n"
     "  surfmesh mesh part.step -o mesh.obj      mesh a part of a CAD program\n"
@@ -46,7 +46,7 @@ std::string version_text() {
 CommandLine::CommandLine()
     : app_("Mesh multi-patch parametric surfaces with elements that follow a metric.", "surfmesh") {
   app_.set_version_flag("--version", version_text());
-  app_.footer(kFooter);
+  app_.footer(kProgramFooter);
   app_.require_subcommand(1);
   add<MeshCommand>();
   add<CheckCommand>();

@@ -11,7 +11,7 @@
 namespace surfmesh {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kCompletionFooter =
     "For this shell alone:\n"
     "  source <({0} completion bash)\n"
     "An installed surfmesh has both scripts where the shells look for them.\n";
@@ -22,7 +22,7 @@ void CompletionCommand::add_to(CLI::App& app) {
   program_ = &app;
   CLI::App* command = app.add_subcommand(
       "completion", "Print a script by which a shell completes command lines of surfmesh.");
-  command->footer(fmt::format(kFooter, app.get_name()));
+  command->footer(fmt::format(kCompletionFooter, app.get_name()));
   command->add_option("SHELL", shell_, "the shell that reads it")
       ->required()
       ->option_text("bash|zsh")

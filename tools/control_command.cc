@@ -18,7 +18,7 @@
 namespace surfmesh {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kControlFooter =
     "In a .vtu file points hold uv, the two sizes, the size tensor and the radii; faces the\n"
     "  patch and the class of interpolation. ParaView shows the tensors with its filter Tensor "
     "Glyph.\n"
@@ -53,7 +53,7 @@ std::string summary_of(const std::vector<ControlPicture>& pictures, const std::s
 void ControlCommand::add_to(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("control", "Write the control meshes of a model, to look at its sizes.");
-  command->footer(kFooter);
+  command->footer(kControlFooter);
   command
       ->add_option("INPUT", input_,
                    "cage: .obj .off .ply .stl .om; CAD: .step .igs .brep; model: .json")

@@ -22,7 +22,7 @@
 namespace surfmesh {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kConvertFooter =
     "Patches of the faces are kept with their names and groups, as .obj has them in `g GROUP... "
     "PATCH`.\n"
     "What the format of OUT cannot hold is told in warnings.\n"
@@ -45,7 +45,7 @@ std::string summary_of(const MeshFile& file, const std::string& path, bool is_ve
 void ConvertCommand::add_to(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("convert", "Write a mesh in another format, chosen by the ending.");
-  command->footer(kFooter);
+  command->footer(kConvertFooter);
   command->add_option("IN", input_, fmt::format("mesh to read: {}", readable_mesh_endings()))
       ->required()
       ->type_name("");

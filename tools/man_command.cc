@@ -15,7 +15,7 @@
 namespace surfmesh {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kManFooter =
     "Examples:\n"
     "  {0} man mesh | man -l -    show the page of a command\n"
     "  {0} man --folder man1      write {0}.1, {0}-mesh.1 and the others\n";
@@ -26,7 +26,7 @@ void ManCommand::add_to(CLI::App& app) {
   program_ = &app;
   CLI::App* command =
       app.add_subcommand("man", "Print a manual page of surfmesh or one of its commands.");
-  command->footer(fmt::format(kFooter, app.get_name()));
+  command->footer(fmt::format(kManFooter, app.get_name()));
   CLI::Option* page =
       command->add_option("COMMAND", command_, "the command; without it, the page of surfmesh")
           ->type_name("COMMAND")

@@ -11,11 +11,11 @@
 namespace surfmesh {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kMeshFooter =
     "Examples:\n"
     "  surfmesh mesh knob.obj -o knob.om --curvature 0.2 --hmax 5% --report knob.json\n";
 
-constexpr const char* kFooterOfRanks =
+constexpr const char* kMeshFooterOfRanks =
     "Examples:\n"
     "  mpirun -n 4 surfmesh-mpi mesh knob.obj --pieces knob --curvature 0.2 --report knob.json\n"
     "  mpirun -n 4 surfmesh-mpi mesh knob.obj -o knob.ply --curvature 0.2\n";
@@ -62,7 +62,7 @@ void suit_ranks(CLI::App& command) {
 void MeshArguments::add_to(CLI::App& app, MeshProgram program) {
   CLI::App* command = app.add_subcommand(
       "mesh", "Mesh a cage, a CAD file or a model file with triangles or quads.");
-  command->footer(program == MeshProgram::Ranks ? kFooterOfRanks : kFooter);
+  command->footer(program == MeshProgram::Ranks ? kMeshFooterOfRanks : kMeshFooter);
   add_files(*command, program);
   using enum OptionGroup;
   add_flags(*command, named, std::array{Sizes, ControlSpace, Meshing, Cages});

@@ -26,7 +26,7 @@
 namespace surfmesh {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kPictureFooter =
     "Fields: patch, group; quality, size, stretch, length, of the metric that .om files keep;\n"
     "  shape, valence, of any mesh; sag, where a run with --sag has measured it. Without "
     "--colour,\n"
@@ -215,7 +215,7 @@ CLI::Option* add_switch(CLI::App& command, const char* flag, std::string& value,
 void PictureCommand::add_to(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("picture", "Draw a mesh, in space or in the parameters of a patch.");
-  command->footer(kFooter);
+  command->footer(kPictureFooter);
   command->add_option("MESH", mesh_, "mesh to draw: " + readable_mesh_endings())
       ->required()
       ->type_name("");

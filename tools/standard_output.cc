@@ -15,7 +15,7 @@
 namespace surfmesh {
 namespace {
 
-bool is_silent = false;
+bool is_output_silent = false;
 
 }  // namespace
 
@@ -28,10 +28,10 @@ void keep_closed_streams_closed() {
   }
 }
 
-void be_silent(bool is_on) { is_silent = is_on; }
+void be_silent(bool is_on) { is_output_silent = is_on; }
 
 void print(std::string_view text) {
-  if (is_silent) return;
+  if (is_output_silent) return;
   errno = 0;
   const bool is_written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (is_written && std::fflush(stdout) == 0) return;
@@ -40,7 +40,7 @@ void print(std::string_view text) {
 }
 
 void tell(std::string_view text) {
-  if (is_silent) return;
+  if (is_output_silent) return;
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
 }

@@ -31,7 +31,7 @@
 namespace surfmesh {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kViewFooter =
     "A mesh is shown as it is, a CAD or model file is meshed first. A mesh is meshed as a cage\n"
     "with --mesh or any option of meshing.\n"
     "All options of \"surfmesh mesh\" are there for models. The page needs no network. Its script "
@@ -87,7 +87,7 @@ void check_patches(const PolyMesh& mesh, const Model& model, const std::string& 
 void ViewCommand::add_to(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "view", "Write a page that shows a mesh, or the mesh of a model, in a browser.");
-  command->footer(kFooter);
+  command->footer(kViewFooter);
   add_files(*command);
   using enum OptionGroup;
   add_flags(*command, named_, std::array{Sizes, ControlSpace, Meshing, Cages}, ShortHelp::None);

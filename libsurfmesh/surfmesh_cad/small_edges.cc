@@ -32,7 +32,7 @@ constexpr int kIntervals = 8;
 constexpr double kMostMerged = 1e-5;
 
 /// Edges are merged to a distance somewhat above the longest of them.
-constexpr double kSlack = 2;
+constexpr double kMergeSlack = 2;
 
 double length_of(const TopoDS_Edge& edge) {
   const BRepAdaptor_Curve curve(edge);
@@ -126,7 +126,7 @@ void merge_small_edges(CadShape& cad) {
   const SmallEdges before = small_edges(cad.shape, least);
   if (before.count == 0) return;
   const double most = kMostMerged * rough_diagonal(cad.shape);
-  const double distance = std::min(std::max(least, kSlack * before.longest), most);
+  const double distance = std::min(std::max(least, kMergeSlack * before.longest), most);
   const Handle(ShapeBuild_ReShape) changes = new ShapeBuild_ReShape;
   const TopoDS_Shape result = merged(cad.shape, distance, changes);
   if (!is_as_good(result, cad.shape)) return;

@@ -28,7 +28,7 @@ struct References {
   std::vector<std::vector<std::size_t>> targets;
 };
 
-[[noreturn]] void fail(const std::string& reason) {
+[[noreturn]] void fail_as_damaged(const std::string& reason) {
   throw Error(ErrorCode::InvalidInput, fmt::format("the STEP file is damaged: {}", reason));
 }
 
@@ -85,7 +85,8 @@ class Entities {
     for (const Reference& reference : references_) {
       const std::size_t to = index_of(reference.to);
       if (to == defined_.size()) {
-        fail(fmt::format("#{} refers to #{}, which is not in it", reference.from, reference.to));
+        fail_as_damaged(
+            fmt::format("#{} refers to #{}, which is not in it", reference.from, reference.to));
       }
       result.targets[index_of(reference.from)].push_back(to);
     }
@@ -135,7 +136,7 @@ class Walk {
       }
       const std::size_t target = targets[step.next++];
       if (states_[target] == State::OnTheWay) {
-        fail(fmt::format("#{} refers to itself", references_.numbers[target]));
+        fail_as_damaged(fmt::format("#{} refers to itself", references_.numbers[target]));
       }
       if (states_[target] == State::Unseen) enter(target);
     }

@@ -22,7 +22,7 @@ namespace {
 
 using DoubleMesh = OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
 using Colour = std::array<unsigned char, 3>;
-using FloatTriMesh = OpenMesh::TriMesh_ArrayKernelT<>;
+using PlainTriMesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
 /// A mesh of the faces of a cage.
 template <class Mesh>
@@ -145,7 +145,7 @@ TEST(Carry, KeepsSeamsAlongContours) {
 }
 
 TEST(Carry, TakesLabelsOfTheNearestCorner) {
-  auto mesh = mesh_of<FloatTriMesh>(testing::icosahedron());
+  auto mesh = mesh_of<PlainTriMesh>(testing::icosahedron());
   OpenMesh::VProp<int> label(mesh, "label");
   OpenMesh::VProp<Colour> colour(mesh, "colour");
   for (const auto vh : mesh.vertices()) {
@@ -173,7 +173,7 @@ TEST(Carry, TakesLabelsOfTheNearestCorner) {
 }
 
 TEST(Carry, FindsOpenMeshsOwnTextureCoordinates) {
-  auto mesh = mesh_of<FloatTriMesh>(testing::octahedron());
+  auto mesh = mesh_of<PlainTriMesh>(testing::octahedron());
   mesh.request_halfedge_texcoords2D();
   for (const auto heh : mesh.halfedges()) {
     mesh.set_texcoord2D(heh, OpenMesh::Vec2f(mesh.point(heh.to())[0], mesh.point(heh.to())[1]));

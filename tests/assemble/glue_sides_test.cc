@@ -51,7 +51,7 @@ TEST(GlueSides, OrdersEdgesByTheirVertices) {
 TEST(GlueSides, HasNothingToDoWithoutSides) { EXPECT_TRUE(glued({}).edges.empty()); }
 
 /// Patches at one contour, all of one solid, with sides around their common edge.
-Model fan_of(std::size_t patches) {
+Model patches_at_contour(std::size_t patches) {
   Model model;
   model.patches.resize(patches);
   model.contours.resize(1);
@@ -63,7 +63,7 @@ Model fan_of(std::size_t patches) {
 
 TEST(GlueSides, CutsThreePatchesThatNothingJoins) {
   const std::vector<BorderSide> sides = {{0, 1, 0, 0}, {1, 0, 0, 1}, {0, 1, 0, 2}};
-  const GluedSides result = glue_sides(sides, fan_of(3), {0});
+  const GluedSides result = glue_sides(sides, patches_at_contour(3), {0});
   EXPECT_EQ(result.edges, (Edges{{0, -1}, {1, -1}, {2, -1}}));
   EXPECT_EQ(result.cut, 3u);
 }

@@ -24,8 +24,8 @@ using testing::isotropic_field;
 using testing::model_of;
 using testing::UniformSizes;
 
-/// The error of a MetricArc, of two of them.
-constexpr double kArcError = 2e-3;
+/// Of two of MetricArc.
+constexpr double kErrorOfTwoArcs = 2e-3;
 
 constexpr SegmentParity kAnyOrEven[] = {SegmentParity::Any, SegmentParity::EvenContours};
 
@@ -84,7 +84,7 @@ TEST(ContourNodes, LieAtEqualMetricDistances) {
   const BoundaryNodes nodes = place_contour_nodes(model, {&field});
   const auto all = lengths(nodes_of(model, nodes, "p0:v0"), 0, field);
   const auto [least, longest] = std::minmax_element(all.begin(), all.end());
-  EXPECT_LT(*longest - *least, kArcError * static_cast<double>(all.size()));
+  EXPECT_LT(*longest - *least, kErrorOfTwoArcs * static_cast<double>(all.size()));
 }
 
 TEST(ContourNodes, EndExactlyAtTheVertices) {
@@ -117,10 +117,10 @@ TEST(ContourNodes, HaveNoSegmentLongerThanTheRootOfTwoInAnyPatch) {
   for (const SegmentParity parity : kAnyOrEven) {
     const BoundaryNodes nodes = place_contour_nodes(model, {&below, &above}, {parity});
     for (const double l : lengths(nodes_of(model, nodes, "p0:u1"), 0, below)) {
-      EXPECT_LE(l, std::numbers::sqrt2 * (1 + kArcError));
+      EXPECT_LE(l, std::numbers::sqrt2 * (1 + kErrorOfTwoArcs));
     }
     for (const double l : lengths(nodes_of(model, nodes, "p0:u1"), 1, above)) {
-      EXPECT_LE(l, std::numbers::sqrt2 * (1 + kArcError));
+      EXPECT_LE(l, std::numbers::sqrt2 * (1 + kErrorOfTwoArcs));
     }
   }
 }
@@ -135,7 +135,7 @@ TEST(ContourNodes, AreNotManyMoreThanTheFinestPatchWantsAtEachPlace) {
     const BoundaryNodes nodes = place_contour_nodes(model, {&first, &second}, {parity});
     EXPECT_LE(count(model, nodes, "p0:u1"), 1.25 * wanted + 1);
     for (const double l : lengths(nodes_of(model, nodes, "p0:u1"), 1, second)) {
-      EXPECT_LE(l, std::numbers::sqrt2 * (1 + kArcError));
+      EXPECT_LE(l, std::numbers::sqrt2 * (1 + kErrorOfTwoArcs));
     }
   }
 }

@@ -11,14 +11,11 @@
 namespace surfmesh {
 namespace {
 
-const RunContext kContext;
-
 /// A model and its contours in segments, closed ones in three each.
-struct Divided {
-  explicit Divided(Model divided) : model(std::move(divided)), fields(model, 10) {
+struct RoughlyDivided {
+  explicit RoughlyDivided(Model divided) : model(std::move(divided)), fields(model, 10) {
     for (const Contour& contour : model.contours) {
-      ContourDivision& division =
-          divisions.emplace_back().emplace(model, contour, fields, kContext);
+      ContourDivision& division = divisions.emplace_back().emplace(model, contour, fields, context);
       division.divide(contour.start == contour.end ? 3 : 1, 1, {});
     }
   }
@@ -28,12 +25,13 @@ struct Divided {
   }
 
   Model model;
+  RunContext context;
   testing::UniformSizes fields;
   ContourDivisions divisions;
 };
 
 TEST(Uncrossing, LeavesLoopsThatDoNotCrossAsTheyAre) {
-  Divided plate(testing::square_with_hole(0.5));
+  RoughlyDivided plate(testing::square_with_hole(0.5));
   uncross(plate.model, plate.divisions, 1);
   EXPECT_EQ(plate.of("hole").segment_count(), 3u);
   EXPECT_EQ(plate.of("p0:v0").segment_count(), 1u);
@@ -41,7 +39,7 @@ TEST(Uncrossing, LeavesLoopsThatDoNotCrossAsTheyAre) {
 
 TEST(Uncrossing, HalvesSegmentsThatCross) {
   for (const int multiple : {1, 2}) {
-    Divided ring(testing::narrow_ring(0.9));
+    RoughlyDivided ring(testing::narrow_ring(0.9));
     uncross(ring.model, ring.divisions, multiple);
     for (const char* name : {"outer", "hole"}) {
       EXPECT_GT(ring.of(name).segment_count(), 3u);
@@ -52,7 +50,7 @@ TEST(Uncrossing, HalvesSegmentsThatCross) {
 
 TEST(Uncrossing, LeavesNodesWhereItDoesNotSucceed) {
   // The hole touches the sides.
-  Divided plate(testing::square_with_hole(1));
+  RoughlyDivided plate(testing::square_with_hole(1));
   const auto before = plate.of("hole").parameters();
   uncross(plate.model, plate.divisions, 1);
   EXPECT_EQ(plate.of("hole").parameters(), before);

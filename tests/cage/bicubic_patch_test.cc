@@ -9,7 +9,7 @@ namespace surfmesh {
 namespace {
 
 /// x = u³ v³ - 2 u² v, y = u v² + 3, z = 1 - u³ + v³ with all derivatives.
-Jet polynomial(Uv p) {
+Jet bicubic_polynomial(Uv p) {
   const double u = p.u, v = p.v;
   Jet jet;
   jet.point = {u * u * u * v * v * v - 2 * u * u * v, u * v * v + 3, 1 - u * u * u + v * v * v};
@@ -23,8 +23,9 @@ Jet polynomial(Uv p) {
 
 std::shared_ptr<const Surface> polynomial_patch() {
   const Domain domain;
-  return make_bicubic_patch({polynomial(domain.corner(0)), polynomial(domain.corner(1)),
-                             polynomial(domain.corner(2)), polynomial(domain.corner(3))});
+  return make_bicubic_patch(
+      {bicubic_polynomial(domain.corner(0)), bicubic_polynomial(domain.corner(1)),
+       bicubic_polynomial(domain.corner(2)), bicubic_polynomial(domain.corner(3))});
 }
 
 TEST(BicubicPatchTest, ReproducesABicubicPolynomial) {
@@ -32,7 +33,7 @@ TEST(BicubicPatchTest, ReproducesABicubicPolynomial) {
   for (double u = -0.1; u <= 1.1; u += 0.1) {
     for (double v = -0.1; v <= 1.1; v += 0.1) {
       const Jet jet = patch->evaluate({u, v}, Order::Second);
-      const Jet exact = polynomial({u, v});
+      const Jet exact = bicubic_polynomial({u, v});
       EXPECT_LT((jet.point - exact.point).norm(), 1e-13);
       EXPECT_LT((jet.du - exact.du).norm(), 1e-13);
       EXPECT_LT((jet.dv - exact.dv).norm(), 1e-13);

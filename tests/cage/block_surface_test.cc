@@ -15,6 +15,8 @@
 namespace surfmesh {
 namespace {
 
+using testing::refined;
+
 constexpr std::array kOrders = {Order::Position, Order::First, Order::Second};
 
 Jet bump(double u, double v, Order order) {
@@ -120,13 +122,8 @@ TEST(BlockSurface, RefusesCellsThatAreNotOverTheUnitSquare) {
 
 // --- of cages ---
 
-Cage refined(Cage cage, int times) {
-  for (int i = 0; i < times; ++i) cage = refine_once(cage, Scheme::CatmullClark).cage;
-  return cage;
-}
-
 /// The patches of a cage that are blocks of more than one face.
-std::vector<std::shared_ptr<const Surface>> blocks_of(const Cage& cage) {
+std::vector<std::shared_ptr<const Surface>> block_surfaces_of(const Cage& cage) {
   std::vector<std::shared_ptr<const Surface>> blocks;
   for (const Patch& patch : model_from_cage(cage).patches) {
     if (patch.cage_faces.size() > 1) blocks.push_back(patch.surface);
@@ -154,7 +151,7 @@ double greatest_jump(const Surface& surface) {
 TEST(BlockSurface, HasContinuousDerivativesAcrossEdgesOfACage) {
   for (const Cage& cage : {testing::torus(7, 5), testing::sheet(6, 4), refined(testing::cube(), 2),
                            refined(testing::pentagon_prism(), 2)}) {
-    const auto blocks = blocks_of(cage);
+    const auto blocks = block_surfaces_of(cage);
     ASSERT_FALSE(blocks.empty());
     for (const auto& block : blocks) EXPECT_LT(greatest_jump(*block), 1e-10);
   }
@@ -162,7 +159,7 @@ TEST(BlockSurface, HasContinuousDerivativesAcrossEdgesOfACage) {
 
 TEST(BlockSurface, HasTheSingularPointsOfItsFaces) {
   std::size_t count = 0;
-  for (const auto& block : blocks_of(refined(testing::quad_fan(6), 1))) {
+  for (const auto& block : block_surfaces_of(refined(testing::quad_fan(6), 1))) {
     const Domain domain = block->domain();
     for (const SingularPoint& singular : block->singular_points()) {
       const auto [u, v] = singular.at;
@@ -177,7 +174,7 @@ TEST(BlockSurface, HasTheSingularPointsOfItsFaces) {
 TEST(BlockSurface, IsBesideTheRoundingsOfItsFaces) {
   Cage cage = testing::sheet(4, 4);
   cage.creases = {{{10, 11}, 6}, {{11, 12}, 6}, {{12, 13}, 6}, {{13, 14}, 6}};
-  for (const auto& block : blocks_of(cage)) {
+  for (const auto& block : block_surfaces_of(cage)) {
     const Domain domain = block->domain();
     double greatest = 0;
     for (const double s : {0.0, 0.25, 0.7, 1.0}) {

@@ -20,7 +20,7 @@ int euler(const Model& model) {
 }
 
 /// Laws of every model of a cage.
-void expect_valid(const Model& model) {
+void expect_valid_cage_model(const Model& model) {
   EXPECT_NO_THROW(check(model));
   for (const Contour& contour : model.contours) {
     ASSERT_FALSE(contour.uses.empty());
@@ -63,8 +63,8 @@ TEST(CageModel, UsesOfAContourAgree) {
        {testing::cube(), testing::torus(), testing::tetrahedron(), testing::octahedron(),
         testing::icosahedron(), testing::sheet(), testing::triangle_sheet(), testing::pillow(),
         testing::pentagon_prism(), testing::fan(), tagged}) {
-    expect_valid(model_from_cage(cage));
-    expect_valid(model_of_faces(cage));
+    expect_valid_cage_model(model_from_cage(cage));
+    expect_valid_cage_model(model_of_faces(cage));
   }
 }
 
@@ -99,7 +99,7 @@ TEST(CageModel, RefinesOnceWhereAFaceIsNotAQuad) {
 TEST(CageModel, OfARefinedBilinearCageIsTheCage) {
   Cage cage = testing::pentagon_prism();
   const Model model = model_from_cage(cage, {.scheme = Scheme::Bilinear});
-  expect_valid(model);
+  expect_valid_cage_model(model);
   EXPECT_EQ(sharp_contours(model).size(), model.contours.size());
   for (const Vec3& point : cage.points) {
     EXPECT_TRUE(
@@ -112,7 +112,7 @@ TEST(CageModel, TellsSharpContours) {
   Cage cage = testing::torus();
   cage.creases = {{{0, 1}, 10}, {{1, 2}, 5}};
   const Model model = model_of_faces(cage);
-  expect_valid(model);
+  expect_valid_cage_model(model);
   EXPECT_EQ(sharp_contours(model), std::vector<std::string>{"e0-1"});
 }
 
@@ -127,7 +127,7 @@ TEST(CageModel, LeavesOutHoles) {
   cage.holes = {1};
   cage.groups = {{"side", {0, 2}}, {"hole", {1}}};
   const Model model = model_of_faces(cage);
-  expect_valid(model);
+  expect_valid_cage_model(model);
   EXPECT_EQ(model.patches.size(), 5u);
   EXPECT_EQ(sharp_contours(model).size(), 4u);
   EXPECT_EQ(model.patches[1].cage_faces, std::vector<int>{2});
@@ -173,7 +173,7 @@ TEST(CageModel, HasADegenerateContourWhereASideIsAPoint) {
   Cage cage = testing::sheet();
   cage.faces[4] = {5, 6, 6, 9};
   const Model model = model_of_faces(cage);
-  expect_valid(model);
+  expect_valid_cage_model(model);
   EXPECT_EQ(model.patches.size(), 9u);
   int degenerate = 0;
   for (const Contour& contour : model.contours) degenerate += contour.is_degenerate;
@@ -229,7 +229,7 @@ const Contour& contour_of(const Model& model, const LoopEntry& entry) {
 
 TEST(CageModel, IsOneBlockOfARegularSheet) {
   const Model model = model_from_cage(testing::sheet(5, 3));
-  expect_valid(model);
+  expect_valid_cage_model(model);
   ASSERT_EQ(model.patches.size(), 1u);
   EXPECT_EQ(model.patches[0].name, "f0");
   EXPECT_EQ(model.patches[0].cage_faces.size(), 15u);
@@ -241,7 +241,7 @@ TEST(CageModel, IsOneBlockOfARegularSheet) {
 
 TEST(CageModel, HasSeamsWhereABlockMeetsItself) {
   const Model model = model_from_cage(testing::torus(6, 4));
-  expect_valid(model);
+  expect_valid_cage_model(model);
   ASSERT_EQ(model.patches.size(), 1u);
   ASSERT_EQ(model.contours.size(), 2u);
   for (const Contour& contour : model.contours) {
@@ -262,7 +262,7 @@ Cage steps() {
 
 TEST(CageModel, PartsASideWhereBlocksMeetInATJunction) {
   const Model model = model_from_cage(steps());
-  expect_valid(model);
+  expect_valid_cage_model(model);
   ASSERT_EQ(model.patches.size(), 2u);
   EXPECT_EQ(model.patches[0].loops[0].size() + model.patches[1].loops[0].size(), 9u);
   EXPECT_EQ(std::count_if(model.contours.begin(), model.contours.end(),
@@ -284,7 +284,7 @@ TEST(CageModel, EndsContoursWhereCreasesDo) {
   Cage cage = testing::torus(8, 6);
   cage.creases = {{{0, 1}, 10}, {{1, 2}, 10}};
   const Model model = model_from_cage(cage);
-  expect_valid(model);
+  expect_valid_cage_model(model);
   int sharp_edges = 0;
   for (const Contour& contour : model.contours) {
     if (!contour.is_smooth) sharp_edges += contour.part_count();
@@ -297,7 +297,7 @@ TEST(CageModel, HasExtraordinaryVerticesAtEndsOfContours) {
     const Cage refined =
         refine_once(refine_once(cage, Scheme::CatmullClark).cage, Scheme::CatmullClark).cage;
     const Model model = model_from_cage(refined);
-    expect_valid(model);
+    expect_valid_cage_model(model);
     for (const Patch& patch : model.patches) {
       for (const SingularPoint& singular : patch.surface->singular_points()) {
         const Vec3 point = patch.surface->evaluate(singular.at, Order::Position).point;
@@ -318,7 +318,7 @@ TEST(CageModel, NamesBlocksOfARefinedCageAfterAPart) {
   Cage cage = testing::sheet(2, 1);
   cage.faces[1] = {1, 2, 5};
   const Model model = model_from_cage(cage);
-  expect_valid(model);
+  expect_valid_cage_model(model);
   EXPECT_EQ(model.patches[0].name, "f0.0");
   EXPECT_EQ(model.patches[0].cage_faces.front(), 0);
   EXPECT_LT(model.patches.size(), 7u);

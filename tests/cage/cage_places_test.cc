@@ -17,6 +17,9 @@
 namespace surfmesh {
 namespace {
 
+using testing::split;
+using testing::turned;
+
 constexpr std::array kShares = {Uv{0.125, 0.25}, Uv{0.7, 0.2}, Uv{0.4, 0.55}, Uv{0, 0}, Uv{0.5, 0}};
 
 /// Room for the rounding of a few operations on coordinates up to 5.
@@ -70,24 +73,6 @@ Cage plane_of_turned_quads(int m, int n) {
   }
   cage.boundary = BoundaryRule::EdgeAndCorner;
   return cage;
-}
-
-Cage turned(Cage cage, const std::vector<std::size_t>& faces) {
-  for (const std::size_t f : faces) std::reverse(cage.faces[f].begin() + 1, cage.faces[f].end());
-  return cage;
-}
-
-/// The same faces with vertices of their own.
-Cage split(const Cage& cage) {
-  Cage result;
-  for (const std::vector<int>& face : cage.faces) {
-    std::vector<int>& own = result.faces.emplace_back();
-    for (const int vertex : face) {
-      own.push_back(static_cast<int>(result.points.size()));
-      result.points.push_back(cage.points[static_cast<std::size_t>(vertex)]);
-    }
-  }
-  return result;
 }
 
 TEST(CagePlaces, AreOnFacesAsGiven) {

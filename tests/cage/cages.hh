@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "surfmesh/cage/cage.hh"
+#include "surfmesh/cage/refine_cage.hh"
 
 namespace surfmesh::testing {
 
@@ -195,6 +198,31 @@ inline Cage fan() {
   cage.points = {{0, 0, 0},  {0, 0, 1},  {1, 0, 0},   {1, 0, 1},
                  {-1, 1, 0}, {-1, 1, 1}, {-1, -1, 0}, {-1, -1, 1}};
   cage.faces = {{0, 2, 3, 1}, {0, 4, 5, 1}, {1, 7, 6, 0}};
+  return cage;
+}
+
+/// The cage with these faces in the other direction.
+inline Cage turned(Cage cage, const std::vector<std::size_t>& faces) {
+  for (const std::size_t f : faces) std::reverse(cage.faces[f].begin() + 1, cage.faces[f].end());
+  return cage;
+}
+
+/// The same faces with vertices of their own.
+inline Cage split(const Cage& cage) {
+  Cage result;
+  for (const std::vector<int>& face : cage.faces) {
+    std::vector<int>& own = result.faces.emplace_back();
+    for (const int vertex : face) {
+      own.push_back(static_cast<int>(result.points.size()));
+      result.points.push_back(cage.points[static_cast<std::size_t>(vertex)]);
+    }
+  }
+  return result;
+}
+
+/// The cage refined so many times by Catmull and Clark.
+inline Cage refined(Cage cage, int times) {
+  for (int i = 0; i < times; ++i) cage = refine_once(cage, Scheme::CatmullClark).cage;
   return cage;
 }
 

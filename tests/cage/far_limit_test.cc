@@ -23,7 +23,7 @@ namespace Far = OpenSubdiv::Far;
 constexpr int kLevel = 8;
 
 /// Points of the unit square or triangle: corners, sides and inside.
-std::vector<Uv> samples(const Domain& domain) {
+std::vector<Uv> lattice_points(const Domain& domain) {
   std::vector<Uv> result;
   for (int i = 0; i <= 8; ++i) {
     for (int j = 0; j <= 8; ++j) {
@@ -64,17 +64,17 @@ std::vector<Vec3> far_points(const Cage& cage, const std::vector<Uv>& at) {
 }
 
 /// Far isolates corners of the boundary in another way, which makes a difference at level 8.
-constexpr double kLevelError = 1e-5;
+constexpr double kFarLevelError = 1e-5;
 
 void expect_far_limit(const Cage& cage) {
   const auto surfaces = make_limit_surfaces(cage, Scheme::Auto, kLevel);
-  const std::vector<Uv> at = samples(surfaces[0]->domain());
+  const std::vector<Uv> at = lattice_points(surfaces[0]->domain());
   const std::vector<Vec3> wanted = far_points(cage, at);
   ASSERT_EQ(wanted.size(), surfaces.size() * at.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const Uv uv = at[i % at.size()];
     const Vec3 point = surfaces[i / at.size()]->evaluate(uv, Order::Position).point;
-    EXPECT_LT((point - wanted[i]).norm(), kLevelError)
+    EXPECT_LT((point - wanted[i]).norm(), kFarLevelError)
         << "face " << i / at.size() << " at " << uv.u << " " << uv.v;
   }
 }

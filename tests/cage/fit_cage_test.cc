@@ -18,9 +18,6 @@
 namespace surfmesh {
 namespace {
 
-/// Edges of the mesh of a sphere of 1,280 triangles.
-constexpr double kEdge = 0.15;
-
 constexpr CageOptions kInterpolate = {.surface = SurfaceKind::Interpolate};
 
 /// The notice of a kind, which there is once.
@@ -100,23 +97,23 @@ TEST(FitCage, MakesCreasesOfSharpEdges) {
 
 TEST(FitCage, TellsAVertexThatStandsOut) {
   Cage mesh = testing::sphere_mesh(3);
-  mesh.points[77] *= 1 + kEdge / 2;
+  mesh.points[77] *= 1 + testing::kSphereEdge / 2;
   const Model model = model_from_cage(mesh, kInterpolate);
   EXPECT_TRUE(mentions(only(model.notices, NoticeKind::WavySurface), "vertex 77"));
 }
 
 TEST(FitCage, TellsNoiseAndAFitThatHelps) {
-  const Cage mesh = testing::with_noise(testing::sphere_mesh(3), 0.2 * kEdge);
+  const Cage mesh = testing::with_noise(testing::sphere_mesh(3), 0.2 * testing::kSphereEdge);
   const Model model = model_from_cage(mesh, kInterpolate);
   EXPECT_GT(model.fits[0].noisy_share, 0.5);
   const Notice notice = only(model.notices, NoticeKind::NoisyInput);
   EXPECT_TRUE(mentions(notice, "fit = ")) << notice.text;
   EXPECT_TRUE(mentions(notice, "more than 10°")) << notice.text;
   CageOptions options = kInterpolate;
-  options.fit = Length::units(0.2 * kEdge);
+  options.fit = Length::units(0.2 * testing::kSphereEdge);
   const Model smooth = model_from_cage(mesh, options);
-  EXPECT_LE(smooth.fits[0].distance, 0.2 * kEdge);
-  EXPECT_EQ(smooth.fits[0].fit, 0.2 * kEdge);
+  EXPECT_LE(smooth.fits[0].distance, 0.2 * testing::kSphereEdge);
+  EXPECT_EQ(smooth.fits[0].fit, 0.2 * testing::kSphereEdge);
   EXPECT_LT(smooth.fits[0].mean_distance, smooth.fits[0].distance);
   for (const Notice& told : smooth.notices) EXPECT_NE(told.kind, NoticeKind::NoisyInput);
 }

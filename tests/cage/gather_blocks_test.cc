@@ -14,6 +14,8 @@
 namespace surfmesh {
 namespace {
 
+using testing::refined;
+
 /// The blocks of a Catmull-Clark cage of quads; faces of different sets do not join.
 std::vector<Block> blocks_of(const Cage& cage, std::vector<int> sets = {}) {
   sets.resize(cage.faces.size(), 0);
@@ -32,11 +34,6 @@ std::vector<std::string> sizes_of(const std::vector<Block>& blocks) {
 }
 
 using Sizes = std::vector<std::string>;
-
-Cage refined(Cage cage, int times) {
-  for (int i = 0; i < times; ++i) cage = refine_once(cage, Scheme::CatmullClark).cage;
-  return cage;
-}
 
 /// Vertex of the cage at a corner of the place of a face, counter-clockwise from the lower left.
 int vertex_at(const Cage& cage, const BlockFace& f, int corner) {

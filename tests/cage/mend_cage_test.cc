@@ -20,23 +20,8 @@
 namespace surfmesh {
 namespace {
 
-/// The same faces with vertices of their own.
-Cage split(const Cage& cage) {
-  Cage result;
-  for (const std::vector<int>& face : cage.faces) {
-    std::vector<int>& own = result.faces.emplace_back();
-    for (const int vertex : face) {
-      own.push_back(static_cast<int>(result.points.size()));
-      result.points.push_back(cage.points[static_cast<std::size_t>(vertex)]);
-    }
-  }
-  return result;
-}
-
-Cage turned(Cage cage, const std::vector<std::size_t>& faces) {
-  for (const std::size_t f : faces) std::reverse(cage.faces[f].begin() + 1, cage.faces[f].end());
-  return cage;
-}
+using testing::split;
+using testing::turned;
 
 Cage with_face(Cage cage, std::vector<int> face) {
   cage.faces.push_back(std::move(face));

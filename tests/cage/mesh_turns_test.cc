@@ -10,13 +10,10 @@
 namespace surfmesh {
 namespace {
 
-/// Edges of the mesh of a sphere of 1,280 triangles.
-constexpr double kEdge = 0.15;
-
 TEST(MeshTurns, AreSmallOnASphere) {
   const MeshTurns turns = measure_turns(testing::sphere_mesh(3));
   EXPECT_NEAR(turns.median, 5, 1.5);
-  EXPECT_NEAR(turns.length, kEdge, 0.01);
+  EXPECT_NEAR(turns.length, testing::kSphereEdge, 0.01);
   EXPECT_EQ(turns.noisy_share, 0);
   EXPECT_LT(turns.roughness, 0.01);
   EXPECT_EQ(turns.spikes, 0U);
@@ -34,16 +31,17 @@ TEST(MeshTurns, SeeNoNoiseBesideSharpEdges) {
 }
 
 TEST(MeshTurns, SeeNoiseOfAFifthOfTheEdges) {
-  const Cage mesh = testing::with_noise(testing::sphere_mesh(3), 0.2 * kEdge);
+  const Cage mesh = testing::with_noise(testing::sphere_mesh(3), 0.2 * testing::kSphereEdge);
   EXPECT_GT(measure_turns(mesh).noisy_share, 1.2 * kNoisyShare);
-  EXPECT_LT(measure_turns(testing::with_noise(testing::sphere_mesh(3), 0.05 * kEdge)).noisy_share,
+  EXPECT_LT(measure_turns(testing::with_noise(testing::sphere_mesh(3), 0.05 * testing::kSphereEdge))
+                .noisy_share,
             kNoisyShare / 2);
 }
 
 TEST(MeshTurns, FindAVertexThatStandsOut) {
   for (const double share : {0.3, 0.6, -0.4}) {
     Cage mesh = testing::sphere_mesh(3);
-    mesh.points[123] *= 1 + share * kEdge;
+    mesh.points[123] *= 1 + share * testing::kSphereEdge;
     const MeshTurns turns = measure_turns(mesh);
     EXPECT_EQ(turns.spikes, 1U);
     EXPECT_EQ(turns.spike, 123);
@@ -54,7 +52,7 @@ TEST(MeshTurns, FindAVertexThatStandsOut) {
 /// Vertices at the border of a hole are not compared with others.
 TEST(MeshTurns, LeaveOutBordersOfHoles) {
   Cage mesh = testing::sphere_mesh(3);
-  mesh.points[123] *= 1 + 0.3 * kEdge;
+  mesh.points[123] *= 1 + 0.3 * testing::kSphereEdge;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const std::vector<int>& face = mesh.faces[f];
     if (std::find(face.begin(), face.end(), 123) == face.end()) continue;

@@ -20,6 +20,9 @@ inline Cage sphere_mesh(int levels) {
   return cage;
 }
 
+/// Edges of the mesh of a sphere of 1,280 triangles.
+inline constexpr double kSphereEdge = 0.15;
+
 /// A cylinder of n faces around, with flat ends, all in triangles.
 inline Cage cylinder_mesh(int n) {
   Cage cage = tube(n, n / 4, 1);

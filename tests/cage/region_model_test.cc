@@ -51,7 +51,7 @@ double area(const detail::NodeLoop& nodes) {
 }
 
 /// Laws of all models of regions.
-void expect_valid(const Model& model) {
+void expect_valid_region_model(const Model& model) {
   check(model);
   for (const Contour& contour : model.contours) {
     EXPECT_LT(gap_of(model, contour), 1e-8 * model.diagonal) << contour.name;
@@ -82,7 +82,7 @@ std::size_t contours_with(const Model& model, std::size_t uses) {
 TEST(RegionModel, UsesOfAContourAgree) {
   for (const Cage& cage : {testing::triangulated(testing::torus(60, 24)), testing::torus(40, 20),
                            testing::triangulated(testing::tube(40, 30, 6))}) {
-    expect_valid(regions_of(cage));
+    expect_valid_region_model(regions_of(cage));
   }
 }
 
@@ -126,7 +126,7 @@ TEST(RegionModel, CreasesAndBordersStayAtTheEdges) {
   for (int j = 0; j <= 20; ++j) line.push_back(j * 21 + 10);
   add_crease(line, 10, cage);
   const Model model = regions_of(cage);
-  expect_valid(model);
+  expect_valid_region_model(model);
   EXPECT_EQ(model.patches.size(), 2U);
   const auto crease = std::find_if(model.contours.begin(), model.contours.end(),
                                    [](const Contour& c) { return c.uses.size() == 2; });
@@ -147,7 +147,7 @@ TEST(RegionModel, HasHoles) {
   Cage cage = testing::flat_sheet(20, 20);
   cage.holes = {210};
   const Model model = regions_of(cage);
-  expect_valid(model);
+  expect_valid_region_model(model);
   ASSERT_EQ(model.patches.size(), 1U);
   EXPECT_EQ(model.patches[0].loops.size(), 2U);
 }
@@ -158,14 +158,14 @@ TEST(RegionModel, TakesPolygons) {
   cage.faces[0].insert(cage.faces[0].begin() + 1, static_cast<int>(cage.points.size()));
   cage.points.push_back((cage.points[0] + cage.points[1]) / 2);
   const Model model = regions_of(cage);
-  expect_valid(model);
+  expect_valid_region_model(model);
   EXPECT_EQ(model.patches[0].name, "f0.0");
   EXPECT_EQ(model.patches[0].cage_faces.size(), cage.faces.size());
 }
 
 TEST(RegionModel, MoebiusStripsHaveRegions) {
   const Model model = regions_of(testing::mobius_strip(60, 6));
-  expect_valid(model);
+  expect_valid_region_model(model);
   EXPECT_GE(model.patches.size(), 4U);
 }
 

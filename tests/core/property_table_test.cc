@@ -22,7 +22,7 @@ double first_of(const Metric& value) { return value.m11; }
 double first_of(const SizeTensor& value) { return value.h11; }
 
 /// A hexagon with two vertices inside, 6 and 7, both joined to 0 and 3.
-class PropertyTable : public testing::Test {
+class PropertyTable : public ::testing::Test {
  protected:
   PropertyTable() {
     build_triangles(

@@ -188,7 +188,7 @@ TEST(Flip, SwapsTheDiagonalAndKeepsThePropertyOfTheEdge) {
   expect_linked(mesh);
 }
 
-class FillCavity : public testing::Test {
+class FillCavity : public ::testing::Test {
  protected:
   FillCavity() {
     build_triangles(mesh_, 5, kFan);
@@ -259,7 +259,7 @@ TEST_F(FillCavity, SplitsABoundaryEdgeAndKeepsItsConstraintOnBothParts) {
 const Triangles kHexagon = {{0, 1, 6}, {1, 2, 6}, {2, 3, 6}, {0, 6, 7},
                             {6, 3, 7}, {3, 4, 7}, {4, 5, 7}, {5, 0, 7}};
 
-class Collapse : public testing::Test {
+class Collapse : public ::testing::Test {
  protected:
   Collapse() { build_triangles(mesh_, 8, kHexagon); }
 

@@ -6,18 +6,13 @@
 #include <cmath>
 #include <random>
 
+#include "support/domain_meshes.hh"
 #include "surfmesh/core/error.hh"
 
 namespace surfmesh {
 namespace {
 
-std::vector<Uv> random_points(int count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(0, 1);
-  std::vector<Uv> points;
-  for (int i = 0; i < count; ++i) points.push_back({uniform(random), uniform(random)});
-  return points;
-}
+using testing::random_points;
 
 double area(const DelaunayMesh& delaunay) {
   double sum = 0;
@@ -52,7 +47,7 @@ struct InsertionCase {
 
 void PrintTo(const InsertionCase& insertion, std::ostream* out) { *out << insertion.name; }
 
-class Insertion : public testing::TestWithParam<InsertionCase> {
+class Insertion : public ::testing::TestWithParam<InsertionCase> {
  protected:
   static VertexHandle insert(DelaunayMesh& delaunay, Uv p) {
     const ConstantMetricRule rule{delaunay.uv_handle(), GetParam().metric};
@@ -96,11 +91,11 @@ TEST_P(Insertion, RefusesPointsOutside) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kernels, Insertion,
-                         testing::Values(InsertionCase{"Cavity", false, {1, 0, 1}},
-                                         InsertionCase{"CavityAspect100", false, {1, 0, 1e4}},
-                                         InsertionCase{"CavityTurned", false, {2, 1.3, 1}},
-                                         InsertionCase{"Swaps", true, {1, 0, 1}},
-                                         InsertionCase{"SwapsAspect100", true, {1, 0, 1e4}}),
+                         ::testing::Values(InsertionCase{"Cavity", false, {1, 0, 1}},
+                                           InsertionCase{"CavityAspect100", false, {1, 0, 1e4}},
+                                           InsertionCase{"CavityTurned", false, {2, 1.3, 1}},
+                                           InsertionCase{"Swaps", true, {1, 0, 1}},
+                                           InsertionCase{"SwapsAspect100", true, {1, 0, 1e4}}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST(DelaunayMesh, KeepsEveryTriangleValidWhateverTheRuleSays) {

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "formats/foreign_programs.hh"
 #include "formats/named_example.hh"
 #include "support/folders.hh"
 #include "surfmesh/core/mesh_arrays.hh"
@@ -17,14 +18,6 @@
 
 namespace surfmesh {
 namespace {
-
-constexpr const char* kPython = "/usr/bin/python3";
-
-bool runs(const std::string& line) { return std::system((line + " >/dev/null 2>&1").c_str()) == 0; }
-
-bool has_module(const std::string& name) {
-  return runs(std::string(kPython) + " -c 'import " + name + "'");
-}
 
 /// Defines compare(): faces as their points from the least one on, with their patches, must be
 /// those of want.json, in any order.

@@ -11,19 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "formats/foreign_programs.hh"
 #include "support/folders.hh"
 #include "surfmesh/formats/grid_file.hh"
 
 namespace surfmesh {
 namespace {
-
-constexpr const char* kPython = "/usr/bin/python3";
-
-bool runs(const std::string& line) { return std::system((line + " >/dev/null 2>&1").c_str()) == 0; }
-
-bool has_module(const std::string& name) {
-  return runs(std::string(kPython) + " -c 'import " + name + "'");
-}
 
 /// A folder where other programs write files.
 class ForeignGrid : public ::testing::Test {
@@ -67,7 +60,7 @@ void expect_values(const GridFile& grid, const std::string& name) {
   EXPECT_EQ(grid.at_points[1].numbers[9 * 2 + 5], 2.0 * 5) << name;
 }
 
-constexpr const char* kMeshio = R"(
+constexpr const char* kWriteByMeshio = R"(
 import meshio, numpy as np
 points = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0.1, 2, 1 / 3]])
 cells = [("triangle", np.array([[3, 2, 4]])), ("quad", np.array([[0, 1, 2, 3]]))]
@@ -92,7 +85,7 @@ meshio.write("a.mesh", mesh({}, {"medit:ref": refs}))
 
 TEST_F(ForeignGrid, IsReadAsMeshioWritesIt) {
   if (!has_module("meshio")) GTEST_SKIP() << "no meshio here";
-  run_python(kMeshio);
+  run_python(kWriteByMeshio);
   for (const std::string name :
        {"a22.msh", "b22.msh", "a41.msh", "b41.msh", "a.vtu", "b.vtu", "z.vtu", "a.mesh"}) {
     const GridFile grid = read_grid(folder_ / name);
@@ -105,7 +98,7 @@ TEST_F(ForeignGrid, IsReadAsMeshioWritesIt) {
   EXPECT_EQ(read_grid(folder_ / "z.vtu").patches, (std::vector<int>{7, 3}));
 }
 
-constexpr const char* kVtk = R"(
+constexpr const char* kWriteByVtk = R"(
 from itertools import product
 from vtkmodules.vtkCommonCore import vtkPoints, vtkDoubleArray, vtkShortArray
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
@@ -140,7 +133,7 @@ for n, ((mode, encoded), big, header, packed) in enumerate(product(modes, [0, 1]
 
 TEST_F(ForeignGrid, IsReadAsVtkWritesIt) {
   if (!has_module("vtkmodules.vtkIOXML")) GTEST_SKIP() << "no VTK here";
-  run_python(kVtk);
+  run_python(kWriteByVtk);
   for (int n = 0; n < 32; ++n) {
     const std::string name = std::string("a").append(std::to_string(n)).append(".vtu");
     const GridFile grid = read_grid(folder_ / name);

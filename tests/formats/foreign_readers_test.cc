@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "formats/example_meshes.hh"
+#include "formats/foreign_programs.hh"
 #include "support/folders.hh"
 #include "support/models.hh"
 #include "surfmesh/core/mesh_arrays.hh"
@@ -19,14 +20,6 @@
 
 namespace surfmesh {
 namespace {
-
-constexpr const char* kPython = "/usr/bin/python3";
-
-bool runs(const std::string& line) { return std::system((line + " >/dev/null 2>&1").c_str()) == 0; }
-
-bool has_module(const std::string& name) {
-  return runs(std::string(kPython) + " -c 'import " + name + "'");
-}
 
 /// The mesh as text, by a program that prints numbers of points and faces and what it knows of
 /// patches.
@@ -85,7 +78,7 @@ std::string counts_of(const MeshResult& result) {
          "\n";
 }
 
-constexpr const char* kMeshio = R"(
+constexpr const char* kCountByMeshio = R"(
 import meshio
 mesh = meshio.read("a.ply")
 print(len(mesh.points), sum(len(c.data) for c in mesh.cells), mesh.points[7][1] == 1 / 7)
@@ -95,9 +88,9 @@ for values in mesh.cell_data.get("patch", []): print(sum(values))
 TEST_F(ForeignReader, MeshioReadsPlyWithPatches) {
   if (!has_module("meshio")) GTEST_SKIP() << "no meshio here";
   write_example("a.ply", 0);
-  EXPECT_EQ(printed(kMeshio), "25 32 True\n22\n");
+  EXPECT_EQ(printed(kCountByMeshio), "25 32 True\n22\n");
   write_example("a.ply", 2);
-  EXPECT_EQ(printed(kMeshio), "25 24 True\n");
+  EXPECT_EQ(printed(kCountByMeshio), "25 24 True\n");
 }
 
 constexpr const char* kMeshioCounts = R"(
@@ -124,7 +117,7 @@ TEST_F(ForeignReader, MeshioReadsNormalsOfASmoothMesh) {
             counts_of(result));
 }
 
-constexpr const char* kVtk = R"(
+constexpr const char* kCountByVtk = R"(
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 for Reader, name in [(vtkOBJReader, "a.obj"), (vtkSTLReader, "a.stl"), (vtkPLYReader, "a.ply")]:
@@ -137,9 +130,9 @@ for Reader, name in [(vtkOBJReader, "a.obj"), (vtkSTLReader, "a.stl"), (vtkPLYRe
 TEST_F(ForeignReader, VtkReadsObjStlAndPly) {
   if (!has_module("vtkmodules.vtkIOPLY")) GTEST_SKIP() << "no VTK here";
   for (const char* name : {"a.obj", "a.ply", "a.stl"}) write_example(name, 0);
-  EXPECT_EQ(printed(kVtk), "a.obj 25 32\na.stl 25 32\na.ply 25 32\n");
+  EXPECT_EQ(printed(kCountByVtk), "a.obj 25 32\na.stl 25 32\na.ply 25 32\n");
   for (const char* name : {"a.obj", "a.ply", "a.stl"}) write_example(name, 2);
-  EXPECT_EQ(printed(kVtk), "a.obj 25 24\na.stl 25 32\na.ply 25 24\n");
+  EXPECT_EQ(printed(kCountByVtk), "a.obj 25 24\na.stl 25 32\na.ply 25 24\n");
 }
 
 constexpr const char* kVtkNormals = R"(

@@ -141,7 +141,7 @@ TEST(GroupsInPly, AreKeptWhateverTheirNames) {
   EXPECT_TRUE(what_is_lost(mesh, "a.ply", names).empty());
 }
 
-class GroupsOfGrids : public testing::TestWithParam<std::string> {};
+class GroupsOfGrids : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(GroupsOfGrids, AreReadBackWithTheNamesOfPatches) {
   const TestFolder folder;
@@ -195,7 +195,7 @@ TEST(GroupsInVtu, HaveNoGreatNumbers) {
                 ": patch 2000000000 is not a number from 0 to 10000000, or -1 for none");
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, GroupsOfGrids, testing::Values(".vtu", ".msh", ".mesh"),
+INSTANTIATE_TEST_SUITE_P(Formats, GroupsOfGrids, ::testing::Values(".vtu", ".msh", ".mesh"),
                          [](const auto& format) { return format.param.substr(1); });
 
 TEST(GroupsInPly, StandInShortLines) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <tuple>
 
+#include "formats/five_points.hh"
 #include "support/errors.hh"
 #include "support/folders.hh"
 #include "support/notices.hh"
@@ -22,36 +23,35 @@ namespace {
 
 using Lists = std::vector<std::vector<int>>;
 
-const std::string kFive = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\n";
 const std::string kTextured = std::string(SURFMESH_SOURCE_DIR) + "/tests/pipeline/textured.obj";
 
-Cage read(const std::string& rest) { return parse_obj(kFive + rest, "a.obj"); }
+Cage textured_cage(const std::string& rest) { return parse_obj(kFive + rest, "a.obj"); }
 
 TEST(ObjTexture, IsReadByCorners) {
-  const Cage cage = read("vt 0 0.5\nvt 1 0.25 7\nvt -2\nf 1/1 2/2/1 3/-1\nf 1//1 3/1 4\n");
+  const Cage cage = textured_cage("vt 0 0.5\nvt 1 0.25 7\nvt -2\nf 1/1 2/2/1 3/-1\nf 1//1 3/1 4\n");
   EXPECT_EQ(cage.texture.points, (std::vector<Uv>{{0, 0.5}, {1, 0.25}, {-2, 0}}));
   EXPECT_EQ(cage.texture.faces, (Lists{{0, 1, 2}, {-1, 0, -1}}));
   EXPECT_TRUE(texts_of(cage.notices).empty());
 }
 
 TEST(ObjTexture, MayComeAfterFacesAndFacesWithoutIt) {
-  const Cage cage = read("f 1 2 3 4\nf 1/2 2/1 3/1\nvt 0 0\nvt 1 0\n");
+  const Cage cage = textured_cage("f 1 2 3 4\nf 1/2 2/1 3/1\nvt 0 0\nvt 1 0\n");
   EXPECT_EQ(cage.texture.faces, (Lists{{-1, -1, -1, -1}, {1, 0, 0}}));
 }
 
 TEST(ObjTexture, IsNoneWhereNoFaceHasIt) {
-  const Cage cage = read("vt 0 0\nf 1 2 3\n");
+  const Cage cage = textured_cage("vt 0 0\nf 1 2 3\n");
   EXPECT_TRUE(cage.texture.points.empty());
   EXPECT_TRUE(cage.texture.faces.empty());
 }
 
 TEST(ObjTexture, OfFacesThatAreLeftOutIsLeftOut) {
-  const Cage cage = read("vt 0 0\nvt 1 0\nf 1/1 2/1 1/1\nf 1/2 2/2 3/2\n");
+  const Cage cage = textured_cage("vt 0 0\nvt 1 0\nf 1/1 2/1 1/1\nf 1/2 2/2 3/2\n");
   EXPECT_EQ(cage.texture.faces, (Lists{{1, 1, 1}}));
 }
 
 TEST(ObjTexture, WarnsOfWhatMakesNoSense) {
-  const Cage cage = read("vt 0 0\nvt x 1\nf 1/9 2/0 3/-5\nf 1/1 3/2 4/1\n");
+  const Cage cage = textured_cage("vt 0 0\nvt x 1\nf 1/9 2/0 3/-5\nf 1/1 3/2 4/1\n");
   EXPECT_EQ(cage.texture.faces, (Lists{{-1, -1, -1}, {0, 1, 0}}));
   EXPECT_TRUE(std::isnan(cage.texture.points[1].u));
   EXPECT_EQ(texts_of(cage.notices),

@@ -37,7 +37,7 @@ bool is_same_connectivity(const PolyMesh& a, const PolyMesh& b) {
   return true;
 }
 
-PolyMesh example(int cells = 20) {
+PolyMesh large_example(int cells = 20) {
   PolyMesh mesh = wavy_grid(cells, 2);
   attach_result_properties(mesh);
   return mesh;
@@ -55,9 +55,9 @@ void expect_kept(const PolyMesh& mesh) {
   EXPECT_TRUE(is_same_property(mesh, read, keys::corner_metric));
 }
 
-TEST(OmFile, KeepsEverythingToTheLastBit) { expect_kept(example()); }
+TEST(OmFile, KeepsEverythingToTheLastBit) { expect_kept(large_example()); }
 
-TEST(OmFile, KeepsPropertiesThatAreLargerThanAnyBuffer) { expect_kept(example(80)); }
+TEST(OmFile, KeepsPropertiesThatAreLargerThanAnyBuffer) { expect_kept(large_example(80)); }
 
 TEST(OmFile, KeepsThePropertiesOfControlMeshes) {
   const TestFolder folder;
@@ -75,7 +75,7 @@ TEST(OmFile, KeepsThePropertiesOfControlMeshes) {
 
 TEST(OmFile, KeepsNormals) {
   const TestFolder folder;
-  PolyMesh mesh = example();
+  PolyMesh mesh = large_example();
   attach(mesh, keys::corner_normal, Normal{1.0 / 3, -0.0, 1});
   write_mesh(mesh, folder / "a.om");
   EXPECT_TRUE(is_same_property(mesh, read_mesh(folder / "a.om").mesh, keys::corner_normal));
@@ -83,20 +83,20 @@ TEST(OmFile, KeepsNormals) {
 
 TEST(OmFile, IsTheSameWhenWrittenAgain) {
   const TestFolder folder;
-  write_mesh(example(), folder / "a.om");
+  write_mesh(large_example(), folder / "a.om");
   write_mesh(read_mesh(folder / "a.om").mesh, folder / "b.om");
   EXPECT_EQ(read_text(folder / "a.om"), read_text(folder / "b.om"));
 }
 
-const MeshNames kNames = {{"", "the wing", std::string(100000, 'x')},
-                          {{"all\n", {0, 2}}, {"", {}}}};
+const MeshNames kOddNames = {{"", "the wing", std::string(100000, 'x')},
+                             {{"all\n", {0, 2}}, {"", {}}}};
 
 TEST(OmFile, KeepsNamesAndGroupsOfPatches) {
   const TestFolder folder;
-  const PolyMesh mesh = example();
-  write_mesh(mesh, folder / "a.om", kNames);
+  const PolyMesh mesh = large_example();
+  write_mesh(mesh, folder / "a.om", kOddNames);
   const MeshFile read = read_mesh(folder / "a.om");
-  EXPECT_EQ(read.names, kNames);
+  EXPECT_EQ(read.names, kOddNames);
   EXPECT_TRUE(is_same_property(mesh, read.mesh, keys::corner_metric));
   EXPECT_TRUE(texts_of(read.notices).empty());
 }
@@ -104,8 +104,8 @@ TEST(OmFile, KeepsNamesAndGroupsOfPatches) {
 /// Files of before there were names in them, and programs that do not know of these.
 TEST(OmFile, DiffersByOneChunkOnlyWhereThereAreNames) {
   const TestFolder folder;
-  write_mesh(example(), folder / "a.om");
-  write_mesh(example(), folder / "b.om", kNames);
+  write_mesh(large_example(), folder / "a.om");
+  write_mesh(large_example(), folder / "b.om", kOddNames);
   const std::string bare = read_text(folder / "a.om"), named = read_text(folder / "b.om");
   const std::size_t size = bare.size() - 2;
   EXPECT_EQ(named.substr(0, size), bare.substr(0, size));
@@ -143,7 +143,7 @@ TEST(OmFile, IsReadAndWrittenInSilence) {
   const TestFolder folder;
   ::testing::internal::CaptureStdout();
   ::testing::internal::CaptureStderr();
-  write_mesh(example(), folder / "a.om");
+  write_mesh(large_example(), folder / "a.om");
   read_mesh(folder / "a.om");
   EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
@@ -152,7 +152,7 @@ TEST(OmFile, IsReadAndWrittenInSilence) {
 TEST(OmFile, LeavesTheStreamsOfOpenMeshAsTheyWere) {
   const TestFolder folder;
   omerr().disable();
-  write_mesh(example(), folder / "a.om");
+  write_mesh(large_example(), folder / "a.om");
   read_mesh(folder / "a.om");
   EXPECT_TRUE(omlog().is_enabled());
   EXPECT_FALSE(omerr().is_enabled());

@@ -15,8 +15,6 @@
 namespace surfmesh {
 namespace {
 
-const MeshNames kNames = {{"lower & left", "upper"}, {{"first", {1}}, {"all", {0, 1}}}};
-
 /// The mesh that pieces are of.
 PolyMesh mesh_of(const std::vector<MeshPiece>& pieces) {
   std::vector<Vec3> points;
@@ -46,7 +44,7 @@ void write_pieces(const std::filesystem::path& path, const std::vector<MeshPiece
                   Exchange& exchange) {
   const int count = static_cast<int>(pieces.size());
   PieceFile file(path, exchange);
-  file.begin({.pieces = count, .patches = 2, .names = kNames});
+  file.begin({.pieces = count, .patches = 2, .names = testing::kStripNames});
   for (int p = exchange.rank(); p < count; p += exchange.size()) {
     file.write(p, pieces[static_cast<std::size_t>(p)]);
   }
@@ -59,7 +57,7 @@ TEST(PieceFile, HoldsTheBytesOfTheWholeMesh) {
     const TestFolder folder;
     for (const int count : {1, 3, 5}) {
       const std::vector<MeshPiece> pieces = testing::strip_in_pieces(60, count);
-      write_mesh(mesh_of(pieces), folder / name, kNames);
+      write_mesh(mesh_of(pieces), folder / name, testing::kStripNames);
       const std::string whole = read_text(folder / name);
       for (const int ranks : {1, 2, 4}) {
         std::filesystem::remove(folder / name);
@@ -77,7 +75,7 @@ TEST(PieceFile, HoldsTheBytesOfTheWholeMesh) {
 TEST(PieceFile, HoldsManyVertices) {
   const TestFolder folder;
   const std::vector<MeshPiece> pieces = testing::strip_in_pieces(60000, 3);
-  write_mesh(mesh_of(pieces), folder / "a.obj", kNames);
+  write_mesh(mesh_of(pieces), folder / "a.obj", testing::kStripNames);
   const std::string whole = read_text(folder / "a.obj");
   ASSERT_GT(whole.size(), std::size_t{5} << 20);
   testing::run_ranks(2,

@@ -25,7 +25,7 @@ const std::string kText =
     "property list int float weights\nelement edge 1\nproperty int a\nend_header\n"
     "0 9 0 0\n1 9 0 0\n1 9 1.5 0\n0 9 1 -2\n4 0 1 2 3 1 0\n3 0 1 2 -1 2 0.5 nan\n7\n";
 
-std::string error_in(const std::string& bytes) {
+std::string ply_error(const std::string& bytes) {
   return error_of([&] { parse_ply(bytes, "a.ply"); });
 }
 
@@ -116,14 +116,14 @@ TEST(PlyFile, IsRefusedWhereverItIsCut) {
   const std::string bytes = read_text(folder / "a.ply");
   // Whether the last line has its end is no matter.
   for (std::size_t size = 0; size + 1 < bytes.size(); ++size) {
-    EXPECT_NE(error_in(bytes.substr(0, size)), "no error") << size;
+    EXPECT_NE(ply_error(bytes.substr(0, size)), "no error") << size;
   }
   const std::string binary =
       triangle<float, std::uint8_t, std::int32_t>("float", "uchar", "int", std::endian::little);
   for (std::size_t size = 0; size < binary.size(); ++size) {
-    EXPECT_NE(error_in(binary.substr(0, size)), "no error") << size;
+    EXPECT_NE(ply_error(binary.substr(0, size)), "no error") << size;
   }
-  EXPECT_NE(error_in(binary.substr(0, binary.size() - 1)).find(": byte "), std::string::npos);
+  EXPECT_NE(ply_error(binary.substr(0, binary.size() - 1)).find(": byte "), std::string::npos);
 }
 
 TEST(PlyFile, SurvivesEveryWrongByte) {
@@ -134,30 +134,30 @@ TEST(PlyFile, SurvivesEveryWrongByte) {
       for (const char c : {'\0', '9', '\xff', '\n'}) {
         std::string bad = bytes;
         bad[i] = c;
-        error_in(bad);  // an error or none, but no crash
+        ply_error(bad);  // an error or none, but no crash
       }
     }
   }
 }
 
 TEST(PlyFile, TellsFaultsOfTheHeader) {
-  EXPECT_EQ(error_in(""), "invalid input: a.ply: the file is empty");
-  EXPECT_EQ(error_in("solid\n"),
+  EXPECT_EQ(ply_error(""), "invalid input: a.ply: the file is empty");
+  EXPECT_EQ(ply_error("solid\n"),
             "invalid input: a.ply:1: this is not a PLY file, it does not begin with ply");
-  EXPECT_EQ(error_in(with(kText, "ascii", "ebcdic")),
+  EXPECT_EQ(ply_error(with(kText, "ascii", "ebcdic")),
             "invalid input: a.ply:2: the format 'ebcdic' is none of ascii, binary_little_endian, "
             "binary_big_endian");
-  EXPECT_EQ(error_in(with(kText, "format ascii 1.0\n", "")),
+  EXPECT_EQ(ply_error(with(kText, "format ascii 1.0\n", "")),
             "invalid input: a.ply:15: the header has no line with the format");
-  EXPECT_EQ(error_in(with(kText, "float x", "half x")),
+  EXPECT_EQ(ply_error(with(kText, "float x", "half x")),
             "invalid input: a.ply:6: 'half' is not a type of numbers");
-  EXPECT_EQ(error_in(with(kText, "vertex 4", "vertex -4")),
+  EXPECT_EQ(ply_error(with(kText, "vertex 4", "vertex -4")),
             "invalid input: a.ply:5: the count of an element is '-4'");
-  EXPECT_EQ(error_in(with(kText, "vertex 4", "vertex 99999999999")),
+  EXPECT_EQ(ply_error(with(kText, "vertex 4", "vertex 99999999999")),
             "invalid input: a.ply:5: 99999999999 elements are more than can be read");
-  EXPECT_NE(error_in(with(kText, "double y", "double w")).find("x, y and z once each"),
+  EXPECT_NE(ply_error(with(kText, "double y", "double w")).find("x, y and z once each"),
             std::string::npos);
-  EXPECT_NE(error_in(with(kText, "vertex_index", "corners")).find("one list vertex_indices"),
+  EXPECT_NE(ply_error(with(kText, "vertex_index", "corners")).find("one list vertex_indices"),
             std::string::npos);
 }
 
@@ -172,20 +172,20 @@ TEST(PlyFile, LeavesOutFacesOfTwoVertices) {
 }
 
 TEST(PlyFile, TellsFaultsOfTheBody) {
-  EXPECT_EQ(error_in(with(kText, "1.5", "nan")),
+  EXPECT_EQ(ply_error(with(kText, "1.5", "nan")),
             "invalid input: a.ply:19: a coordinate is 'nan', which is not finite");
-  EXPECT_EQ(error_in(with(kText, "4 0 1 2 3", "4 0 1 2 4")),
+  EXPECT_EQ(ply_error(with(kText, "4 0 1 2 3", "4 0 1 2 4")),
             "invalid input: a.ply:21: vertex index 4, but there are 4 vertices, from 0");
-  EXPECT_EQ(error_in(with(kText, "4 0 1 2 3 1 0", "4 0 1 2 3")),
+  EXPECT_EQ(ply_error(with(kText, "4 0 1 2 3 1 0", "4 0 1 2 3")),
             "invalid input: a.ply:21: a patch is missing");
-  EXPECT_EQ(error_in(with(kText, "7\n", "")),
+  EXPECT_EQ(ply_error(with(kText, "7\n", "")),
             "invalid input: a.ply:23: the file ends after 0 of 1 elements 'edge'");
   std::string bytes =
       triangle<float, std::uint8_t, std::int32_t>("float", "uchar", "int", std::endian::little);
   const std::size_t end = bytes.size();
   bytes[end - 4] = 3;
-  EXPECT_EQ(error_in(bytes), "invalid input: a.ply: byte " + std::to_string(end - 13) +
-                                 ": vertex index 3, but there are 3 vertices, from 0");
+  EXPECT_EQ(ply_error(bytes), "invalid input: a.ply: byte " + std::to_string(end - 13) +
+                                  ": vertex index 3, but there are 3 vertices, from 0");
 }
 
 TEST(PlyFile, WarnsOfWhatComesAfterTheEnd) {

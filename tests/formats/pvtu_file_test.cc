@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "formats/foreign_programs.hh"
 #include "support/errors.hh"
 #include "support/folders.hh"
 #include "support/mesh_pieces.hh"
@@ -13,10 +14,6 @@
 
 namespace surfmesh {
 namespace {
-
-constexpr const char* kPython = "/usr/bin/python3";
-
-const MeshNames kNames = {{"lower & left", "upper"}, {{"first", {1}}, {"all", {0, 1}}}};
 
 void write_piece(const MeshPiece& piece, const MeshNames& names,
                  const std::filesystem::path& path) {
@@ -28,12 +25,12 @@ void write_piece(const MeshPiece& piece, const MeshNames& names,
 TEST(PvtuFile, HoldsPiecesThatOurReaderTakes) {
   const TestFolder folder;
   for (const MeshPiece& piece : testing::strip_in_pieces(12, 3)) {
-    write_piece(piece, kNames, folder / "a.vtu");
+    write_piece(piece, testing::kStripNames, folder / "a.vtu");
     const GridFile grid = read_grid(folder / "a.vtu");
     EXPECT_EQ(grid.points, piece.points);
     EXPECT_EQ(grid.faces, piece.faces);
     EXPECT_EQ(grid.patches, piece.patches);
-    EXPECT_EQ(grid.names.patches, kNames.patches);
+    EXPECT_EQ(grid.names.patches, testing::kStripNames.patches);
     ASSERT_EQ(grid.at_points.size(), 1u);
     EXPECT_EQ(grid.at_points[0].name, "GlobalNodeIds");
     EXPECT_EQ(grid.at_points[0].numbers, std::vector<double>(piece.ids.begin(), piece.ids.end()));
@@ -57,7 +54,7 @@ TEST(PvtuFile, HoldsQuads) {
 TEST(PvtuFile, TakesFewBytes) {
   const TestFolder folder;
   const MeshPiece piece = testing::strip_in_pieces(20000, 1).front();
-  write_piece(piece, kNames, folder / "a.vtu");
+  write_piece(piece, testing::kStripNames, folder / "a.vtu");
   const auto of_points = static_cast<double>(32 * piece.points.size());
   const auto of_faces = static_cast<double>(25 * piece.faces.size());
   EXPECT_NEAR(static_cast<double>(std::filesystem::file_size(folder / "a.vtu")),
@@ -111,10 +108,10 @@ TEST(PvtuFile, IsReadByVtkWithItsGlobalIdsAndSharedVertices) {
   std::vector<std::string> names;
   for (const MeshPiece& piece : testing::strip_in_pieces(12, 3)) {
     names.push_back("a_" + std::to_string(names.size()) + ".vtu");
-    write_piece(piece, kNames, folder / names.back());
+    write_piece(piece, testing::kStripNames, folder / names.back());
   }
   OutputFile file(folder / "a.pvtu");
-  write_pvtu(names, kNames, file);
+  write_pvtu(names, testing::kStripNames, file);
   file.commit();
   write_text(folder / "read.py", kReadPvtu);
   const std::string run =

@@ -12,6 +12,7 @@
 #include "support/errors.hh"
 #include "support/folders.hh"
 #include "support/meshes.hh"
+#include "support/notices.hh"
 #include "surfmesh/core/parallel.hh"
 #include "surfmesh/formats/write_mesh.hh"
 
@@ -145,12 +146,6 @@ TEST(WhatIsLost, OfFacesWithFiveCorners) {
     EXPECT_EQ(what_is_lost(mesh, name), split) << name;
   }
   EXPECT_EQ(what_is_lost(mesh, "a.vtu"), Texts());
-}
-
-Texts texts_of(const Notices& notices) {
-  Texts texts;
-  for (const Notice& notice : notices) texts.push_back(notice.text);
-  return texts;
 }
 
 TEST(ChangedNames, AreWordsOfTheirOwn) {

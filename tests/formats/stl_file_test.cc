@@ -24,7 +24,7 @@ const std::string kOther =
     "FACET NORMAL 0 0 1\n OUTER LOOP\n  VERTEX 1 1 0\n  VERTEX 0 1 0\n  VERTEX -0 0 0\n ENDLOOP\n"
     "ENDFACET\n";
 
-std::string error_in(const std::string& bytes) {
+std::string stl_error(const std::string& bytes) {
   return error_of([&] { parse_stl(bytes, "a.stl"); });
 }
 
@@ -117,27 +117,27 @@ TEST(StlFile, IsRefusedWhereverItIsCut) {
   write_mesh(testing::octahedron(), folder / "a.stl");
   const std::string bytes = read_text(folder / "a.stl");
   for (std::size_t size = 0; size < bytes.size(); ++size) {
-    EXPECT_NE(error_in(bytes.substr(0, size)), "no error") << size;
+    EXPECT_NE(stl_error(bytes.substr(0, size)), "no error") << size;
   }
-  EXPECT_NE(error_in(bytes.substr(0, 200)).find("after 2 of 8 triangles (byte 200)"),
+  EXPECT_NE(stl_error(bytes.substr(0, 200)).find("after 2 of 8 triangles (byte 200)"),
             std::string::npos)
-      << error_in(bytes.substr(0, 200));
+      << stl_error(bytes.substr(0, 200));
 }
 
 TEST(StlFile, TellsFaults) {
-  EXPECT_EQ(error_in(""), "invalid input: a.stl: the file is empty");
-  EXPECT_EQ(error_in("solid\nfacet\nouter loop\nvertex 0 0\n"),
+  EXPECT_EQ(stl_error(""), "invalid input: a.stl: the file is empty");
+  EXPECT_EQ(stl_error("solid\nfacet\nouter loop\nvertex 0 0\n"),
             "invalid input: a.stl:4: a vertex needs three coordinates");
-  EXPECT_EQ(error_in("solid\nfacet\nouter loop\nvertex 0 0 inf\n"),
+  EXPECT_EQ(stl_error("solid\nfacet\nouter loop\nvertex 0 0 inf\n"),
             "invalid input: a.stl:4: a coordinate is 'inf', which is not finite");
-  EXPECT_EQ(error_in("solid\n" + kFacet), "invalid input: a.stl:9: the file ends before endsolid");
-  EXPECT_EQ(error_in("solid\nvertex 0 0 0\n"),
+  EXPECT_EQ(stl_error("solid\n" + kFacet), "invalid input: a.stl:9: the file ends before endsolid");
+  EXPECT_EQ(stl_error("solid\nvertex 0 0 0\n"),
             "invalid input: a.stl:2: 'vertex' is not what comes next in an STL file");
   const TestFolder folder;
   write_mesh(testing::octahedron(), folder / "a.stl");
   std::string bytes = read_text(folder / "a.stl");
   bytes.replace(84 + 12, 4, "\xff\xff\xff\xff");
-  EXPECT_NE(error_in(bytes).find("a.stl: byte 96: a coordinate is"), std::string::npos);
+  EXPECT_NE(stl_error(bytes).find("a.stl: byte 96: a coordinate is"), std::string::npos);
 }
 
 TEST(StlFile, CannotHoldLargeNumbers) {

@@ -10,7 +10,7 @@ namespace surfmesh {
 namespace {
 
 /// A triangle, a quad and a pentagon.
-VtkGrid example() {
+VtkGrid three_cells() {
   VtkGrid grid;
   grid.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 2, 0}};
   for (const std::vector<int>& cell :
@@ -29,7 +29,7 @@ std::string written(const VtkGrid& grid) {
 }
 
 TEST(VtuFile, HoldsCellsOfAllSizes) {
-  const std::string text = written(example());
+  const std::string text = written(three_cells());
   EXPECT_NE(text.find("NumberOfPoints=\"5\" NumberOfCells=\"3\""), std::string::npos);
   EXPECT_NE(text.find(">\n 0 1 2 0 1 2 3 0 1 2 4 3\n</DataArray>"), std::string::npos);
   EXPECT_NE(text.find("Name=\"offsets\" NumberOfComponents=\"1\" format=\"ascii\">\n 3 7 12\n"),
@@ -39,7 +39,7 @@ TEST(VtuFile, HoldsCellsOfAllSizes) {
 }
 
 TEST(VtuFile, HoldsValues) {
-  VtkGrid grid = example();
+  VtkGrid grid = three_cells();
   grid.at_points = {{"uv", 2, std::vector<double>{0, 0, 1, 0, 1, 1, 0, 1, 0.5, 2}}};
   grid.at_cells = {{"patch", 1, std::vector<int>{0, 0, -1}}};
   grid.tensors = std::string("size");
@@ -53,7 +53,7 @@ TEST(VtuFile, HoldsValues) {
 }
 
 TEST(VtuFile, RefusesPositionsThatAreNotFinite) {
-  VtkGrid grid = example();
+  VtkGrid grid = three_cells();
   grid.points[3] = Vec3::Constant(kUnset);
   EXPECT_EQ(error_of([&] { written(grid); }),
             "geometry: the position of vertex 3 is (nan, nan, nan)");

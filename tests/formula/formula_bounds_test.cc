@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "formula/variables.hh"
 #include "surfmesh/formula/formula.hh"
 #include "surfmesh/formula/formula_slopes.hh"
 
@@ -20,7 +21,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-const std::vector<std::string> kUv = {"u", "v"};
 
 FormulaProgram program_of(const std::string& text) {
   return parse_formulas(std::vector<std::string>{text}, kUv);

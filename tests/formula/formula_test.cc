@@ -18,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "formula/variables.hh"
 #include "support/errors.hh"
 #include "surfmesh/core/error.hh"
 
@@ -26,7 +27,6 @@ namespace {
 
 using Constants = std::map<std::string, double>;
 
-const std::vector<std::string> kUv = {"u", "v"};
 const char* const kWave = "1.5*sin(2*u)*cos(v/5)*exp(-(u^2+v^2)/1000)";
 
 /// The message of the error that reading the formula gives.
@@ -369,7 +369,7 @@ TEST(FormulaReader, TellsWhichNamedFormulaIsAtFault) {
   EXPECT_NE(fault({{"2r", "v"}}).find("the name '2r' is not a name"), std::string::npos);
 }
 
-class FormulaOrders : public testing::TestWithParam<std::string> {};
+class FormulaOrders : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(FormulaOrders, AgreeBitByBitInTheirCommonMembers) {
   const Formula formula = parse_formula(GetParam(), kUv);
@@ -388,11 +388,11 @@ TEST_P(FormulaOrders, AgreeBitByBitInTheirCommonMembers) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, FormulaOrders,
-    testing::Values(kWave, "u^v/cosh(u-v)", "tanh(u)*tan(v/4)+asin(u/4)*acos(v/4)-u^-3*v^7",
-                    "atan2(u,v)+hypot(u,v)*cbrt(u)+sqrt(v)+log(u)+2^v+u^2.5+u^20",
-                    "max(u,v)-min(u,2)*abs(v-1)+sinh(u)*atan(v)",
-                    "mod(u*v,1+0.2*v)*log10(u)+sign(u-1)*floor(2*v)*u-ceil(u)*step(1,v)*v^2",
-                    "if(u<v,u^2*sin(v),if((v>1)*(u!=2),exp(u),v^3))-(u>=v)*u"));
+    ::testing::Values(kWave, "u^v/cosh(u-v)", "tanh(u)*tan(v/4)+asin(u/4)*acos(v/4)-u^-3*v^7",
+                      "atan2(u,v)+hypot(u,v)*cbrt(u)+sqrt(v)+log(u)+2^v+u^2.5+u^20",
+                      "max(u,v)-min(u,2)*abs(v-1)+sinh(u)*atan(v)",
+                      "mod(u*v,1+0.2*v)*log10(u)+sign(u-1)*floor(2*v)*u-ceil(u)*step(1,v)*v^2",
+                      "if(u<v,u^2*sin(v),if((v>1)*(u!=2),exp(u),v^3))-(u>=v)*u"));
 
 /// A formula, and one without steps that it is in a part of the plane.
 struct SameIn {
@@ -402,7 +402,7 @@ struct SameIn {
 
 void PrintTo(const SameIn& same, std::ostream* out) { *out << same.text; }
 
-class FormulaSteps : public testing::TestWithParam<SameIn> {};
+class FormulaSteps : public ::testing::TestWithParam<SameIn> {};
 
 /// u from 0.1 to 0.9, v from 2.1 to 2.9.
 TEST_P(FormulaSteps, HaveTheDerivativesOfTheFormulaBetweenThem) {
@@ -423,13 +423,12 @@ TEST_P(FormulaSteps, HaveTheDerivativesOfTheFormulaBetweenThem) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, FormulaSteps,
-    testing::Values(SameIn{"sign(u-1)*u^2*v", "-u^2*v"},
-                    SameIn{"floor(v)*u^2+ceil(u)*v", "2*u^2+v"},
-                    SameIn{"mod(v^2*u,-100)", "v^2*u-100"}, SameIn{"mod(8.9,v^2)", "mod(8.9,v*v)"},
-                    SameIn{"mod(10+u,v*v+2)", "10+u-(v*v+2)*floor((10+u)/(v*v+2))"},
-                    SameIn{"step(1,v)*u*v+step(v,1)", "u*v"},
-                    SameIn{"if(u<v,u^2*v,1/(u-u))", "u^2*v"}, SameIn{"(u<1)*u^3+(v==1)", "u^3"},
-                    SameIn{"log10(u*v)", "log(u*v)/log(10)"}),
+    ::testing::Values(
+        SameIn{"sign(u-1)*u^2*v", "-u^2*v"}, SameIn{"floor(v)*u^2+ceil(u)*v", "2*u^2+v"},
+        SameIn{"mod(v^2*u,-100)", "v^2*u-100"}, SameIn{"mod(8.9,v^2)", "mod(8.9,v*v)"},
+        SameIn{"mod(10+u,v*v+2)", "10+u-(v*v+2)*floor((10+u)/(v*v+2))"},
+        SameIn{"step(1,v)*u*v+step(v,1)", "u*v"}, SameIn{"if(u<v,u^2*v,1/(u-u))", "u^2*v"},
+        SameIn{"(u<1)*u^3+(v==1)", "u^3"}, SameIn{"log10(u*v)", "log(u*v)/log(10)"}),
     [](const auto& test) { return fmt::format("Case{}", test.index); });
 
 TEST(Formula, DerivativesOfTheWaveAreThoseOfTheClosedForm) {

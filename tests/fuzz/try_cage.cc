@@ -11,7 +11,7 @@ namespace surfmesh::fuzz {
 namespace {
 
 /// Larger cages show nothing new and take long.
-constexpr std::size_t kMostFaces = 64;
+constexpr std::size_t kMostFacesOfCage = 64;
 
 CageOptions read_options(ByteReader& bytes) {
   CageOptions options;
@@ -42,7 +42,7 @@ bool try_cage(Bytes input) {
   return accepts([&] {
     const Cage cage = format.parse_cage(text, std::string("cage").append(format.ending));
     check_ranges(cage);
-    if (cage.faces.size() > kMostFaces) return;
+    if (cage.faces.size() > kMostFacesOfCage) return;
     check_usable(model_from_cage(cage, options));
   });
 }

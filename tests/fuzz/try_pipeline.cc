@@ -24,8 +24,8 @@ namespace surfmesh::fuzz {
 namespace {
 
 /// Of processor time: runs that take longer are cancelled, which they have to obey.
-constexpr double kSeconds = 4;
-constexpr std::size_t kMostElements = 1500;
+constexpr double kSecondsOfRun = 4;
+constexpr std::size_t kMostElementsOfRun = 1500;
 
 /// Check the triangles of a patch between two stages: proper, and each of positive area in (u,v).
 void check_triangles(DelaunayMesh& delaunay, std::string_view stage) {
@@ -78,7 +78,8 @@ void mesh_in_stages(const ModelInput& input, Observer& observer) {
     const PatchBoundary& boundary = plan.tiles()[t].boundary;
     if (!has_quads) {
       const auto patch = static_cast<std::size_t>(boundary.patch);
-      check_stages(*plan.fields()[patch], boundary, options, RunContext(&observer, kMostElements));
+      check_stages(*plan.fields()[patch], boundary, options,
+                   RunContext(&observer, kMostElementsOfRun));
     }
     patches.push_back(plan.mesh_tile(t, context).mesh);
     check_proper(*patches.back().mesh, "patch");
@@ -143,16 +144,16 @@ bool try_pipeline(Bytes input) {
   for (const Seed& cage : small.cages) write_scratch(cage.name, cage.bytes);
   const auto path = write_scratch("small.json", small.text);
   return accepts([&] {
-    Deadline deadline(kSeconds);
+    Deadline deadline(kSecondsOfRun);
     ModelInput model = load_model(path, {}, &deadline);
     model.options.threads = 1;
-    model.options.max_elements = kMostElements;
+    model.options.max_elements = kMostElementsOfRun;
     if (is_staged && !model.options.sizing.sag) mesh_in_stages(model, deadline);
     const MeshResult result = mesh_model(model.model, model.sources, model.options, &deadline);
     check_result(result, model.model, model.options.quads.is_on);
     if (!is_repeated) return;
     model.options.threads = 2;
-    Deadline again(kSeconds);
+    Deadline again(kSecondsOfRun);
     demand(is_same(result.mesh, mesh_model(model.model, model.sources, model.options, &again).mesh),
            "the mesh does not depend on the number of threads");
   });

@@ -27,7 +27,7 @@ constexpr std::size_t kMostNodes = 300;
 enum class Kind { Table, Msh, Vtu, Medit, Sol };
 constexpr std::array kKinds = {Kind::Table, Kind::Msh, Kind::Vtu, Kind::Medit, Kind::Sol};
 
-constexpr double kShares[] = {0, 0.2, 0.5, 0.9, 1};
+constexpr double kSharesOfSheet[] = {0, 0.2, 0.5, 0.9, 1};
 
 std::shared_ptr<const Surface> sheet() {
   return std::make_shared<FormulaSurface>(SurfaceFormulas{"u", "v+0.1*u", "0.2*sin(3*u)*v", {}},
@@ -88,8 +88,8 @@ void check_size(const FieldSource& field, Uv uv, const Vec3& point) {
 }
 
 void check_field(const FieldSource& field, const Surface& surface) {
-  for (const double u : kShares) {
-    for (const double v : kShares) {
+  for (const double u : kSharesOfSheet) {
+    for (const double v : kSharesOfSheet) {
       const Vec3 point = surface.evaluate({u, v}, Order::Position).point;
       if (field.size) {
         check_size(field, {u, v}, point);

@@ -15,7 +15,7 @@ struct Named {
 
 void PrintTo(const Named& named, std::ostream* out) { *out << named.name; }
 
-class AnalyticDerivatives : public testing::TestWithParam<Named> {};
+class AnalyticDerivatives : public ::testing::TestWithParam<Named> {};
 
 /// Central differences of the next lower derivative.
 TEST_P(AnalyticDerivatives, AgreeWithDifferences) {
@@ -44,7 +44,7 @@ const auto kCylinder = std::make_shared<Cylinder>(1.5, Domain{});
 
 INSTANTIATE_TEST_SUITE_P(
     All, AnalyticDerivatives,
-    testing::Values(
+    ::testing::Values(
         Named{"Plane", std::make_shared<PlanePatch>(Vec3(1, 2, 3), Vec3(1, 0, 1), Vec3(0, 2, 1))},
         Named{"Cylinder", kCylinder}, Named{"Cone", std::make_shared<Cone>(2.0, Domain{})},
         Named{"Sphere", std::make_shared<Sphere>(2.0, Domain{})},

@@ -16,10 +16,10 @@ namespace {
 
 using Constants = std::map<std::string, double>;
 
-constexpr Domain kDomain{-10, 10, -10, 10};
+constexpr Domain kWideDomain{-10, 10, -10, 10};
 
 PrincipalCurvatures at(const SurfaceFormulas& formulas, Uv uv) {
-  return principal_curvatures(FormulaSurface(formulas, kDomain).evaluate(uv, Order::Second));
+  return principal_curvatures(FormulaSurface(formulas, kWideDomain).evaluate(uv, Order::Second));
 }
 
 /// Unit vector of the k1 direction in space, in the frame whose first axis is along p_u.
@@ -88,7 +88,7 @@ TEST(Curvature, OfTheSaddleIsAlongItsRulingsBisectors) {
 TEST(Curvature, DoesNotDependOnTheParameters) {
   // The saddle z = (x² − 2y²)/2 at its middle, through skew and unequal parameters.
   const SurfaceFormulas skew{"3*u+v", "0.1*v", "((3*u+v)^2-2*(0.1*v)^2)/2"};
-  const Jet jet = FormulaSurface(skew, kDomain).evaluate({0, 0}, Order::Second);
+  const Jet jet = FormulaSurface(skew, kWideDomain).evaluate({0, 0}, Order::Second);
   const PrincipalCurvatures k = principal_curvatures(jet);
   EXPECT_NEAR(k.k1, 1, 1e-13);
   EXPECT_NEAR(k.k2, -2, 1e-13);
@@ -98,7 +98,8 @@ TEST(Curvature, DoesNotDependOnTheParameters) {
 TEST(Curvature, LosesDigitsByTheSquareOfTheSine) {
   for (double sine : {1.0, 1e-1, 1e-2, 1e-3, 1e-4}) {
     const Constants constants = {{"c", std::sqrt(1 - sine * sine)}, {"s", sine}};
-    const FormulaSurface skew({"u+c*v", "s*v", "((u+c*v)^2-0.7*(s*v)^2)/2"}, kDomain, constants);
+    const FormulaSurface skew({"u+c*v", "s*v", "((u+c*v)^2-0.7*(s*v)^2)/2"}, kWideDomain,
+                              constants);
     const Jet jet = skew.evaluate({0, 0}, Order::Second);
     const PrincipalCurvatures k = principal_curvatures(jet);
     EXPECT_NEAR(k.k1, 1, 1e-14 / (sine * sine)) << sine;
@@ -145,7 +146,7 @@ TEST(Curvature, OfTheWaveIsThatOfTheReference) {
 }
 
 TEST(Curvature, DirectionIsWhereTheNormalCurvatureIsGreatest) {
-  const FormulaSurface surface({"u+0.2*v^2", "v-0.1*u*v", "sin(u)*cos(2*v)"}, kDomain);
+  const FormulaSurface surface({"u+0.2*v^2", "v-0.1*u*v", "sin(u)*cos(2*v)"}, kWideDomain);
   const Jet jet = surface.evaluate({0.4, 0.3}, Order::Second);
   const PrincipalCurvatures k = principal_curvatures(jet);
   const FirstFormFactor p = first_form_factor(jet.du, jet.dv);

@@ -25,7 +25,7 @@ struct Case {
 
 void PrintTo(const Case& test_case, std::ostream* out) { *out << test_case.text; }
 
-class JetNumberDerivatives : public testing::TestWithParam<Case> {};
+class JetNumberDerivatives : public ::testing::TestWithParam<Case> {};
 
 /// Central differences: of values for the first derivatives, of first derivatives for the second.
 TEST_P(JetNumberDerivatives, AgreeWithFiniteDifferences) {
@@ -47,32 +47,35 @@ TEST_P(JetNumberDerivatives, AgreeWithFiniteDifferences) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Operations, JetNumberDerivatives,
-                         testing::Values(Case{"-(u*v)+u-v", 0.7, 1.3},
-                                         Case{"(u*u*v)/(1+u*v)", 0.7, 1.3},
-                                         Case{"3-u*v+2", 0.7, 1.3}, Case{"2/(u*v)", 0.7, -1.3},
-                                         Case{"(u*v)/7*3", 0.7, 1.3}, Case{"(u*v)^2", -0.7, 1.3}));
+                         ::testing::Values(Case{"-(u*v)+u-v", 0.7, 1.3},
+                                           Case{"(u*u*v)/(1+u*v)", 0.7, 1.3},
+                                           Case{"3-u*v+2", 0.7, 1.3}, Case{"2/(u*v)", 0.7, -1.3},
+                                           Case{"(u*v)/7*3", 0.7, 1.3},
+                                           Case{"(u*v)^2", -0.7, 1.3}));
 
 INSTANTIATE_TEST_SUITE_P(Powers, JetNumberDerivatives,
-                         testing::Values(Case{"(u*v)^3", -0.7, 1.3}, Case{"(u*v)^7", -0.7, 1.3},
-                                         Case{"(u*v)^-1", -0.7, 1.3}, Case{"(u*v)^-4", -0.7, 1.3},
-                                         Case{"(u*v)^17", -0.9, 1.1}, Case{"(u*v)^-20", -1.1, 1.1},
-                                         Case{"(u*v)^0.5", 0.7, 1.3}, Case{"(u*v)^-1.7", 0.7, 1.3},
-                                         Case{"u^v", 0.7, 1.3}, Case{"pow(u*v,u+v)", 0.7, 1.3},
-                                         Case{"2^(u*v)", 0.7, 1.3}, Case{"e^(u*v)", -0.7, 1.3}));
+                         ::testing::Values(Case{"(u*v)^3", -0.7, 1.3}, Case{"(u*v)^7", -0.7, 1.3},
+                                           Case{"(u*v)^-1", -0.7, 1.3}, Case{"(u*v)^-4", -0.7, 1.3},
+                                           Case{"(u*v)^17", -0.9, 1.1},
+                                           Case{"(u*v)^-20", -1.1, 1.1},
+                                           Case{"(u*v)^0.5", 0.7, 1.3},
+                                           Case{"(u*v)^-1.7", 0.7, 1.3}, Case{"u^v", 0.7, 1.3},
+                                           Case{"pow(u*v,u+v)", 0.7, 1.3},
+                                           Case{"2^(u*v)", 0.7, 1.3}, Case{"e^(u*v)", -0.7, 1.3}));
 
 INSTANTIATE_TEST_SUITE_P(
     Functions, JetNumberDerivatives,
-    testing::Values(Case{"sqrt(u*v)", 0.7, 1.3}, Case{"cbrt(u*v)", -0.7, 1.3},
-                    Case{"exp(u*v)", 0.7, 1.3}, Case{"log(u*v)", 0.7, 1.3},
-                    Case{"sin(u*v)", 0.7, 1.3}, Case{"cos(u*v)", 0.7, 1.3},
-                    Case{"tan(u*v)", 0.7, 1.3}, Case{"asin(u*v)", 0.5, 1.3},
-                    Case{"acos(u*v)", 0.5, 1.3}, Case{"atan(u*v)", 0.7, 1.3},
-                    Case{"sinh(u*v)", 0.7, 1.3}, Case{"cosh(u*v)", 0.7, 1.3},
-                    Case{"tanh(u*v)", 0.7, 1.3}, Case{"abs(u*v)", -0.7, 1.3},
-                    Case{"min(u*v,u+v)", 0.7, 1.3}, Case{"max(u*v,u+v)", 0.7, 1.3},
-                    Case{"max(u*v,1)", 0.7, 1.3}, Case{"hypot(u*v,u-2*v)", 0.7, 1.3},
-                    Case{"hypot(u,3)", 0.7, 1.3}, Case{"atan2(u*v,u-v)", 0.7, 1.3},
-                    Case{"atan2(u*v,u-v)", -0.7, -1.3}, Case{"atan2(u,-2)", 0.7, 1.3}));
+    ::testing::Values(Case{"sqrt(u*v)", 0.7, 1.3}, Case{"cbrt(u*v)", -0.7, 1.3},
+                      Case{"exp(u*v)", 0.7, 1.3}, Case{"log(u*v)", 0.7, 1.3},
+                      Case{"sin(u*v)", 0.7, 1.3}, Case{"cos(u*v)", 0.7, 1.3},
+                      Case{"tan(u*v)", 0.7, 1.3}, Case{"asin(u*v)", 0.5, 1.3},
+                      Case{"acos(u*v)", 0.5, 1.3}, Case{"atan(u*v)", 0.7, 1.3},
+                      Case{"sinh(u*v)", 0.7, 1.3}, Case{"cosh(u*v)", 0.7, 1.3},
+                      Case{"tanh(u*v)", 0.7, 1.3}, Case{"abs(u*v)", -0.7, 1.3},
+                      Case{"min(u*v,u+v)", 0.7, 1.3}, Case{"max(u*v,u+v)", 0.7, 1.3},
+                      Case{"max(u*v,1)", 0.7, 1.3}, Case{"hypot(u*v,u-2*v)", 0.7, 1.3},
+                      Case{"hypot(u,3)", 0.7, 1.3}, Case{"atan2(u*v,u-v)", 0.7, 1.3},
+                      Case{"atan2(u*v,u-v)", -0.7, -1.3}, Case{"atan2(u,-2)", 0.7, 1.3}));
 
 TEST(JetNumberPower, IsRightAtZero) {
   const auto at_zero = [](double c) { return pow(Jet2::parameter(0, 0), c); };

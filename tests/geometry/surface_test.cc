@@ -19,7 +19,7 @@ namespace {
 constexpr Domain kDomain{-1.5, 1.5, -1.2, 1.4};
 constexpr std::array kOrders = {Order::Position, Order::First, Order::Second};
 
-const SurfaceFormulas kTorus{"(3+cos(v))*cos(u)", "(3+cos(v))*sin(u)", "sin(v)"};
+const SurfaceFormulas kTorusFormulas{"(3+cos(v))*cos(u)", "(3+cos(v))*sin(u)", "sin(v)"};
 
 std::shared_ptr<const Surface> callable_torus() {
   return make_callable_surface(kDomain, [](auto u, auto v) {
@@ -77,7 +77,7 @@ TEST(PlaneSurface, IsAffine) {
 
 TEST(Surfaces, LeaveMembersAboveTheOrderUnset) {
   const PlaneSurface plane(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), kDomain);
-  const FormulaSurface formula(kTorus, kDomain);
+  const FormulaSurface formula(kTorusFormulas, kDomain);
   const auto callable = callable_torus();
   for (const Surface* surface :
        std::initializer_list<const Surface*>{&plane, &formula, callable.get()}) {
@@ -89,7 +89,7 @@ TEST(Surfaces, LeaveMembersAboveTheOrderUnset) {
 }
 
 TEST(Surfaces, OrdersAgreeBitByBit) {
-  const FormulaSurface formula(kTorus, kDomain);
+  const FormulaSurface formula(kTorusFormulas, kDomain);
   const auto callable = callable_torus();
   for (const Uv uv : points()) {
     for (const Surface* surface : std::initializer_list<const Surface*>{&formula, callable.get()}) {
@@ -100,7 +100,7 @@ TEST(Surfaces, OrdersAgreeBitByBit) {
 }
 
 TEST(Surfaces, FormulaAndCallableAgree) {
-  const FormulaSurface formula(kTorus, kDomain);
+  const FormulaSurface formula(kTorusFormulas, kDomain);
   const auto callable = callable_torus();
   for (const Uv uv : points()) {
     for (const Order order : kOrders) {
@@ -110,7 +110,7 @@ TEST(Surfaces, FormulaAndCallableAgree) {
 }
 
 TEST(FormulaSurface, IsTheTorus) {
-  const FormulaSurface torus(kTorus, kDomain);
+  const FormulaSurface torus(kTorusFormulas, kDomain);
   for (const Uv uv : points()) {
     const double c = std::cos(uv.u), s = std::sin(uv.u), p = std::cos(uv.v), q = std::sin(uv.v);
     const Jet jet = torus.evaluate(uv, Order::Second);

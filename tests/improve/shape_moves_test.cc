@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "improve/star_of.hh"
 #include "support/domain_meshes.hh"
 #include "support/expect_valid.hh"
 #include "surfmesh/refine/refine.hh"
@@ -18,7 +19,7 @@ namespace {
 constexpr Metric kStretched{4, 1, 2};
 
 /// A fan of six triangles around vertex 0, on a circle of radius 1 about the origin.
-std::unique_ptr<DelaunayMesh> fan(Uv centre, const Metric& metric) {
+std::unique_ptr<DelaunayMesh> fan_of_six(Uv centre, const Metric& metric) {
   std::vector<Uv> points = testing::circle({0, 0}, 1, 6);
   points.insert(points.begin(), centre);
   std::vector<std::array<int, 3>> triangles;
@@ -28,24 +29,18 @@ std::unique_ptr<DelaunayMesh> fan(Uv centre, const Metric& metric) {
   return delaunay;
 }
 
-Star star_of(const DelaunayMesh& delaunay) {
-  Star star;
-  EXPECT_TRUE(star.collect(delaunay, VertexHandle(0)));
-  return star;
-}
-
 TEST(SumOfInverseQualities, CountsUnitTriangles) {
-  const auto delaunay = fan({0, 0}, {1, 0, 1});
+  const auto delaunay = fan_of_six({0, 0}, {1, 0, 1});
   EXPECT_NEAR(sum_of_inverse_qualities(star_of(*delaunay), {{0, 0}, {1, 0, 1}}), 6, 1e-14);
 }
 
 TEST(SumOfInverseQualities, IsInfiniteWithATriangleInverted) {
-  const auto delaunay = fan({0, 0}, {1, 0, 1});
+  const auto delaunay = fan_of_six({0, 0}, {1, 0, 1});
   EXPECT_EQ(sum_of_inverse_qualities(star_of(*delaunay), {{1.1, 0}, {1, 0, 1}}), INFINITY);
 }
 
 TEST(ShapeStep, IsTheOneByFiniteDifferences) {
-  const Star star = star_of(*fan({0, 0}, kStretched));
+  const Star star = star_of(*fan_of_six({0, 0}, kStretched));
   const Uv at{0.2, -0.1};
   const auto f = [&](double u, double v) {
     return sum_of_inverse_qualities(star, {at + Uv{u, v}, kStretched});
@@ -62,7 +57,7 @@ TEST(ShapeStep, IsTheOneByFiniteDifferences) {
 }
 
 TEST(ShapeMoves, LeadToTheMiddle) {
-  const auto delaunay = fan({0.5, 0.3}, kStretched);
+  const auto delaunay = fan_of_six({0.5, 0.3}, kStretched);
   const testing::FunctionField field = testing::constant_field(kStretched);
   ShapeMoves moves(*delaunay, field);
   int count = 0;
@@ -74,7 +69,7 @@ TEST(ShapeMoves, LeadToTheMiddle) {
 }
 
 TEST(ShapeMoves, GoNowhereThatIsNotAllowed) {
-  const auto delaunay = fan({0.5, 0.3}, {1, 0, 1});
+  const auto delaunay = fan_of_six({0.5, 0.3}, {1, 0, 1});
   const testing::FunctionField field = testing::constant_field({1, 0, 1});
   ShapeMoves moves(*delaunay, field);
   std::vector<Uv> asked;
@@ -89,7 +84,7 @@ TEST(ShapeMoves, GoNowhereThatIsNotAllowed) {
 }
 
 TEST(ShapeMoves, LeaveVerticesOfGoodTriangles) {
-  const auto delaunay = fan({0.1, 0}, {1, 0, 1});
+  const auto delaunay = fan_of_six({0.1, 0}, {1, 0, 1});
   const testing::FunctionField field = testing::constant_field({1, 0, 1});
   ShapeMoves moves(*delaunay, field);
   EXPECT_FALSE(moves.smooth(VertexHandle(0), 0.5, [](Uv) { return true; }));

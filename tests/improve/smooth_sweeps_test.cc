@@ -14,7 +14,7 @@ using testing::positions;
 
 constexpr int kSweeps = 4;
 
-std::unique_ptr<DelaunayMesh> refined(const FunctionField& field) {
+std::unique_ptr<DelaunayMesh> refined_square(const FunctionField& field) {
   auto delaunay = testing::empty_square(field);
   refine(*delaunay, field);
   return delaunay;
@@ -39,7 +39,7 @@ TEST(SmoothSweeps, PassOverOnlyVerticesThatWouldStay) {
   for (const FunctionField& field :
        {testing::four_point_field(2), testing::shock_field(10, 0.02)}) {
     for (const Smoothing kind : {Smoothing::Best, Smoothing::Laplace, Smoothing::Element}) {
-      const auto full = refined(field), quick = refined(field);
+      const auto full = refined_square(field), quick = refined_square(field);
       smooth_all(*full, field, kind);
       smooth_sweeps(*quick, field, kind);
       EXPECT_EQ(positions(*quick), positions(*full));
@@ -49,14 +49,14 @@ TEST(SmoothSweeps, PassOverOnlyVerticesThatWouldStay) {
 
 TEST(SmoothSweeps, PassOverQuietVertices) {
   const auto field = testing::four_point_field(2);
-  const auto delaunay = refined(field);
+  const auto delaunay = refined_square(field);
   EXPECT_LT(smooth_sweeps(*delaunay, field, Smoothing::Best), kSweeps * delaunay->n_vertices());
 }
 
 /// Smoothing by elements depends on more than the neighbours.
 TEST(SmoothSweeps, LookAtAllVerticesWithElements) {
   const auto field = testing::four_point_field(2);
-  const auto delaunay = refined(field);
+  const auto delaunay = refined_square(field);
   EXPECT_EQ(smooth_sweeps(*delaunay, field, Smoothing::Element), kSweeps * delaunay->n_vertices());
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "improve/star_of.hh"
 #include "support/domain_meshes.hh"
 
 namespace surfmesh {
@@ -19,12 +20,6 @@ std::unique_ptr<DelaunayMesh> fan(int count) {
   auto delaunay = std::make_unique<DelaunayMesh>(points, triangles);
   for (int i = 0; i <= count; ++i) delaunay->metric(VertexHandle(i)) = kPlane;
   return delaunay;
-}
-
-Star star_of(const DelaunayMesh& delaunay) {
-  Star star;
-  EXPECT_TRUE(star.collect(delaunay, VertexHandle(0)));
-  return star;
 }
 
 TEST(Star, HasAllNeighboursCounterClockwise) {

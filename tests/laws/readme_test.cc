@@ -16,10 +16,7 @@
 namespace surfmesh {
 namespace {
 
-std::string read(const std::string& path) {
-  std::ifstream stream(std::filesystem::path(SURFMESH_SOURCE_DIR) / path);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
+using testing::text_of_file;
 
 /// The programs of tests/package, by name.
 std::set<std::string> examples() {
@@ -32,10 +29,11 @@ std::set<std::string> examples() {
 }
 
 TEST(Readme, AndTheLibrarysShowEveryExampleThatIsCompiled) {
-  const std::string text = read("README.md") + read("libsurfmesh/LIBRARY.md");
+  const std::string text = text_of_file("README.md") + text_of_file("libsurfmesh/LIBRARY.md");
   EXPECT_GE(examples().size(), 5u);
   for (const std::string& name : examples()) {
-    EXPECT_NE(text.find("```cpp\n" + read("tests/package/" + name) + "```\n"), std::string::npos)
+    EXPECT_NE(text.find("```cpp\n" + text_of_file("tests/package/" + name) + "```\n"),
+              std::string::npos)
         << "README.md or libsurfmesh/LIBRARY.md must contain tests/package/" << name << " as it is";
   }
 }
@@ -53,11 +51,11 @@ std::vector<std::string> snippets(const std::string& text) {
 
 TEST(Readme, AndTheOthersShowNoCppThatIsNotCompiled) {
   std::set<std::string> compiled;
-  for (const std::string& name : examples()) compiled.insert(read("tests/package/" + name));
+  for (const std::string& name : examples()) compiled.insert(text_of_file("tests/package/" + name));
   std::size_t count = 0;
   for (const char* document : {"README.md", "libsurfmesh/LIBRARY.md", "libsurfmesh/REFERENCE.md",
                                "libsurfmesh/README.md"}) {
-    for (const std::string& snippet : snippets(read(document))) {
+    for (const std::string& snippet : snippets(text_of_file(document))) {
       ++count;
       EXPECT_TRUE(compiled.contains(snippet)) << document << " shows what is in no program of "
                                               << "tests/package:\n"
@@ -71,7 +69,7 @@ TEST(Readme, AndTheOthersShowNoCppThatIsNotCompiled) {
 TEST(Readme, ShowsExamplesThatIncludeOneHeader) {
   static const std::regex pattern(R"re(#include ["<](surfmesh/[^">]+))re");
   for (const std::string& name : examples()) {
-    const std::string text = read("tests/package/" + name);
+    const std::string text = text_of_file("tests/package/" + name);
     std::vector<std::string> headers;
     for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end;
          ++match) {
@@ -83,20 +81,20 @@ TEST(Readme, ShowsExamplesThatIncludeOneHeader) {
 
 TEST(Readme, ShowsShortExamples) {
   for (const std::string& name : examples()) {
-    EXPECT_LE(testing::lines_of(read("tests/package/" + name)).size(), 40u) << name;
+    EXPECT_LE(testing::lines_of(text_of_file("tests/package/" + name)).size(), 40u) << name;
   }
 }
 
 /// What is to be replaced, "@SUMMARY@".
 TEST(Readme, HasNoPlaceholders) {
   static const std::regex pattern(R"(@[A-Z]+@)");
-  EXPECT_FALSE(std::regex_search(read("README.md"), pattern));
+  EXPECT_FALSE(std::regex_search(text_of_file("README.md"), pattern));
 }
 
 TEST(Readme, NamesModelsAndScriptsThatExist) {
   static const std::regex pattern(R"((models|tools)/\w+(\.\w+)+)");
-  const std::string text =
-      read("README.md") + read("libsurfmesh/REFERENCE.md") + read("libsurfmesh/LIBRARY.md");
+  const std::string text = text_of_file("README.md") + text_of_file("libsurfmesh/REFERENCE.md") +
+                           text_of_file("libsurfmesh/LIBRARY.md");
   for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
     EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(SURFMESH_SOURCE_DIR) / match->str()))
         << match->str();
@@ -106,10 +104,10 @@ TEST(Readme, NamesModelsAndScriptsThatExist) {
 /// A row of the table of properties begins with the name of the key in the code.
 TEST(LibraryReadme, ListsEveryProperty) {
   static const std::regex pattern(R"re(PropertyKey<.*> (\w+)\{"surf:)re");
-  const std::string text = read("libsurfmesh/README.md");
+  const std::string text = text_of_file("libsurfmesh/README.md");
   std::size_t count = 0;
   for (const std::string& line :
-       testing::lines_of(read("libsurfmesh/surfmesh/core/properties.hh"))) {
+       testing::lines_of(text_of_file("libsurfmesh/surfmesh/core/properties.hh"))) {
     std::smatch match;
     if (!std::regex_search(line, match, pattern)) continue;
     ++count;
@@ -119,7 +117,7 @@ TEST(LibraryReadme, ListsEveryProperty) {
 }
 
 TEST(LibraryReadme, ListsEveryFolder) {
-  const std::string text = read("libsurfmesh/README.md");
+  const std::string text = text_of_file("libsurfmesh/README.md");
   std::set<std::string> folders;
   for (const auto& file : testing::library_sources()) folders.insert(file.folder);
   folders.erase("");
@@ -141,7 +139,7 @@ TEST(LibraryDocuments, NameFilesThatExist) {
   static const std::regex pattern(R"(`([\w/]+/\w+\.(?:hh|cc|sh|json|txt))`)");
   const std::filesystem::path root(SURFMESH_SOURCE_DIR);
   for (const char* document : {"libsurfmesh/README.md", "libsurfmesh/DECISIONS.md"}) {
-    const auto files = matches(read(document), pattern);
+    const auto files = matches(text_of_file(document), pattern);
     EXPECT_GT(files.size(), 5u);
     for (const std::string& file : files) {
       EXPECT_TRUE(std::filesystem::exists(root / file) ||
@@ -167,7 +165,7 @@ std::set<std::string> test_names() {
 TEST(Decisions, NameTestsThatExist) {
   static const std::regex pattern(R"(`([A-Z]\w+\.[A-Z]\w+)`)");
   const auto existing = test_names();
-  const auto named = matches(read("libsurfmesh/DECISIONS.md"), pattern);
+  const auto named = matches(text_of_file("libsurfmesh/DECISIONS.md"), pattern);
   EXPECT_GT(named.size(), 10u);
   for (const std::string& name : named) EXPECT_EQ(existing.count(name), 1u) << name;
 }
@@ -175,7 +173,7 @@ TEST(Decisions, NameTestsThatExist) {
 /// Each source of the list as "Surname", with its year.
 std::vector<std::pair<std::string, std::string>> listed_sources() {
   static const std::regex pattern(R"(\n- ([\w-]+),[^:]*\((\d{4})\):)");
-  const std::string text = read("libsurfmesh/README.md");
+  const std::string text = text_of_file("libsurfmesh/README.md");
   std::vector<std::pair<std::string, std::string>> sources;
   for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
     sources.emplace_back((*match)[1], (*match)[2]);

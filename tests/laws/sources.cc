@@ -106,6 +106,11 @@ std::vector<SourceFile> sources_in(const std::filesystem::path& root,
 
 }  // namespace
 
+std::string text_of_file(const std::string& path) {
+  std::ifstream stream(kProject / path);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
 std::vector<std::string> lines_of(std::string_view text) {
   std::istringstream stream{std::string(text)};
   std::vector<std::string> lines;

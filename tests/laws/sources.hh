@@ -25,6 +25,9 @@ std::vector<SourceFile> library_sources_with_parts();
 /// All .hh and .cc files of the project, from its root on, in the order of their paths.
 std::vector<SourceFile> project_sources();
 
+/// The text of a file, whose path is from the root of the project on.
+std::string text_of_file(const std::string& path);
+
 /// Text split into lines, and the same without comments; strings and characters are kept.
 std::vector<std::string> lines_of(std::string_view text);
 std::string without_comments(std::string_view text);

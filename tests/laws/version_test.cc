@@ -8,13 +8,12 @@
 #include <iterator>
 #include <string>
 
+#include "laws/sources.hh"
+
 namespace surfmesh {
 namespace {
 
-std::string read(const std::string& path) {
-  std::ifstream stream(std::filesystem::path(SURFMESH_SOURCE_DIR) / path);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
+using testing::text_of_file;
 
 /// What stands between the first two of these in a text; nothing if they are not there.
 std::string between(const std::string& text, const std::string& before, const std::string& after) {
@@ -25,20 +24,22 @@ std::string between(const std::string& text, const std::string& before, const st
 }
 
 TEST(Version, IsThatOfThePythonModuleAndOfThePages) {
-  EXPECT_EQ(between(read("tools/python/pyproject.toml"), "\nversion = \"", "\""), SURFMESH_VERSION);
+  EXPECT_EQ(between(text_of_file("tools/python/pyproject.toml"), "\nversion = \"", "\""),
+            SURFMESH_VERSION);
   for (const char* file : {"package.json", "package-lock.json"}) {
-    EXPECT_EQ(between(read(std::string("tools/view/page/") + file), "\"version\": \"", "\""),
-              SURFMESH_VERSION);
+    EXPECT_EQ(
+        between(text_of_file(std::string("tools/view/page/") + file), "\"version\": \"", "\""),
+        SURFMESH_VERSION);
   }
 }
 
 /// The newest section comes first.
 TEST(Version, IsThatOfTheNewestSectionOfTheChangelog) {
-  EXPECT_EQ(between(read("CHANGELOG.md"), "\n## ", " ("), SURFMESH_VERSION);
+  EXPECT_EQ(between(text_of_file("CHANGELOG.md"), "\n## ", " ("), SURFMESH_VERSION);
 }
 
 TEST(Version, IsThatOfThePackagesInTheReadme) {
-  const std::string readme = read("README.md");
+  const std::string readme = text_of_file("README.md");
   EXPECT_EQ(between(readme, "./surfmesh_", "_"), SURFMESH_VERSION);
   EXPECT_EQ(between(readme, "-xzf surfmesh-", "-"), SURFMESH_VERSION);
 }
@@ -47,7 +48,7 @@ TEST(Version, IsAskedForWhereTheLibraryIsFound) {
   const std::string wanted =
       std::to_string(SURFMESH_VERSION_MAJOR) + "." + std::to_string(SURFMESH_VERSION_MINOR);
   for (const char* file : {"libsurfmesh/LIBRARY.md", "tests/package/CMakeLists.txt"}) {
-    EXPECT_EQ(between(read(file), "find_package(surfmesh ", " "), wanted) << file;
+    EXPECT_EQ(between(text_of_file(file), "find_package(surfmesh ", " "), wanted) << file;
   }
 }
 

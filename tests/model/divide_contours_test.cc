@@ -18,9 +18,8 @@ namespace surfmesh {
 namespace {
 
 using std::numbers::pi;
+using testing::kSides;
 using testing::rectangle;
-
-const std::vector<std::string> kSides = {"p:v0", "p:u1", "-p:v1", "-p:u0"};
 
 /// The outline of a square with sides of length 1, each over a quarter of t.
 Uv outline(double t) {

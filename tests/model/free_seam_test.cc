@@ -35,10 +35,10 @@ ContourInput bore(const std::string& name, double towards) {
           })};
 }
 
-const std::vector<std::string> kSides = {"wall:v0", "wall:u1", "-wall:v1", "-wall:u0"};
+const std::vector<std::string> kWallSides = {"wall:v0", "wall:u1", "-wall:v1", "-wall:u0"};
 
 Model bored(double seam, const std::vector<ContourInput>& contours) {
-  std::vector<std::vector<std::string>> loops = {kSides};
+  std::vector<std::vector<std::string>> loops = {kWallSides};
   for (const ContourInput& contour : contours) loops.push_back({"-" + contour.name});
   return model_from_patches({{"wall", pipe(seam), loops}}, contours);
 }

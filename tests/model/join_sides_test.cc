@@ -11,6 +11,7 @@
 
 #include "support/analytic.hh"
 #include "support/errors.hh"
+#include "support/models.hh"
 #include "support/notices.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/geometry/callable_surface.hh"
@@ -20,28 +21,28 @@ namespace surfmesh {
 namespace {
 
 using std::numbers::pi;
-using namespace test;
+using testing::count_shared;
 
 using Shape = std::shared_ptr<const Surface>;
 
 Shape plane(Vec3 origin, Vec3 a, Vec3 b, Domain domain = {}) {
-  return std::make_shared<PlanePatch>(origin, a, b, domain);
+  return std::make_shared<test::PlanePatch>(origin, a, b, domain);
 }
 
-/// The rectangle from (x0, y0) to (x1, y1) in the plane z = 0.
-Shape rectangle(double x0, double y0, double x1, double y1) {
+/// The unit square, scaled to the rectangle from (x0, y0) to (x1, y1) in the plane z = 0.
+Shape scaled_square(double x0, double y0, double x1, double y1) {
   return plane({x0, y0, 0}, {x1 - x0, 0, 0}, {0, y1 - y0, 0});
 }
 
 Shape cylinder(double u0, double u1, double v0 = 0, double v1 = 1) {
-  return std::make_shared<Cylinder>(1, Domain{u0, u1, v0, v1});
+  return std::make_shared<test::Cylinder>(1, Domain{u0, u1, v0, v1});
 }
 
 Shape sphere(double u0, double u1) {
-  return std::make_shared<Sphere>(1, Domain{u0, u1, -pi / 2, pi / 2});
+  return std::make_shared<test::Sphere>(1, Domain{u0, u1, -pi / 2, pi / 2});
 }
 
-Shape torus(Domain domain) { return std::make_shared<Torus>(2, 0.5, domain); }
+Shape torus(Domain domain) { return std::make_shared<test::Torus>(2, 0.5, domain); }
 
 std::vector<PatchInput> named(const std::vector<Shape>& shapes) {
   std::vector<PatchInput> result;
@@ -55,11 +56,6 @@ int count_uses(const Model& model) {
   int count = 0;
   for (const Contour& contour : model.contours) count += static_cast<int>(contour.uses.size());
   return count;
-}
-
-int count_shared(const Model& model) {
-  return static_cast<int>(std::count_if(model.contours.begin(), model.contours.end(),
-                                        [](const Contour& c) { return c.uses.size() > 1; }));
 }
 
 int count_degenerate(const Model& model) {
@@ -144,7 +140,7 @@ const ContourUse& use_of(const Model& model, std::string_view side) {
 }
 
 /// The text of the error that joining gives.
-Error error_of(const std::vector<PatchInput>& patches) {
+Error joining_error(const std::vector<PatchInput>& patches) {
   try {
     model_from_patches(patches);
   } catch (const Error& error) {
@@ -154,7 +150,7 @@ Error error_of(const std::vector<PatchInput>& patches) {
 }
 
 TEST(JoinSides, LeavesOnePlaneAlone) {
-  const Model model = join({{"wave", rectangle(0, 0, 3, 4)}});
+  const Model model = join({{"wave", scaled_square(0, 0, 3, 4)}});
   expect_counts(model, 4, 4, 4);
   EXPECT_DOUBLE_EQ(model.diagonal, 5);
   EXPECT_EQ(model.contours[0].name, "wave:v0");
@@ -164,7 +160,7 @@ TEST(JoinSides, LeavesOnePlaneAlone) {
 }
 
 TEST(JoinSides, HasThePatchOnTheLeftOfForwardUses) {
-  const Model model = join({{"wave", rectangle(0, 0, 1, 1)}});
+  const Model model = join({{"wave", scaled_square(0, 0, 1, 1)}});
   EXPECT_TRUE(use_of(model, "wave:v0").is_forward);
   EXPECT_TRUE(use_of(model, "wave:u1").is_forward);
   EXPECT_FALSE(use_of(model, "wave:v1").is_forward);
@@ -172,7 +168,7 @@ TEST(JoinSides, HasThePatchOnTheLeftOfForwardUses) {
 }
 
 TEST(JoinSides, JoinsTwoPlanesOfEqualDirection) {
-  const Model model = join({rectangle(0, 0, 1, 1), rectangle(1, 0, 2, 1)});
+  const Model model = join({scaled_square(0, 0, 1, 1), scaled_square(1, 0, 2, 1)});
   expect_counts(model, 6, 7, 8);
   const Contour& shared = contour_of(model, "p0:u1");
   EXPECT_EQ(&shared, &contour_of(model, "p1:u0"));
@@ -183,7 +179,7 @@ TEST(JoinSides, JoinsTwoPlanesOfEqualDirection) {
 }
 
 TEST(JoinSides, JoinsTwoPlanesOfOppositeDirection) {
-  const Model model = join({rectangle(0, 0, 1, 1), plane({2, 1, 0}, {-1, 0, 0}, {0, -1, 0})});
+  const Model model = join({scaled_square(0, 0, 1, 1), plane({2, 1, 0}, {-1, 0, 0}, {0, -1, 0})});
   expect_counts(model, 6, 7, 8);
   const Contour& shared = contour_of(model, "p1:u1");
   ASSERT_EQ(shared.uses.size(), 2U);
@@ -193,14 +189,14 @@ TEST(JoinSides, JoinsTwoPlanesOfOppositeDirection) {
 }
 
 TEST(JoinSides, JoinsPlanesThatMeetInUAndV) {
-  const Model model = join({rectangle(0, 0, 1, 1), plane({1, 1, 0}, {0, -1, 0}, {1, 0, 0})});
+  const Model model = join({scaled_square(0, 0, 1, 1), plane({1, 1, 0}, {0, -1, 0}, {1, 0, 0})});
   expect_counts(model, 6, 7, 8);
   EXPECT_EQ(&contour_of(model, "p0:u1"), &contour_of(model, "p1:v0"));
 }
 
 TEST(JoinSides, JoinsSidesOfDifferentSpeed) {
-  const auto fast = std::make_shared<Reparametrised>(rectangle(0, 1, 1, 2));
-  const Model model = join({rectangle(0, 0, 1, 1), fast});
+  const auto fast = std::make_shared<test::Reparametrised>(scaled_square(0, 1, 1, 2));
+  const Model model = join({scaled_square(0, 0, 1, 1), fast});
   expect_counts(model, 6, 7, 8);
   const Contour& shared = contour_of(model, "p0:v1");
   ASSERT_EQ(shared.uses.size(), 2U);
@@ -210,7 +206,7 @@ TEST(JoinSides, JoinsSidesOfDifferentSpeed) {
 
 TEST(JoinSides, DividesALongSideAtItsNeighbours) {
   const Model model =
-      join({rectangle(0, 0, 2, 1), rectangle(0, 1, 0.7, 2), rectangle(0.7, 1, 2, 2)});
+      join({scaled_square(0, 0, 2, 1), scaled_square(0, 1, 0.7, 2), scaled_square(0.7, 1, 2, 2)});
   expect_counts(model, 8, 10, 13);
   const std::vector<LoopEntry> parts = side_uses(model, "p0:v1");
   ASSERT_EQ(parts.size(), 2U);
@@ -220,14 +216,14 @@ TEST(JoinSides, DividesALongSideAtItsNeighbours) {
 }
 
 TEST(JoinSides, DividesALongSideOfDifferentSpeed) {
-  const auto fast = std::make_shared<Reparametrised>(rectangle(0, 0, 2, 1));
-  const Model model = join({fast, rectangle(0, 1, 0.7, 2), rectangle(2, 1, 0.7, 2)});
+  const auto fast = std::make_shared<test::Reparametrised>(scaled_square(0, 0, 2, 1));
+  const Model model = join({fast, scaled_square(0, 1, 0.7, 2), scaled_square(2, 1, 0.7, 2)});
   expect_counts(model, 8, 10, 13);
   EXPECT_FALSE(use_of(model, "p1:v0").is_same_speed);
 }
 
 TEST(JoinSides, JoinsThePartWhereSidesOverlap) {
-  const Model model = join({rectangle(0, 0, 2, 1), rectangle(1, 1, 3, 2)});
+  const Model model = join({scaled_square(0, 0, 2, 1), scaled_square(1, 1, 3, 2)});
   expect_counts(model, 8, 9, 10);
   EXPECT_EQ(count_shared(model), 1);
   EXPECT_EQ(contour_of(model, "p0:v1").name, "p0:v1#0");
@@ -235,14 +231,14 @@ TEST(JoinSides, JoinsThePartWhereSidesOverlap) {
 }
 
 TEST(JoinSides, SharesOneSideBetweenThreePatches) {
-  const Model model =
-      join({rectangle(0, 0, 1, 1), rectangle(0, 0, 1, -1), plane({0, 0, 0}, {1, 0, 0}, {0, 0, 1})});
+  const Model model = join({scaled_square(0, 0, 1, 1), scaled_square(0, 0, 1, -1),
+                            plane({0, 0, 0}, {1, 0, 0}, {0, 0, 1})});
   expect_counts(model, 8, 10, 12);
   EXPECT_EQ(contour_of(model, "p0:v0").uses.size(), 3U);
 }
 
 TEST(JoinSides, KeepsSidesApartThatShareTheirEndsOnly) {
-  const auto bulged = std::make_shared<Cylinder>(1, Domain{0, pi, 0, 1});
+  const auto bulged = std::make_shared<test::Cylinder>(1, Domain{0, pi, 0, 1});
   const Model model = join({bulged, plane({-1, 0, 0}, {2, 0, 0}, {0, 0, 1})});
   expect_counts(model, 4, 6, 8);
 }
@@ -272,8 +268,9 @@ TEST(JoinSides, JoinsClosedCirclesThatStartElsewhere) {
 
 /// A cone and a cylinder on its rim, which runs the other way when mirrored.
 TEST(JoinSides, JoinsClosedCirclesInEitherDirection) {
-  const auto cone = std::make_shared<Cone>(1, Domain{0, 2 * pi, 0, 1});
-  const auto mirrored = std::make_shared<Placed>(cylinder(-pi, pi, -2, -1), -1, Vec3(0, 0, 0));
+  const auto cone = std::make_shared<test::Cone>(1, Domain{0, 2 * pi, 0, 1});
+  const auto mirrored =
+      std::make_shared<test::Placed>(cylinder(-pi, pi, -2, -1), -1, Vec3(0, 0, 0));
   for (const Shape& other : {cylinder(0, 2 * pi, 1, 2), Shape(mirrored)}) {
     const Model model = join({cone, other});
     expect_counts(model, 3, 5, 8);
@@ -283,8 +280,9 @@ TEST(JoinSides, JoinsClosedCirclesInEitherDirection) {
 }
 
 TEST(JoinSides, JoinsClosedCirclesOfDifferentSpeedAndDirection) {
-  const auto fast = std::make_shared<Reparametrised>(cylinder(0, 2 * pi));
-  const auto upside_down = std::make_shared<Placed>(cylinder(pi, 3 * pi, 0, 1), -1, Vec3(0, 0, 0));
+  const auto fast = std::make_shared<test::Reparametrised>(cylinder(0, 2 * pi));
+  const auto upside_down =
+      std::make_shared<test::Placed>(cylinder(pi, 3 * pi, 0, 1), -1, Vec3(0, 0, 0));
   const Model model = join({fast, upside_down});
   expect_counts(model, 3, 5, 8);
   const Contour& shared = contour_of(model, "p1:v0");
@@ -334,14 +332,14 @@ TEST(JoinSides, ClosesASphereOfTwoHalves) {
 }
 
 TEST(JoinSides, ClosesAConeAtItsApex) {
-  const Model model = join({std::make_shared<Cone>(1, Domain{0, 2 * pi, 0, 1})});
+  const Model model = join({std::make_shared<test::Cone>(1, Domain{0, 2 * pi, 0, 1})});
   expect_counts(model, 2, 3, 4);
   EXPECT_EQ(count_degenerate(model), 1);
   EXPECT_EQ(euler(model), 1);
 }
 
 TEST(JoinSides, UsesTheSeamOfAMobiusBandTwiceInOneSense) {
-  const Model model = join({std::make_shared<MobiusBand>(2, Domain{0, 2 * pi, -0.5, 0.5})});
+  const Model model = join({std::make_shared<test::MobiusBand>(2, Domain{0, 2 * pi, -0.5, 0.5})});
   expect_counts(model, 2, 3, 4);
   const Contour& seam = contour_of(model, "p0:u0");
   ASSERT_EQ(seam.uses.size(), 2U);
@@ -351,7 +349,7 @@ TEST(JoinSides, UsesTheSeamOfAMobiusBandTwiceInOneSense) {
 }
 
 TEST(JoinSides, TellsNearMissesAndTheirGap) {
-  const Model model = join({rectangle(0, 0, 1, 1), rectangle(1 + 1e-6, 0, 2, 1)});
+  const Model model = join({scaled_square(0, 0, 1, 1), scaled_square(1 + 1e-6, 0, 2, 1)});
   EXPECT_EQ(model.vertices.size(), 8U);
   EXPECT_EQ(count_shared(model), 0);
   ASSERT_EQ(model.notices.size(), 1U);
@@ -362,8 +360,8 @@ TEST(JoinSides, TellsNearMissesAndTheirGap) {
   EXPECT_EQ(model.contour(notice.contour).name, "p0:u1");
 }
 
-/// The joining that a notice advises.
-double advised_joining(const Notice& notice) {
+/// The joining that a notice has to advise.
+double required_advice(const Notice& notice) {
   const std::string words = "joining = ";
   const std::size_t at = notice.text.find(words);
   EXPECT_NE(at, std::string::npos) << notice.text;
@@ -372,11 +370,11 @@ double advised_joining(const Notice& notice) {
 
 TEST(JoinSides, AdvisesAJoiningThatJoins) {
   for (const double gap : {1e-8, 3.7e-7, 9.9e-6, 7.6e-5}) {
-    const std::vector<PatchInput> patches = {{"a", rectangle(0, 0, 1, 1)},
-                                             {"b", rectangle(1 + gap, 0, 2, 1)}};
+    const std::vector<PatchInput> patches = {{"a", scaled_square(0, 0, 1, 1)},
+                                             {"b", scaled_square(1 + gap, 0, 2, 1)}};
     const Model apart = model_from_patches(patches);
     ASSERT_EQ(apart.notices.size(), 1u) << gap;
-    const double joining = advised_joining(apart.notices[0]);
+    const double joining = required_advice(apart.notices[0]);
     EXPECT_LT(joining, 3 * gap);
     const Model joined = model_from_patches(patches, {}, {Length::units(joining)});
     EXPECT_EQ(count_shared(joined), 1) << gap;
@@ -386,18 +384,16 @@ TEST(JoinSides, AdvisesAJoiningThatJoins) {
 }
 
 TEST(JoinSides, DoesNotTellOfTheSidesOfANarrowPatch) {
-  EXPECT_TRUE(join({rectangle(0, 0, 1, 3e-5)}).notices.empty());
+  EXPECT_TRUE(join({scaled_square(0, 0, 1, 3e-5)}).notices.empty());
 }
 
 TEST(JoinSides, RefusesAJoiningThatWouldMakePointsOfSides) {
-  const std::vector<PatchInput> patches = {{"a", rectangle(0, 0, 1, 1)}};
-  EXPECT_NE(surfmesh::error_of([&] {
+  const std::vector<PatchInput> patches = {{"a", scaled_square(0, 0, 1, 1)}};
+  EXPECT_NE(error_of([&] {
               model_from_patches(patches, {}, {Length::share(0.02)});
             }).find("must not be above 1 % of the diagonal"),
             std::string::npos);
-  EXPECT_NE(surfmesh::error_of([&] {
-              model_from_patches(patches, {}, {Length::units(0)});
-            }).find("joining"),
+  EXPECT_NE(error_of([&] { model_from_patches(patches, {}, {Length::units(0)}); }).find("joining"),
             std::string::npos);
 }
 
@@ -408,35 +404,38 @@ TEST(JoinSides, TellsASeamThatDoesNotClose) {
 }
 
 TEST(JoinSides, TellsAThirdPatchBesideAJoin) {
-  const Model model = join(
-      {rectangle(0, 0, 1, 1), rectangle(0, 0, 1, -1), plane({0, 0, 1e-6}, {1, 0, 0}, {0, 0, 1})});
+  const Model model = join({scaled_square(0, 0, 1, 1), scaled_square(0, 0, 1, -1),
+                            plane({0, 0, 1e-6}, {1, 0, 0}, {0, 0, 1})});
   EXPECT_EQ(count_shared(model), 1);
   EXPECT_EQ(texts_of(model.notices).size(), 1U);
 }
 
 TEST(JoinSides, TellsNearMissesOverAPart) {
-  const Model model = join({rectangle(0, 0, 2, 1), rectangle(1, 1 + 1e-6, 3, 2)});
+  const Model model = join({scaled_square(0, 0, 2, 1), scaled_square(1, 1 + 1e-6, 3, 2)});
   EXPECT_EQ(texts_of(model.notices).size(), 1U);
 }
 
 TEST(JoinSides, CountsNearMissesInsteadOfListingThousands) {
   std::vector<Shape> shapes;
-  for (int i = 0; i < 30; ++i) shapes.push_back(rectangle(i + 1e-5 * (i % 2), 0, i + 0.9999, 1));
+  for (int i = 0; i < 30; ++i)
+    shapes.push_back(scaled_square(i + 1e-5 * (i % 2), 0, i + 0.9999, 1));
   const Model model = join(shapes);
   ASSERT_EQ(model.notices.size(), 20U);
   EXPECT_EQ(model.notices.back().count, 10U);
 }
 
 TEST(JoinSides, DoesNotTellOfThinOrFarSides) {
-  EXPECT_TRUE(texts_of(join({rectangle(0, 0, 1, 1), rectangle(1.001, 0, 2, 1)}).notices).empty());
   EXPECT_TRUE(
-      texts_of(join({rectangle(0, 0, 1, 1), rectangle(1, 0, 1 + 5e-5, 5e-5)}).notices).empty());
+      texts_of(join({scaled_square(0, 0, 1, 1), scaled_square(1.001, 0, 2, 1)}).notices).empty());
+  EXPECT_TRUE(
+      texts_of(join({scaled_square(0, 0, 1, 1), scaled_square(1, 0, 1 + 5e-5, 5e-5)}).notices)
+          .empty());
 }
 
 TEST(JoinSides, WorksAtEveryScale) {
   for (const double scale : {1e-3, 1.0, 1e6}) {
     const auto placed = [&](const Shape& shape, Vec3 offset) {
-      return std::make_shared<Placed>(shape, scale, scale * offset);
+      return std::make_shared<test::Placed>(shape, scale, scale * offset);
     };
     for (const Vec3& offset : {Vec3(0, 0, 0), Vec3(1e5, -3e5, 7e4), Vec3(1e9, 1e9, 1e9)}) {
       const Model model = join({placed(cylinder(0, 2 * pi, 0, 1), offset),
@@ -451,12 +450,12 @@ TEST(JoinSides, WorksAtEveryScale) {
 TEST(JoinSides, DoesNotDependOnTheScaleOfParameters) {
   const Domain uneven{1e6, 2e6, 0, 1e-3};
   const Shape left = plane({-2, 0, 0}, {1e-6, 0, 0}, {0, 1e3, 0}, uneven);
-  const Model model = join({left, rectangle(0, 0, 1, 0.3), rectangle(1, 1, 0, 0.3)});
+  const Model model = join({left, scaled_square(0, 0, 1, 0.3), scaled_square(1, 1, 0, 0.3)});
   expect_counts(model, 8, 10, 13);
 }
 
 TEST(JoinSides, JoinsALongAndNarrowStrip) {
-  const Model model = join({rectangle(0, 0, 1e6, 0.1), rectangle(0, 0.1, 1e6, 1)});
+  const Model model = join({scaled_square(0, 0, 1e6, 0.1), scaled_square(0, 0.1, 1e6, 1)});
   EXPECT_EQ(model.vertices.size(), 6U);
   EXPECT_EQ(count_shared(model), 1);
 }
@@ -469,7 +468,7 @@ TEST(JoinSides, JoinsAGridOfFourHundredPatches) {
     const double y = i / n * 0.1;
     const double x1 = (i % n + 1) * 0.1;
     const double y1 = (i / n + 1) * 0.1;
-    shapes.push_back(i % 3 == 0 ? rectangle(x1, y, x, y1) : rectangle(x, y1, x1, y));
+    shapes.push_back(i % 3 == 0 ? scaled_square(x1, y, x, y1) : scaled_square(x, y1, x1, y));
   }
   const Model model = join(shapes);
   expect_counts(model, (n + 1) * (n + 1), 2 * n * (n + 1), 4 * n * n);
@@ -488,7 +487,7 @@ TEST(JoinSides, SlicesASphereIntoManyPatches) {
 }
 
 /// A plate whose waves end at every sample of an even spacing is not taken for a flat one.
-class WavyPlate : public AnalyticSurface {
+class WavyPlate : public test::AnalyticSurface {
  public:
   WavyPlate() : AnalyticSurface({}) {}
 
@@ -507,7 +506,7 @@ class WavyPlate : public AnalyticSurface {
 };
 
 /// A rectangle that stays at (0, 0) for the first half of its sides v0 and v1.
-class LateStart : public AnalyticSurface {
+class LateStart : public test::AnalyticSurface {
  public:
   LateStart() : AnalyticSurface({}) {}
 
@@ -521,19 +520,19 @@ class LateStart : public AnalyticSurface {
 };
 
 TEST(JoinSides, DoesNotDivideASideThatWaitsAtItsStart) {
-  const Model model = join({std::make_shared<LateStart>(), rectangle(0, 0, 1, -1)});
+  const Model model = join({std::make_shared<LateStart>(), scaled_square(0, 0, 1, -1)});
   expect_counts(model, 5, 7, 8);
   EXPECT_FALSE(contour_of(model, "p0:v0").uses[1].is_same_speed);
 }
 
 TEST(JoinSides, IsNotMisledByWaves) {
-  const Model model = join({std::make_shared<WavyPlate>(), rectangle(0, 0, 1, -1)});
+  const Model model = join({std::make_shared<WavyPlate>(), scaled_square(0, 0, 1, -1)});
   EXPECT_EQ(count_shared(model), 0);
 }
 
 TEST(JoinSides, GivesTheSameModelTwice) {
   const std::vector<Shape> shapes{torus({0, pi, 0, pi}), torus({pi, 2 * pi, 0, pi}),
-                                  torus({0, pi, pi, 2 * pi}), rectangle(1.5, 0, 2.5, 1)};
+                                  torus({0, pi, pi, 2 * pi}), scaled_square(1.5, 0, 2.5, 1)};
   const Model a = join(shapes);
   const Model b = join(shapes);
   ASSERT_EQ(a.contours.size(), b.contours.size());
@@ -554,19 +553,21 @@ TEST(JoinSides, GivesTheSameModelTwice) {
 }
 
 TEST(JoinSides, RefusesPatchesWithoutArea) {
-  const Shape good = rectangle(0, 0, 1, 1);
-  const Error line = error_of({{"good", good}, {"flat", plane({0, 0, 0}, {1, 0, 0}, {2, 0, 0})}});
+  const Shape good = scaled_square(0, 0, 1, 1);
+  const Error line =
+      joining_error({{"good", good}, {"flat", plane({0, 0, 0}, {1, 0, 0}, {2, 0, 0})}});
   EXPECT_EQ(line.code(), ErrorCode::Geometry);
   EXPECT_STREQ(line.what(), "patch flat: its surface is a line, without area");
-  const Error point = error_of({{"good", good}, {"dot", plane({5, 0, 0}, {0, 0, 0}, {0, 0, 0})}});
+  const Error point =
+      joining_error({{"good", good}, {"dot", plane({5, 0, 0}, {0, 0, 0}, {0, 0, 0})}});
   EXPECT_EQ(point.code(), ErrorCode::Geometry);
   EXPECT_STREQ(point.what(), "patch dot: its surface is a point, without area");
-  EXPECT_EQ(error_of({{"dot", plane({5, 0, 0}, {0, 0, 0}, {0, 0, 0})}}).code(),
+  EXPECT_EQ(joining_error({{"dot", plane({5, 0, 0}, {0, 0, 0}, {0, 0, 0})}}).code(),
             ErrorCode::Geometry);
 }
 
 TEST(JoinSides, RefusesPatchesTooLargeToMeasure) {
-  const Error error = error_of({{"wide", plane({0, 0, 0}, {1e200, 0, 0}, {0, 1, 0})}});
+  const Error error = joining_error({{"wide", plane({0, 0, 0}, {1e200, 0, 0}, {0, 1, 0})}});
   EXPECT_EQ(error.code(), ErrorCode::Geometry);
   EXPECT_STREQ(error.what(),
                "patch wide: its surface is too large: the diagonal of its box is inf");
@@ -579,7 +580,7 @@ Shape wave(double amplitude, double frequency) {
 }
 
 TEST(JoinSides, RefusesWavesThatNoSampleResolves) {
-  const Error error = error_of({{"wave", wave(1, 1e9)}});
+  const Error error = joining_error({{"wave", wave(1, 1e9)}});
   EXPECT_EQ(error.code(), ErrorCode::Geometry);
   EXPECT_TRUE(
       std::string(error.what())
@@ -591,14 +592,14 @@ TEST(JoinSides, RefusesWavesThatNoSampleResolves) {
 }
 
 TEST(JoinSides, RefusesInvalidInput) {
-  const Shape good = rectangle(0, 0, 1, 1);
+  const Shape good = scaled_square(0, 0, 1, 1);
   const Shape triangle =
       plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0, 1, Domain::Shape::Triangle});
   const Shape empty = plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 2, 2});
   const std::vector<std::vector<PatchInput>> inputs{
       {}, {{"a", good}, {"a", good}}, {{"b", nullptr}}, {{"c", triangle}}, {{"d", empty}}};
   for (const auto& input : inputs) {
-    const Error error = error_of(input);
+    const Error error = joining_error(input);
     EXPECT_EQ(error.code(), ErrorCode::InvalidInput);
     if (!input.empty()) {
       EXPECT_NE(std::string(error.what()).find("patch " + input.back().name), std::string::npos);
@@ -620,7 +621,8 @@ TEST(SampleParameters, RiseUnevenlyFromZeroToOne) {
 }
 
 TEST(SideUses, FollowsTheGrowingParameter) {
-  const Model model = join({rectangle(0, 0, 3, 1), rectangle(2, 1, 3, 2), rectangle(0, 1, 1, 2)});
+  const Model model =
+      join({scaled_square(0, 0, 3, 1), scaled_square(2, 1, 3, 2), scaled_square(0, 1, 1, 2)});
   const std::vector<LoopEntry> uses = side_uses(model, "p0:v1");
   ASSERT_EQ(uses.size(), 3U);
   EXPECT_EQ(uses[0].contour, side_uses(model, "p2:v0").front().contour);
@@ -629,7 +631,7 @@ TEST(SideUses, FollowsTheGrowingParameter) {
 }
 
 TEST(SideUses, RefusesUnknownSides) {
-  const Model model = join({rectangle(0, 0, 3, 1)});
+  const Model model = join({scaled_square(0, 0, 3, 1)});
   for (const char* name : {"p0:w0", "p1:u0", "p0", "", ":u0"}) {
     EXPECT_THROW(side_uses(model, name), Error) << name;
   }

@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-LoopCurves circle(double u, double v, double radius, double start = 0) {
+LoopCurves circle_loop(double u, double v, double radius, double start = 0) {
   const auto curve = std::make_shared<CallableCurve>([=](double t) {
     const double angle = start + 2 * pi * t;
     return Uv{u + radius * std::cos(angle), v + radius * std::sin(angle)};
@@ -23,15 +23,15 @@ LoopCurves circle(double u, double v, double radius, double start = 0) {
 }
 
 TEST(LoopArea, HasTheSignOfTheDirection) {
-  LoopCurves loop = circle(3, 4, 2);
+  LoopCurves loop = circle_loop(3, 4, 2);
   EXPECT_NEAR(signed_area(loop), 8 * pi, 0.05);
   loop[0].is_along = false;
   EXPECT_NEAR(signed_area(loop), -8 * pi, 0.05);
 }
 
 TEST(LoopCrossing, IsFoundBetweenLoops) {
-  EXPECT_TRUE(crossing({circle(0, 0, 1), circle(1, 0, 1)}));
-  EXPECT_FALSE(crossing({circle(0, 0, 1), circle(2.5, 0, 1)}));
+  EXPECT_TRUE(crossing({circle_loop(0, 0, 1), circle_loop(1, 0, 1)}));
+  EXPECT_FALSE(crossing({circle_loop(0, 0, 1), circle_loop(2.5, 0, 1)}));
 }
 
 TEST(LoopCrossing, IsFoundInOneLoop) {
@@ -43,22 +43,22 @@ TEST(LoopCrossing, IsFoundInOneLoop) {
 
 TEST(LoopCrossing, IsNotSeenBetweenCirclesThatAreNear) {
   // The chords of 64 samples are off by 1e-3 of the radius.
-  EXPECT_FALSE(crossing({circle(0, 0, 1), circle(0, 0, 1 - 1e-5, 0.05)}));
+  EXPECT_FALSE(crossing({circle_loop(0, 0, 1), circle_loop(0, 0, 1 - 1e-5, 0.05)}));
 }
 
 TEST(LoopNearParts, AreFoundBetweenLoops) {
   for (const double gap : {1e-5, 1e-9, 0.0}) {
-    const auto found = near_parts({circle(0, 0, 1), circle(2 + gap, 0, 1, 0.3)}, 1e-4);
+    const auto found = near_parts({circle_loop(0, 0, 1), circle_loop(2 + gap, 0, 1, 0.3)}, 1e-4);
     ASSERT_EQ(found.size(), 1u) << gap;
     EXPECT_NEAR(found[0].at_a.u, 1, 1e-6);
     EXPECT_NEAR(found[0].at_b.u - found[0].at_a.u, gap, 1e-8);
     EXPECT_NEAR(found[0].at_a.v, 0, 1e-4);
   }
-  EXPECT_TRUE(near_parts({circle(0, 0, 1), circle(2.01, 0, 1, 0.3)}, 1e-4).empty());
+  EXPECT_TRUE(near_parts({circle_loop(0, 0, 1), circle_loop(2.01, 0, 1, 0.3)}, 1e-4).empty());
 }
 
 TEST(LoopNearParts, AreFoundAlongTheWholeLoop) {
-  EXPECT_EQ(near_parts({circle(0, 0, 1), circle(0, 0, 1 - 1e-5, 0.05)}, 1e-4).size(), 1u);
+  EXPECT_EQ(near_parts({circle_loop(0, 0, 1), circle_loop(0, 0, 1 - 1e-5, 0.05)}, 1e-4).size(), 1u);
 }
 
 TEST(LoopNearParts, AreFoundInOneLoop) {
@@ -92,7 +92,7 @@ TEST(LoopNearParts, AreNotFoundAlongAShortContour) {
     }
     return loop;
   };
-  const auto found = near_parts({circle(0, 0, 2), slit(1e-4)}, 1e-4);
+  const auto found = near_parts({circle_loop(0, 0, 2), slit(1e-4)}, 1e-4);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].a + " " + found[0].b, "side0 side2");
 }
@@ -118,21 +118,21 @@ TEST(LoopNearParts, DoNotDependOnTheScaleOfTheParameters) {
 }
 
 TEST(LoopOutside, IsToldWithItsPlace) {
-  EXPECT_FALSE(find_point_outside(circle(0, 0, 1), {-1, 1, -1, 1}));
-  const auto place = find_point_outside(circle(0.5, 0, 1), {-1, 1, -1, 1});
+  EXPECT_FALSE(find_point_outside(circle_loop(0, 0, 1), {-1, 1, -1, 1}));
+  const auto place = find_point_outside(circle_loop(0.5, 0, 1), {-1, 1, -1, 1});
   ASSERT_TRUE(place);
   EXPECT_EQ(*place, "contour circle at t = 0, (u,v) = (1.5, 0)");
 }
 
 TEST(LoopInside, KnowsItsPoints) {
-  const LoopCurves loop = circle(0, 0, 1);
+  const LoopCurves loop = circle_loop(0, 0, 1);
   const LoopRegion region(loop);
   EXPECT_TRUE(region.contains({0.5, -0.5}));
   EXPECT_FALSE(region.contains({0.8, 0.8}));
 }
 
 TEST(LoopInside, LetsNoRayThroughWhereALoopCloses) {
-  const LoopCurves loop = circle(0, 0, 1);
+  const LoopCurves loop = circle_loop(0, 0, 1);
   const LoopRegion region(loop);
   // The circle ends at v = -2.4e-16, not at 0 where it begins.
   for (const double v : {0.0, -1e-17, -1.1e-16, -2e-16, 1e-16}) {
@@ -144,7 +144,7 @@ TEST(LoopInside, LetsNoRayThroughWhereALoopCloses) {
 }
 
 TEST(LoopInside, KnowsPointsBetweenTheCurveAndItsChords) {
-  const LoopCurves loop = circle(0, 0, 1);
+  const LoopCurves loop = circle_loop(0, 0, 1);
   const LoopRegion region(loop);
   // The chords of 64 samples are off by 1e-3 of the radius.
   for (int i = 0; i < 100; ++i) {

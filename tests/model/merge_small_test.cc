@@ -70,14 +70,17 @@ TEST(MergeSmallParts, LeavesRowsThatAreLongerTogether) {
 TEST(MergeSmallParts, LeavesPoles) {
   HandMade made;
   const int patch = made.add_patch(testing::sphere());
-  const double pi = std::numbers::pi;
   const int south = made.add_vertex({0, 0, -1}), north = made.add_vertex({0, 0, 1});
   const int low = made.add_contour(south, south), side = made.add_contour(south, north);
   const int high = made.add_contour(north, north);
-  made.model.patch(patch).loops = {{made.add_use(low, patch, {0, -pi / 2}, {2 * pi, -pi / 2}),
-                                    made.add_use(side, patch, {2 * pi, -pi / 2}, {2 * pi, pi / 2}),
-                                    made.add_use(high, patch, {2 * pi, pi / 2}, {0, pi / 2}),
-                                    made.add_use(side, patch, {0, -pi / 2}, {0, pi / 2}, false)}};
+  made.model.patch(patch).loops = {
+      {made.add_use(low, patch, {0, -std::numbers::pi / 2},
+                    {2 * std::numbers::pi, -std::numbers::pi / 2}),
+       made.add_use(side, patch, {2 * std::numbers::pi, -std::numbers::pi / 2},
+                    {2 * std::numbers::pi, std::numbers::pi / 2}),
+       made.add_use(high, patch, {2 * std::numbers::pi, std::numbers::pi / 2},
+                    {0, std::numbers::pi / 2}),
+       made.add_use(side, patch, {0, -std::numbers::pi / 2}, {0, std::numbers::pi / 2}, false)}};
   finish(made.model);
   EXPECT_EQ(made.model.contours.size(), 3U);
   EXPECT_TRUE(made.model.contour(0).is_degenerate);

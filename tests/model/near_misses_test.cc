@@ -13,11 +13,14 @@
 #include <vector>
 
 #include "support/analytic.hh"
+#include "support/models.hh"
 #include "support/notices.hh"
 #include "surfmesh/geometry/callable_surface.hh"
 
 namespace surfmesh {
 namespace {
+
+using testing::count_shared;
 
 using Patches = std::vector<PatchInput>;
 
@@ -48,7 +51,7 @@ Patches moved_by(const Vec3& by) {
   });
 }
 
-PatchInput rectangle(const std::string& name, double x0, double y0, double x1, double y1) {
+PatchInput rectangle_patch(const std::string& name, double x0, double y0, double x1, double y1) {
   return {name, std::make_shared<test::PlanePatch>(Vec3(x0, y0, 0), Vec3(x1 - x0, 0, 0),
                                                    Vec3(0, y1 - y0, 0), Domain{})};
 }
@@ -58,11 +61,6 @@ Model model_of(const Patches& patches, double joining) {
 }
 
 Model model_of(const Patches& patches) { return model_from_patches(patches); }
-
-std::ptrdiff_t count_shared(const Model& model) {
-  return std::count_if(model.contours.begin(), model.contours.end(),
-                       [](const Contour& contour) { return contour.uses.size() > 1; });
-}
 
 double length_of(const Model& model, const Contour& contour) {
   constexpr int steps = 32;
@@ -189,7 +187,8 @@ TEST(Joining, TellsOfSidesThatAreShiftedAlongEachOther) {
 }
 
 TEST(Joining, NamesTheEndsThatAreNearlyOne) {
-  const Model model = model_of({rectangle("l", 0, 0, 1, 1), rectangle("r", 1, 1e-5, 2, 1)});
+  const Model model =
+      model_of({rectangle_patch("l", 0, 0, 1, 1), rectangle_patch("r", 1, 1e-5, 2, 1)});
   ASSERT_EQ(model.notices.size(), 1u);
   const Notice& notice = model.notices[0];
   EXPECT_EQ(notice.text,
@@ -202,8 +201,9 @@ TEST(Joining, NamesTheEndsThatAreNearlyOne) {
 
 // The end of b is the same vertex as that of a, which is too far to divide the side of l.
 TEST(Joining, SaysThatOnlyEndsAreApart) {
-  const Patches patches = {rectangle("l", 0, 0, 1, 2), rectangle("a", 1 + 1.2 * kGap, 0, 2, 1),
-                           rectangle("b", 1 + 0.4 * kGap, 1, 2, 2)};
+  const Patches patches = {rectangle_patch("l", 0, 0, 1, 2),
+                           rectangle_patch("a", 1 + 1.2 * kGap, 0, 2, 1),
+                           rectangle_patch("b", 1 + 0.4 * kGap, 1, 2, 2)};
   const Model model = model_of(patches, kGap);
   ASSERT_EQ(model.notices.size(), 2u);
   EXPECT_EQ(model.notices[1].text,
@@ -214,9 +214,9 @@ TEST(Joining, SaysThatOnlyEndsAreApart) {
 
 // Both sides of a short piece may be joined, and yet be short by mistake.
 TEST(Joining, TellsOfRowsOfPatchesThatAreShifted) {
-  const Patches patches = {rectangle("a", 0, 0, 1, 1), rectangle("b", 0, 1, 1, 2),
-                           rectangle("c", 1, kGap, 2, 1 + kGap),
-                           rectangle("d", 1, 1 + kGap, 2, 2 + kGap)};
+  const Patches patches = {rectangle_patch("a", 0, 0, 1, 1), rectangle_patch("b", 0, 1, 1, 2),
+                           rectangle_patch("c", 1, kGap, 2, 1 + kGap),
+                           rectangle_patch("d", 1, 1 + kGap, 2, 2 + kGap)};
   const Model model = model_of(patches);
   EXPECT_EQ(model.notices.size(), 3u);
   const Model joined = model_of(patches, greatest_advice(model));
@@ -227,15 +227,16 @@ TEST(Joining, TellsOfRowsOfPatchesThatAreShifted) {
 
 /// A gap that is told as sides along each other is not told at its ends again.
 TEST(Joining, TellsOfASlotOnce) {
-  const Model model = model_of({rectangle("l", 0, 0, 1, 1), rectangle("a", 1, 0, 2, 0.5),
-                                rectangle("b", 1, 0.5 + kGap, 2, 1)});
+  const Model model =
+      model_of({rectangle_patch("l", 0, 0, 1, 1), rectangle_patch("a", 1, 0, 2, 0.5),
+                rectangle_patch("b", 1, 0.5 + kGap, 2, 1)});
   EXPECT_EQ(texts_of(model.notices).size(), 1u);
 }
 
 TEST(Joining, LeavesPatchesThatAreNarrow) {
   for (const double width : {1e-7, 1e-6, 5e-5}) {
-    Patches patches = {rectangle("l", 0, 0, 1, 1), rectangle("narrow", 1, 0, 2, width),
-                       rectangle("r", 1, width, 2, 1)};
+    Patches patches = {rectangle_patch("l", 0, 0, 1, 1), rectangle_patch("narrow", 1, 0, 2, width),
+                       rectangle_patch("r", 1, width, 2, 1)};
     for (int i = 0; i < 2; ++i) {
       const Model model = model_of(patches);
       EXPECT_EQ(texts_of(model.notices), std::vector<std::string>()) << width;
@@ -246,11 +247,11 @@ TEST(Joining, LeavesPatchesThatAreNarrow) {
 }
 
 TEST(Joining, LeavesRowsOfShortSidesThatAreStaggered) {
-  Patches patches = {rectangle("far", 0, 10, 1, 11)};
+  Patches patches = {rectangle_patch("far", 0, 10, 1, 11)};
   for (int i = 0; i < 4; ++i) {
     const double y = 1e-3 * i;
-    patches.push_back(rectangle(fmt::format("l{}", i), 0, y, 1e-3, y + 1e-3));
-    patches.push_back(rectangle(fmt::format("r{}", i), 1e-3, y + 5e-5, 2e-3, y + 1.05e-3));
+    patches.push_back(rectangle_patch(fmt::format("l{}", i), 0, y, 1e-3, y + 1e-3));
+    patches.push_back(rectangle_patch(fmt::format("r{}", i), 1e-3, y + 5e-5, 2e-3, y + 1.05e-3));
   }
   EXPECT_EQ(texts_of(model_of(patches).notices), std::vector<std::string>());
 }
@@ -316,8 +317,8 @@ TEST(Joining, OfAQuarterOfATorusIsWholeOrTold) {
 }
 
 TEST(Joining, OfTJunctionsIsWholeOrTold) {
-  expect_closed_or_told({rectangle("l", 0, 0, 1, 1), rectangle("a", 1, 0, 2, 0.4),
-                         rectangle("b", 1, 0.4, 2, 1), rectangle("c", 0, 1, 2, 2)});
+  expect_closed_or_told({rectangle_patch("l", 0, 0, 1, 1), rectangle_patch("a", 1, 0, 2, 0.4),
+                         rectangle_patch("b", 1, 0.4, 2, 1), rectangle_patch("c", 0, 1, 2, 2)});
 }
 
 /// The end of a side is within the joining of both sides of a sharp corner, and many joinings from

@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kRounding = 1e-12;
+constexpr double kWalkRounding = 1e-12;
 
 SurfaceWalk walk_over(const Model& model) { return {model, smooth_contours(model, {})}; }
 
@@ -25,8 +25,8 @@ Vec3 point_at(const Model& model, const SurfacePlace& place) {
 void expect_place(const std::optional<WalkEnd>& end, int patch, Uv uv) {
   ASSERT_TRUE(end);
   EXPECT_EQ(end->place.patch, patch);
-  EXPECT_NEAR(end->place.uv.u, uv.u, kRounding);
-  EXPECT_NEAR(end->place.uv.v, uv.v, kRounding);
+  EXPECT_NEAR(end->place.uv.u, uv.u, kWalkRounding);
+  EXPECT_NEAR(end->place.uv.v, uv.v, kWalkRounding);
 }
 
 /// Two unit squares side by side.
@@ -90,10 +90,10 @@ TEST(SurfaceWalk, TakesStepsToOtherParameters) {
   const auto end = walk_over(model).go({0, {0.5, 0.5}}, {1, 0.25});
   expect_place(end, 1, {2.5, 5});
   const Uv u = end->turn(Uv{1, 0}), v = end->turn(Uv{0, 1});
-  EXPECT_NEAR(u.u, 0, kRounding);
-  EXPECT_NEAR(u.v, 10, kRounding);
-  EXPECT_NEAR(v.u, -10, kRounding);
-  EXPECT_NEAR(v.v, 0, kRounding);
+  EXPECT_NEAR(u.u, 0, kWalkRounding);
+  EXPECT_NEAR(u.v, 10, kWalkRounding);
+  EXPECT_NEAR(v.u, -10, kWalkRounding);
+  EXPECT_NEAR(v.v, 0, kWalkRounding);
 }
 
 TEST(SurfaceWalk, GoesAroundACylinderThroughItsSeam) {
@@ -111,7 +111,7 @@ TEST(SurfaceWalk, ComesBackAfterAWholeTurnOverFourPatches) {
   ASSERT_TRUE(end);
   EXPECT_EQ(end->place.patch, 1);
   EXPECT_NEAR((point_at(model, end->place) - point_at(model, start) - Vec3(0, 0, 0.5)).norm(), 0,
-              kRounding);
+              kWalkRounding);
 }
 
 TEST(SurfaceWalk, EndsAtBoundariesAndContoursThatMayNotBeCrossed) {

@@ -16,6 +16,7 @@ namespace {
 
 using std::numbers::pi;
 using testing::contour_index;
+using testing::kSides;
 using testing::rectangle;
 
 std::shared_ptr<const Curve> circle_uv(Uv centre, double radius) {
@@ -29,8 +30,6 @@ std::shared_ptr<const Curve> line(Uv a, Uv b) { return std::make_shared<SegmentC
 std::shared_ptr<const SpaceCurve> in_space(std::function<Vec3(double)> function) {
   return std::make_shared<CallableSpaceCurve>(std::move(function));
 }
-
-const std::vector<std::string> kSides = {"p:v0", "p:u1", "-p:v1", "-p:u0"};
 
 /// The square [-1,1]² with these loops besides its sides.
 Model square(std::vector<std::vector<std::string>> holes, std::vector<ContourInput> contours) {

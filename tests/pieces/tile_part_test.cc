@@ -20,7 +20,7 @@ using testing::TiledCase;
 /// A face by the positions of its corners, from its first one on.
 using PlacedFace = std::vector<Vec3>;
 
-std::vector<PlacedFace> faces_of(const PolyMesh& mesh) {
+std::vector<PlacedFace> placed_faces_of(const PolyMesh& mesh) {
   std::vector<PlacedFace> faces;
   for (const FaceHandle fh : mesh.faces()) {
     PlacedFace& face = faces.emplace_back();
@@ -31,7 +31,8 @@ std::vector<PlacedFace> faces_of(const PolyMesh& mesh) {
   return faces;
 }
 
-std::vector<PlacedFace> faces_of(const std::vector<TilePart>& parts, const SharedNumbers& shared) {
+std::vector<PlacedFace> placed_faces_of(const std::vector<TilePart>& parts,
+                                        const SharedNumbers& shared) {
   std::vector<PlacedFace> faces;
   for (const TilePart& part : parts) {
     for (std::size_t f = 0; f < part.faces.size(); ++f) {
@@ -48,9 +49,9 @@ class PartOf : public ::testing::TestWithParam<TiledCase> {
 };
 
 TEST_P(PartOf, ATileHasTheFacesOfTheResult) {
-  const auto expected = faces_of(meshed_.assembled());
+  const auto expected = placed_faces_of(meshed_.assembled());
   ASSERT_GT(expected.size(), 100u);
-  EXPECT_TRUE(faces_of(meshed_.parts(), meshed_.shared()) == expected);
+  EXPECT_TRUE(placed_faces_of(meshed_.parts(), meshed_.shared()) == expected);
 }
 
 TEST_P(PartOf, ATileKnowsItsPatch) {
@@ -127,7 +128,7 @@ TEST_P(PartOfACone, HasTheCollapsedFacesOfTheResult) {
   std::vector<TilePart> parts;
   parts.push_back(
       part_of(surveyed(std::move(cone_.patches[0]), cone_.numbers, turned), cone_.numbers.count()));
-  EXPECT_TRUE(faces_of(parts, shared) == faces_of(mesh));
+  EXPECT_TRUE(placed_faces_of(parts, shared) == placed_faces_of(mesh));
 }
 
 INSTANTIATE_TEST_SUITE_P(Faces, PartOfACone,

@@ -13,6 +13,7 @@
 #include "support/errors.hh"
 #include "support/expect_valid.hh"
 #include "support/folders.hh"
+#include "support/model_folders.hh"
 #include "support/notices.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/pipeline/check_mesh.hh"
@@ -25,10 +26,10 @@
 namespace surfmesh {
 namespace {
 
-namespace fs = std::filesystem;
+using testing::kModels;
+using testing::kSharedModels;
 
-const fs::path kModels = fs::path(SURFMESH_SOURCE_DIR) / "models";
-const fs::path kSharedModels = fs::path(SURFMESH_SHARED_DIR) / "models";
+namespace fs = std::filesystem;
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
@@ -49,16 +50,16 @@ std::vector<std::string> faults_of(const MeshResult& result, const ModelInput& i
 }
 
 /// The models and options of the tests below.
-struct Case {
+struct AcrossCase {
   std::string model;
   std::string quads;
 };
 
-std::ostream& operator<<(std::ostream& out, const Case& example) {
+std::ostream& operator<<(std::ostream& out, const AcrossCase& example) {
   return out << example.model << (example.quads == "on" ? " quads" : " triangles");
 }
 
-class AcrossModels : public ::testing::TestWithParam<Case> {
+class AcrossModels : public ::testing::TestWithParam<AcrossCase> {
  protected:
   ModelInput input() const { return load_model(kModels / GetParam().model); }
   Settings settings(const std::string& across) const {
@@ -107,12 +108,12 @@ TEST_P(AcrossModels, AreTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(files.size(), 1u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, AcrossModels,
-                         ::testing::Values(Case{"knob.obj", "off"}, Case{"knob.obj", "on"},
-                                           Case{"torus.json", "off"}, Case{"torus.json", "on"},
-                                           Case{"icosahedron.off", "off"},
-                                           Case{"cylinder.json", "off"},
-                                           Case{"knob_on_plate.json", "on"}));
+INSTANTIATE_TEST_SUITE_P(
+    Models, AcrossModels,
+    ::testing::Values(AcrossCase{"knob.obj", "off"}, AcrossCase{"knob.obj", "on"},
+                      AcrossCase{"torus.json", "off"}, AcrossCase{"torus.json", "on"},
+                      AcrossCase{"icosahedron.off", "off"}, AcrossCase{"cylinder.json", "off"},
+                      AcrossCase{"knob_on_plate.json", "on"}));
 
 /// Write a result that lies on several patches in places, read it back, and expect no fault.
 ModelFit fit_of_file(const std::string& name, const MeshResult& result, const ModelInput& input) {
@@ -207,7 +208,7 @@ TEST(Across, KeepsTheLineBetweenGroups) {
 }
 
 /// Two squares side by side, the first one with these sources.
-std::string two_squares(const std::string& sources) {
+std::string first_of_two_squares(const std::string& sources) {
   return R"({"patches": [
     {"name": "a", "surface": {"x": "u", "y": "v", "z": "0"},
      "domain": {"u": [0, 1], "v": [0, 1]}, "sources": [)" +
@@ -220,7 +221,7 @@ TEST(Across, KeepsTheContourThatSizesAreAskedForAlong) {
   const TestFolder folder;
   for (const bool is_named : {false, true}) {
     write_text(folder / "a.json",
-               two_squares(is_named ? R"({"along": "a:u1", "size": 0.08})" : ""));
+               first_of_two_squares(is_named ? R"({"along": "a:u1", "size": 0.08})" : ""));
     const ModelInput input = load_model(folder / "a.json");
     const auto named = std::count_if(input.model.contours.begin(), input.model.contours.end(),
                                      [](const Contour& contour) { return contour.is_named; });

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "support/model_folders.hh"
 #include "surfmesh/boundary/contour_nodes.hh"
 #include "surfmesh/boundary/metric_arc.hh"
 #include "surfmesh/control/surface_metric_field.hh"
@@ -21,7 +22,7 @@
 namespace surfmesh {
 namespace {
 
-const std::filesystem::path kModels = std::filesystem::path(SURFMESH_SOURCE_DIR) / "models";
+using testing::kModels;
 
 /// Lengths of segments are integrated along their chords, not along their curves, and by a sum
 /// whose error is below this share.
@@ -36,18 +37,18 @@ constexpr double kStep = 1e-5;
 /// Between nodes of cells of two elements, sizes differ by as much as they grow in half an element.
 constexpr double kDisagreement = 0.25;
 
-struct Case {
+struct BoundsCase {
   std::string name;  ///< of the model's file
   double grade = 0;
   bool has_sources = false;  ///< sizes that differ from patch to patch by up to twenty times
 };
 
-void PrintTo(const Case& bounds, std::ostream* out) {
+void PrintTo(const BoundsCase& bounds, std::ostream* out) {
   *out << bounds.name << (bounds.grade > 0 ? ", graded" : "")
        << (bounds.has_sources ? ", with sources" : "");
 }
 
-class ContourBounds : public ::testing::TestWithParam<Case> {
+class ContourBounds : public ::testing::TestWithParam<BoundsCase> {
  protected:
   void SetUp() override {
     input_ = load_model(kModels / GetParam().name);
@@ -140,8 +141,8 @@ TEST_P(ContourBounds, AreWantedAlikeByAllPatches) {
   }
 }
 
-std::vector<Case> cases() {
-  std::vector<Case> result;
+std::vector<BoundsCase> bounds_cases() {
+  std::vector<BoundsCase> result;
   for (const char* name : {"cube.obj", "knob.obj", "vault.obj", "icosahedron.off", "torus.obj",
                            "cylinder.json", "torus.json", "sphere.json", "pipes.json",
                            "pipe_on_plate.json", "window.json", "perforated.json"}) {
@@ -152,12 +153,13 @@ std::vector<Case> cases() {
   return result;
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, ContourBounds, ::testing::ValuesIn(cases()), [](const auto& test) {
-  std::string name = test.param.name;
-  std::replace(name.begin(), name.end(), '.', '_');
-  name += test.param.grade > 0 ? "_graded" : "";
-  return name + (test.param.has_sources ? "_with_sources" : "");
-});
+INSTANTIATE_TEST_SUITE_P(Models, ContourBounds, ::testing::ValuesIn(bounds_cases()),
+                         [](const auto& test) {
+                           std::string name = test.param.name;
+                           std::replace(name.begin(), name.end(), '.', '_');
+                           name += test.param.grade > 0 ? "_graded" : "";
+                           return name + (test.param.has_sources ? "_with_sources" : "");
+                         });
 
 }  // namespace
 }  // namespace surfmesh

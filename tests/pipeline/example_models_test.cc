@@ -10,6 +10,7 @@
 #include "support/errors.hh"
 #include "support/expect_valid.hh"
 #include "support/folders.hh"
+#include "support/model_folders.hh"
 #include "support/notices.hh"
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/formats/read_mesh.hh"
@@ -24,7 +25,7 @@
 namespace surfmesh {
 namespace {
 
-const std::filesystem::path kModels = std::filesystem::path(SURFMESH_SOURCE_DIR) / "models";
+using testing::kModels;
 
 /// The mesh of a model file, which must be proper and without complaints.
 MeshResult mesh_cleanly(const std::filesystem::path& path) {

@@ -25,7 +25,7 @@ namespace {
 
 using testing::model_of;
 
-Size isotropic(double size) { return {Length::units(size), Length::units(size), 0}; }
+Size isotropic_size(double size) { return {Length::units(size), Length::units(size), 0}; }
 
 /// One size everywhere, nothing from curvature.
 MeshResult mesh_with_size(const Model& model, double size) {
@@ -231,9 +231,9 @@ std::size_t count_near(const PolyMesh& mesh, const Vec3& centre, double radius) 
 TEST(MeshModel, RefinesAtAPoint) {
   const Model model = testing::unit_square();
   Sources sources;
-  sources.everywhere.push_back({0, isotropic(0.1)});
+  sources.everywhere.push_back({0, isotropic_size(0.1)});
   const PolyMesh coarse = mesh_model(model, sources).mesh;
-  sources.at.push_back({0, {0.3, 0.4}, isotropic(0.01)});
+  sources.at.push_back({0, {0.3, 0.4}, isotropic_size(0.01)});
   const PolyMesh fine = mesh_model(model, sources).mesh;
   EXPECT_GT(count_near(fine, {0.3, 0.4, 0}, 0.05), 5 * count_near(coarse, {0.3, 0.4, 0}, 0.05));
   EXPECT_LT(count_near(fine, {1, 1, 0}, 0.1), 2 * count_near(coarse, {1, 1, 0}, 0.1) + 2);
@@ -241,7 +241,7 @@ TEST(MeshModel, RefinesAtAPoint) {
 
 TEST(MeshModel, TakesTheSizeOfOnePatchOnly) {
   Sources sources;
-  sources.everywhere.push_back({1, isotropic(0.05)});
+  sources.everywhere.push_back({1, isotropic_size(0.05)});
   PipelineOptions options;
   options.sizing = {.curvature = 0, .hmax = Length::units(0.3), .grade = 0};
   const PolyMesh mesh = mesh_model(testing::opposite_squares(), sources, options).mesh;

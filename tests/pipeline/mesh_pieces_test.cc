@@ -127,19 +127,19 @@ std::vector<std::vector<Vec3>> corners_of(const PlainMesh& mesh) {
   return corners;
 }
 
-struct Case {
+struct PiecesCase {
   std::string file;
   bool has_quads = false;
   bool is_oriented = true;  ///< else a half-edge mesh is cut, and has vertices twice there
 
-  friend void PrintTo(const Case& c, std::ostream* out) {
+  friend void PrintTo(const PiecesCase& c, std::ostream* out) {
     *out << c.file << (c.has_quads ? " quads" : "");
   }
 };
 
 /// A model, and the options of all runs on it.
 struct Given {
-  explicit Given(const Case& of) {
+  explicit Given(const PiecesCase& of) {
     ModelInput loaded = load_model(std::string(SURFMESH_SOURCE_DIR "/models/") + of.file, {});
     model = std::move(loaded.model);
     sources = std::move(loaded.sources);
@@ -173,7 +173,7 @@ Report mesh_on(int ranks, const Given& given, const PiecesOptions& pieces, Colle
   return reports[0];
 }
 
-class Pieces : public ::testing::TestWithParam<Case> {};
+class Pieces : public ::testing::TestWithParam<PiecesCase> {};
 
 TEST_P(Pieces, AreTheMeshOfOneProcess) {
   const Given given(GetParam());
@@ -312,12 +312,14 @@ TEST_P(Pieces, DoNotDependOnThreads) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, Pieces,
-                         ::testing::Values(Case{"cube.obj"}, Case{"sphere.json"},
-                                           Case{"klein.json", false, false},
-                                           Case{"moebius.json", false, false},
-                                           Case{"perforated.json"}, Case{"bracket.json"},
-                                           Case{"sizes.json"}, Case{"knob_on_plate.json"},
-                                           Case{"torus.json", true}, Case{"sphere.json", true}));
+                         ::testing::Values(PiecesCase{"cube.obj"}, PiecesCase{"sphere.json"},
+                                           PiecesCase{"klein.json", false, false},
+                                           PiecesCase{"moebius.json", false, false},
+                                           PiecesCase{"perforated.json"},
+                                           PiecesCase{"bracket.json"}, PiecesCase{"sizes.json"},
+                                           PiecesCase{"knob_on_plate.json"},
+                                           PiecesCase{"torus.json", true},
+                                           PiecesCase{"sphere.json", true}));
 
 /// Coarse enough for chords of two patches to join the same nodes.
 TEST(PiecesOf, TilesWhoseChordsJoinTheSameNodesAreTheMeshOfOneProcess) {

@@ -21,14 +21,14 @@ namespace {
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 /// A value other than the default, and the model and other settings with which it has an effect.
-struct Case {
+struct EffectCase {
   std::string value;
   std::string model = "torus.json";
   Settings others = {};
   std::string ending = ".obj";  ///< of the file
 };
 
-const std::map<std::string_view, Case> kCases = {
+const std::map<std::string_view, EffectCase> kCases = {
     {"curvature", {"0.5"}},
     {"sag", {"1%"}},
     {"size", {"5%"}},
@@ -86,7 +86,7 @@ const std::map<std::string_view, Case> kCases = {
 };
 
 /// The file of the mesh, or the error.
-std::string outcome(const Case& example, const Settings& settings) {
+std::string outcome(const EffectCase& example, const Settings& settings) {
   const TestFolder folder;
   const std::filesystem::path path = folder / ("a" + example.ending);
   const std::string error = error_of([&] {
@@ -112,7 +112,7 @@ class OptionEffect : public ::testing::TestWithParam<std::string> {};
 TEST_P(OptionEffect, IsThere) {
   const auto found = kCases.find(GetParam());
   ASSERT_NE(found, kCases.end()) << "a new option needs a case here";
-  const Case& example = found->second;
+  const EffectCase& example = found->second;
   Settings settings = example.others;
   const std::string before = outcome(example, settings);
   settings.emplace_back(GetParam(), example.value);

@@ -10,6 +10,7 @@
 
 #include "support/expect_valid.hh"
 #include "support/folders.hh"
+#include "support/model_folders.hh"
 #include "support/models.hh"
 #include "support/notices.hh"
 #include "surfmesh/core/properties.hh"
@@ -22,10 +23,10 @@
 namespace surfmesh {
 namespace {
 
-namespace fs = std::filesystem;
+using testing::kModels;
+using testing::kSharedModels;
 
-const fs::path kModels = fs::path(SURFMESH_SOURCE_DIR) / "models";
-const fs::path kSharedModels = fs::path(SURFMESH_SHARED_DIR) / "models";
+namespace fs = std::filesystem;
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 

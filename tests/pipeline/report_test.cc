@@ -17,7 +17,7 @@
 namespace surfmesh {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 Report example() {
   Report report;
@@ -44,7 +44,7 @@ Report example() {
   return report;
 }
 
-std::vector<std::string> keys_of(const Json& json) {
+std::vector<std::string> keys_of(const OrderedJson& json) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : json.items()) keys.push_back(key);
   return keys;
@@ -53,7 +53,7 @@ std::vector<std::string> keys_of(const Json& json) {
 using Keys = std::vector<std::string>;
 
 TEST(ReportJson, HasTheKeysOfTheDocumentation) {
-  const Json json = Json::parse(to_json(example()));
+  const OrderedJson json = OrderedJson::parse(to_json(example()));
   EXPECT_EQ(keys_of(json), (Keys{"version",
                                  "input",
                                  "output",
@@ -106,13 +106,13 @@ TEST(ReportJson, HasTheKeysOfTheDocumentation) {
 }
 
 TEST(ReportJson, CountsQuestionsByStageAndAnswersByKind) {
-  const Json control = Json::parse(to_json(example()))["control"];
-  EXPECT_EQ(control["classes"], Json::parse(R"({"s": 3, "t": 10, "o": 7, "linear": 0})"));
+  const OrderedJson control = OrderedJson::parse(to_json(example()))["control"];
+  EXPECT_EQ(control["classes"], OrderedJson::parse(R"({"s": 3, "t": 10, "o": 7, "linear": 0})"));
   EXPECT_EQ(
       control["answers"],
-      Json::parse(
+      OrderedJson::parse(
           R"({"s": 1, "t": 6, "o": 3, "linear": 4, "lattice": 5, "extended": 6, "reused": 7})"));
-  EXPECT_EQ(control["walks"], Json::parse(R"({"count": 8, "mean_steps": 2.5})"));
+  EXPECT_EQ(control["walks"], OrderedJson::parse(R"({"count": 8, "mean_steps": 2.5})"));
   EXPECT_EQ(control["queries"]["boundary"], 4);
   EXPECT_EQ(control["queries"]["refine"], 28);
   EXPECT_EQ(keys_of(control["queries"]),
@@ -120,17 +120,18 @@ TEST(ReportJson, CountsQuestionsByStageAndAnswersByKind) {
 }
 
 TEST(ReportJson, HasTheFigures) {
-  const Json json = Json::parse(to_json(example()));
+  const OrderedJson json = OrderedJson::parse(to_json(example()));
   EXPECT_EQ(json["mesh"]["closed"], false);
   EXPECT_EQ(json["quality"]["below_0.3"], 0.5);
   EXPECT_EQ(json["quads"]["fraction"], 0.5);
-  EXPECT_EQ(json["edges"]["histogram"], Json::parse(R"([{"from": 0.0, "to": 0.25, "count": 7}])"));
+  EXPECT_EQ(json["edges"]["histogram"],
+            OrderedJson::parse(R"([{"from": 0.0, "to": 0.25, "count": 7}])"));
   EXPECT_TRUE(json["sag"]["asked"].is_null());
 }
 
 TEST(ReportJson, TellsOfTilesAndPieces) {
   Report report = example();
-  Json json = Json::parse(to_json(report));
+  OrderedJson json = OrderedJson::parse(to_json(report));
   EXPECT_TRUE(json["tiles"].is_null());
   EXPECT_TRUE(json["pieces"].is_null());
   report.tiles = {12, 2};
@@ -140,14 +141,15 @@ TEST(ReportJson, TellsOfTilesAndPieces) {
                    .of_several_pieces = 7,
                    .of_several_ranks = 4,
                    .bytes_sent = 1000};
-  json = Json::parse(to_json(report));
-  EXPECT_EQ(json["tiles"], Json::parse(R"({"count": 12, "refused": 2})"));
-  EXPECT_EQ(json["pieces"], Json::parse(R"({"count": 3, "ranks": 2, "faces_of_ranks": [10, 30],
+  json = OrderedJson::parse(to_json(report));
+  EXPECT_EQ(json["tiles"], OrderedJson::parse(R"({"count": 12, "refused": 2})"));
+  EXPECT_EQ(json["pieces"],
+            OrderedJson::parse(R"({"count": 3, "ranks": 2, "faces_of_ranks": [10, 30],
                             "largest_share": 1.5, "seconds_of_ranks": [0.5, 0.75],
                             "vertices_of_several_pieces": 7, "vertices_of_several_ranks": 4,
                             "bytes_sent": 1000})"));
   report.pieces->seconds_of_ranks.clear();
-  json = Json::parse(to_json(report));
+  json = OrderedJson::parse(to_json(report));
   EXPECT_TRUE(json["pieces"]["seconds_of_ranks"].is_null());
 }
 
@@ -171,7 +173,7 @@ TEST(ReportText, TellsOfTilesAndPieces) {
 }
 
 TEST(ReportJson, TellsNoticesAsData) {
-  const Json notices = Json::parse(to_json(example()))["notices"];
+  const OrderedJson notices = OrderedJson::parse(to_json(example()))["notices"];
   ASSERT_EQ(notices.size(), 2U);
   EXPECT_EQ(keys_of(notices[0]),
             (Keys{"kind", "severity", "text", "patch", "contour", "point", "count"}));
@@ -182,7 +184,7 @@ TEST(ReportJson, TellsNoticesAsData) {
   EXPECT_EQ(notices[1]["severity"], "shortfall");
   EXPECT_EQ(notices[1]["text"], "a shortfall");
   EXPECT_EQ(notices[1]["patch"], "wing");
-  EXPECT_EQ(notices[1]["point"], (Json{1.0, 2.0, 3.0}));
+  EXPECT_EQ(notices[1]["point"], (OrderedJson{1.0, 2.0, 3.0}));
   EXPECT_EQ(notices[1]["count"], 1);
 }
 
@@ -190,7 +192,7 @@ TEST(ReportJson, ListsEveryOptionWithItsEffectiveValue) {
   Report report = example();
   set_option(report.options, "hmin", "0.07%");
   set_option(report.options, "nodes", "400");
-  const Json options = Json::parse(to_json(report))["options"];
+  const OrderedJson options = OrderedJson::parse(to_json(report))["options"];
   EXPECT_EQ(options.size(), option_names().size());
   EXPECT_EQ(options["hmin"], "0.07%");
   EXPECT_EQ(options["nodes"], 400);
@@ -205,8 +207,8 @@ TEST(ReportJson, TellsOptionsAsGivenAndFrom) {
   model.made_with = {{"weld", "0.01"}, {"weld", "0.02", "knob:"}, {"patches", "auto", "knob:"}};
   report.given = options_of_file(report.options, model);
   add_given({"hmax", "5%", OptionOrigin::CommandLine}, report.given);
-  EXPECT_EQ(Json::parse(to_json(report))["given"],
-            Json::parse(R"({"hmin": {"value": "0.07%", "from": "model file"},
+  EXPECT_EQ(OrderedJson::parse(to_json(report))["given"],
+            OrderedJson::parse(R"({"hmin": {"value": "0.07%", "from": "model file"},
                             "knob:weld": {"value": "0.02", "from": "model file"},
                             "hmax": {"value": "5%", "from": "command line"}})"));
 }
@@ -215,9 +217,10 @@ TEST(ReportJson, SumsPatchesByGroup) {
   Report report = example();
   report.patches = {
       {"a", {"g"}, 1, 0, 0, 0.5, 0.9}, {"b", {"h", "g"}, 2, 0, 0, 1.5, 0.7}, {"c", {}, 4, 0, 0, 1}};
-  const Json json = Json::parse(to_json(report));
-  EXPECT_EQ(json["groups"][0],
-            Json::parse(R"({"name": "g", "patches": 2, "triangles": 3, "quads": 0, "area": 2.0,
+  const OrderedJson json = OrderedJson::parse(to_json(report));
+  EXPECT_EQ(
+      json["groups"][0],
+      OrderedJson::parse(R"({"name": "g", "patches": 2, "triangles": 3, "quads": 0, "area": 2.0,
                             "least_quality": 0.7, "least_scaled_jacobian": null})"));
   EXPECT_EQ(json["groups"][1]["name"], "h");
   EXPECT_TRUE(json["patches"][2]["least_quality"].is_null());
@@ -226,7 +229,7 @@ TEST(ReportJson, SumsPatchesByGroup) {
 TEST(ReportJson, HoldsNamesThatAreNotUtf8) {
   Report report = example();
   report.input = "caf\xe9.obj";
-  EXPECT_TRUE(Json::accept(to_json(report)));
+  EXPECT_TRUE(OrderedJson::accept(to_json(report)));
 }
 
 /// A report of a usual run.

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kAround = 2 * std::numbers::pi;
 
-Model formula(const SurfaceFormulas& formulas, Domain domain) {
+Model model_of_formulas(const SurfaceFormulas& formulas, Domain domain) {
   return testing::model_of({std::make_shared<FormulaSurface>(formulas, domain)});
 }
 
@@ -45,7 +45,8 @@ TEST(ThinTube, HasFourElementsAround) {
   for (const double radius : {0.03, 1e-5}) {
     SCOPED_TRACE(radius);
     const std::string r = std::to_string(radius);
-    const Model model = formula({r + "*cos(u)", r + "*sin(u)", "v"}, {0, kAround, 0, 100});
+    const Model model =
+        model_of_formulas({r + "*cos(u)", r + "*sin(u)", "v"}, {0, kAround, 0, 100});
     const MeshResult result = expect_good(model, uniform(2), 0.6);
     EXPECT_EQ(result.report.mesh.euler, 0);
     // A triangle in the circle is half the radius away from it, a ribbon the whole.
@@ -54,7 +55,7 @@ TEST(ThinTube, HasFourElementsAround) {
 }
 
 TEST(ThinTube, MayRunAlongEitherParameter) {
-  const Model model = formula({"0.03*cos(v)", "0.03*sin(v)", "u"}, {0, 100, 0, kAround});
+  const Model model = model_of_formulas({"0.03*cos(v)", "0.03*sin(v)", "u"}, {0, 100, 0, kAround});
   expect_good(model, uniform(2), 0.6);
 }
 
@@ -71,8 +72,9 @@ TEST(ThinTube, OfHalvesIsRound) {
 }
 
 TEST(ThinTube, ThatIsATorusIsClosed) {
-  const Model model = formula({"(10+0.01*cos(v))*cos(u)", "(10+0.01*cos(v))*sin(u)", "0.01*sin(v)"},
-                              {0, kAround, 0, kAround});
+  const Model model =
+      model_of_formulas({"(10+0.01*cos(v))*cos(u)", "(10+0.01*cos(v))*sin(u)", "0.01*sin(v)"},
+                        {0, kAround, 0, kAround});
   const MeshResult result = expect_good(model, {}, 0.6);
   EXPECT_TRUE(result.report.mesh.is_closed);
   EXPECT_EQ(result.report.mesh.euler, 0);
@@ -81,22 +83,22 @@ TEST(ThinTube, ThatIsATorusIsClosed) {
 TEST(ThinTip, IsAFanAtAnyAspect) {
   for (const char* height : {"2", "10", "20", "200", "2000"}) {
     SCOPED_TRACE(height);
-    const Model model =
-        formula({"v*cos(u)", "v*sin(u)", std::string(height) + "*(1-v)"}, {0, kAround, 0, 1});
+    const Model model = model_of_formulas({"v*cos(u)", "v*sin(u)", std::string(height) + "*(1-v)"},
+                                          {0, kAround, 0, 1});
     const MeshResult result = expect_good(model, {}, 0.6);
     EXPECT_EQ(result.report.mesh.euler, 1);
   }
 }
 
 TEST(ThinTip, OfASpindleIsAFan) {
-  const Model model = formula({"0.001*sin(v)*cos(u)", "0.001*sin(v)*sin(u)", "cos(v)"},
-                              {0, kAround, 0, std::numbers::pi});
+  const Model model = model_of_formulas({"0.001*sin(v)*cos(u)", "0.001*sin(v)*sin(u)", "cos(v)"},
+                                        {0, kAround, 0, std::numbers::pi});
   const MeshResult result = expect_good(model, {}, 0.6);
   EXPECT_EQ(result.report.mesh.euler, 2);
 }
 
 TEST(ThinTip, DoesNotRefineWidePoles) {
-  const Model disc = formula({"v*cos(u)", "v*sin(u)", "0"}, {0, kAround, 0, 1});
+  const Model disc = model_of_formulas({"v*cos(u)", "v*sin(u)", "0"}, {0, kAround, 0, 1});
   const MeshResult result = expect_good(disc, uniform(0.1), 0.6);
   // Hardly more than equilateral triangles of this size.
   EXPECT_LT(double(result.report.mesh.triangles), 1.1 * std::numbers::pi / 0.00433);

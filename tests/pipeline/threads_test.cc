@@ -25,16 +25,16 @@ namespace {
 
 constexpr int kThreadCounts[] = {2, 8};
 
-struct Case {
+struct ThreadsCase {
   std::string name;
   std::string file;  ///< in the folder of models
   std::vector<std::pair<std::string, std::string>> settings;
 };
 
-void PrintTo(const Case& example, std::ostream* out) { *out << example.name; }
+void PrintTo(const ThreadsCase& example, std::ostream* out) { *out << example.name; }
 
 /// The file of the mesh, and the report without clocks and the number of threads.
-std::string output_of(const Case& example, int threads) {
+std::string output_of(const ThreadsCase& example, int threads) {
   const TestFolder folder;
   const std::string path = folder / "mesh.om";
   ModelInput input = load_model(std::string(SURFMESH_SOURCE_DIR "/models/") + example.file, {});
@@ -49,7 +49,7 @@ std::string output_of(const Case& example, int threads) {
   return read_text(path) + to_json(result.report);
 }
 
-class Threads : public ::testing::TestWithParam<Case> {};
+class Threads : public ::testing::TestWithParam<ThreadsCase> {};
 
 TEST_P(Threads, MakeTheSameFileInAnyNumber) {
   const std::string alone = output_of(GetParam(), 1);
@@ -59,7 +59,7 @@ TEST_P(Threads, MakeTheSameFileInAnyNumber) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, Threads,
-                         ::testing::ValuesIn(std::vector<Case>{
+                         ::testing::ValuesIn(std::vector<ThreadsCase>{
                              {"BlocksOfACage", "knob.obj", {{"hmax", "3%"}}},
                              {"FacesOfACage", "torus.obj", {{"patches", "faces"}}},
                              {"CageWithinASag", "vault.obj", {{"sag", "0.2%"}}},

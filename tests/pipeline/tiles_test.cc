@@ -23,30 +23,33 @@ namespace {
 constexpr int kTile = 300;
 constexpr double kSize = 0.02;
 
-constexpr const char* kModels[] = {"cube.obj",     "sphere.json",     "torus.json",  "klein.json",
-                                   "moebius.json", "perforated.json", "bracket.json"};
+constexpr const char* kModelsOfTiles[] = {"cube.obj",    "sphere.json",  "torus.json",
+                                          "klein.json",  "moebius.json", "perforated.json",
+                                          "bracket.json"};
 
-struct Case {
+struct TilesCase {
   std::string file;  ///< in the folder of models
   bool has_quads = false;
 };
 
-void PrintTo(const Case& a, std::ostream* out) { *out << a.file << (a.has_quads ? ", quads" : ""); }
+void PrintTo(const TilesCase& a, std::ostream* out) {
+  *out << a.file << (a.has_quads ? ", quads" : "");
+}
 
-std::vector<Case> cases() {
-  std::vector<Case> all;
+std::vector<TilesCase> tiles_cases() {
+  std::vector<TilesCase> all;
   for (const bool has_quads : {false, true}) {
-    for (const char* file : kModels) all.push_back({file, has_quads});
+    for (const char* file : kModelsOfTiles) all.push_back({file, has_quads});
   }
   return all;
 }
 
-std::string name_of(const Case& a) {
+std::string name_of(const TilesCase& a) {
   return a.file.substr(0, a.file.find('.')) + (a.has_quads ? "Quads" : "");
 }
 
 /// A model in elements of a size.
-ModelInput input_of(const Case& a) {
+ModelInput input_of(const TilesCase& a) {
   ModelInput input = load_model(std::string(SURFMESH_SOURCE_DIR "/models/") + a.file);
   input.options.sizing.hmax = Length::share(kSize);
   input.options.quads.is_on = a.has_quads;
@@ -58,7 +61,7 @@ MeshResult mesh_in_tiles(ModelInput& input, int tile = kTile) {
   return mesh_model(input.model, input.sources, input.options);
 }
 
-class RunsInTiles : public ::testing::TestWithParam<Case> {
+class RunsInTiles : public ::testing::TestWithParam<TilesCase> {
  protected:
   ModelInput input_ = input_of(GetParam());
 };
@@ -132,10 +135,10 @@ TEST_P(RunsInTiles, KeepTheNodesOfContours) {
   EXPECT_TRUE(on_contours(kTile) == on_contours(0));
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, RunsInTiles, ::testing::ValuesIn(cases()),
+INSTANTIATE_TEST_SUITE_P(Models, RunsInTiles, ::testing::ValuesIn(tiles_cases()),
                          [](const auto& test) { return name_of(test.param); });
 
-class SagInTiles : public ::testing::TestWithParam<Case> {};
+class SagInTiles : public ::testing::TestWithParam<TilesCase> {};
 
 TEST_P(SagInTiles, IsReached) {
   ModelInput input = input_of(GetParam());
@@ -148,7 +151,7 @@ TEST_P(SagInTiles, IsReached) {
   EXPECT_LE(*result.report.sag.reached, *result.report.sag.asked);
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, SagInTiles, ::testing::ValuesIn(cases()),
+INSTANTIATE_TEST_SUITE_P(Models, SagInTiles, ::testing::ValuesIn(tiles_cases()),
                          [](const auto& test) { return name_of(test.param); });
 
 }  // namespace

@@ -14,15 +14,7 @@ namespace surfmesh {
 namespace {
 
 using testing::GridPatch;
-
-std::vector<int> wanted_of(const GridPatch& patch) {
-  std::vector<int> wanted(patch.number.fixed(), 2);
-  const int m = patch.number.columns(), n = patch.number.rows();
-  for (const auto& [i, j] : {std::pair{0, 0}, {m, 0}, {m, n}, {0, n}}) {
-    wanted[index(patch.vertex(i, j))] = 1;
-  }
-  return wanted;
-}
+using testing::wanted_of;
 
 CleaningReport clean(GridPatch& patch) {
   return clean_quads(patch.mesh, patch.editor, patch.geometry, wanted_of(patch), RunContext());

@@ -44,15 +44,15 @@ std::vector<std::size_t> sizes_of(const Loops& loops) {
 }
 
 /// A domain with its metric.
-struct Domain {
+struct DomainCase {
   const char* name;
   FunctionField field;
   Loops loops;
 };
 
-void PrintTo(const Domain& domain, std::ostream* out) { *out << domain.name; }
+void PrintTo(const DomainCase& domain, std::ostream* out) { *out << domain.name; }
 
-std::unique_ptr<DelaunayMesh> triangles_of(const Domain& domain) {
+std::unique_ptr<DelaunayMesh> triangles_of(const DomainCase& domain) {
   auto delaunay = triangulate_boundary(domain.loops, domain.field).delaunay;
   refine(*delaunay, domain.field);
   improve(*delaunay, domain.field);
@@ -64,7 +64,7 @@ struct Quads {
   FrontalReport report;
 };
 
-Quads converted(const Domain& domain, QuadFront front) {
+Quads converted(const DomainCase& domain, QuadFront front) {
   Quads result;
   result.mesh = triangles_of(domain)->release();
   FaceEditor editor(*result.mesh);
@@ -75,7 +75,7 @@ Quads converted(const Domain& domain, QuadFront front) {
   return result;
 }
 
-PatchQuads finished(const Domain& domain, QuadFront front) {
+PatchQuads finished(const DomainCase& domain, QuadFront front) {
   const std::vector<std::size_t> sizes = sizes_of(domain.loops);
   return convert_to_quads(triangles_of(domain), {domain.field, sizes, front}, RunContext());
 }
@@ -102,7 +102,7 @@ std::size_t count_faces(const PolyMesh& mesh, unsigned corners) {
   return count;
 }
 
-double least_jacobian(const Domain& domain, PolyMesh& mesh) {
+double least_jacobian(const DomainCase& domain, PolyMesh& mesh) {
   const PatchGeometry geometry(mesh, domain.field, mesh.n_vertices());
   double least = 1;
   for (const FaceHandle fh : mesh.faces()) {
@@ -111,7 +111,7 @@ double least_jacobian(const Domain& domain, PolyMesh& mesh) {
   return least;
 }
 
-double mean_jacobian(const Domain& domain, PolyMesh& mesh) {
+double mean_jacobian(const DomainCase& domain, PolyMesh& mesh) {
   const PatchGeometry geometry(mesh, domain.field, mesh.n_vertices());
   double sum = 0;
   for (const FaceHandle fh : mesh.faces()) sum += geometry.measure(fh).least_jacobian;
@@ -135,19 +135,19 @@ double deviation(const PolyMesh& mesh) {
   return std::sqrt(squares / count - sum / count * sum / count);
 }
 
-Domain four_points() {
+DomainCase four_points() {
   const FunctionField field = testing::four_point_field();
   return {"FourPoints", field, {testing::with_nodes(testing::kUnitSquare, field)}};
 }
 
 /// Both loops are odd, so a front that meets itself must mind the triangles behind.
-Domain ring_of_odd_loops() {
+DomainCase ring_of_odd_loops() {
   return {"RingOfOddLoops",
           testing::isotropic_field(0.1),
           {circle({0, 0}, 1, 63), circle({0.2, 0}, 0.5, -31)}};
 }
 
-std::vector<Domain> domains() {
+std::vector<DomainCase> domains() {
   const FunctionField shock = testing::shock_field(10);
   return {
       four_points(),
@@ -166,9 +166,9 @@ const char* name_of(QuadFront front) {
   return names[static_cast<std::size_t>(front)];
 }
 
-class Frontal : public ::testing::TestWithParam<std::tuple<Domain, QuadFront>> {
+class Frontal : public ::testing::TestWithParam<std::tuple<DomainCase, QuadFront>> {
  protected:
-  const Domain& domain() const { return std::get<0>(GetParam()); }
+  const DomainCase& domain() const { return std::get<0>(GetParam()); }
   QuadFront front() const { return std::get<1>(GetParam()); }
 };
 
@@ -226,19 +226,19 @@ class FrontalExample : public ::testing::TestWithParam<QuadFront> {};
 
 /// The paper's table 1 has 0.19 to 0.25, by the quads' own metric.
 TEST_P(FrontalExample, DeviatesLessThanInThePaper) {
-  const Domain domain = four_points();
+  const DomainCase domain = four_points();
   EXPECT_LT(deviation(*converted(domain, GetParam()).mesh), 0.23);
   EXPECT_LT(deviation(*finished(domain, GetParam()).mesh), 0.12);
 }
 
 TEST_P(FrontalExample, GetsBetterByCleaning) {
-  const Domain domain = four_points();
+  const DomainCase domain = four_points();
   EXPECT_GT(mean_jacobian(domain, *finished(domain, GetParam()).mesh),
             mean_jacobian(domain, *converted(domain, GetParam()).mesh));
 }
 
 TEST_P(FrontalExample, LeavesOneTriangleBetweenOddBoundaries) {
-  const Domain odd = {"Disc", testing::isotropic_field(0.1), {circle({0, 0}, 1, 63)}};
+  const DomainCase odd = {"Disc", testing::isotropic_field(0.1), {circle({0, 0}, 1, 63)}};
   const PatchQuads quads = finished(odd, GetParam());
   EXPECT_EQ(quads.report.triangles, 1U);
   EXPECT_EQ(count_faces(*quads.mesh, 3), 1U);
@@ -249,7 +249,7 @@ INSTANTIATE_TEST_SUITE_P(OfFronts, FrontalExample, ::testing::ValuesIn(kFronts),
                          [](const auto& test) { return std::string(name_of(test.param)); });
 
 TEST(FrontalWays, MergeOrAdvance) {
-  const Domain domain = four_points();
+  const DomainCase domain = four_points();
   const FrontalReport lee_lo = converted(domain, QuadFront::LeeLo).report;
   const FrontalReport q_morph = converted(domain, QuadFront::QMorph).report;
   const FrontalReport mixed = converted(domain, QuadFront::Mixed).report;
@@ -261,7 +261,7 @@ TEST(FrontalWays, MergeOrAdvance) {
 
 TEST(FrontalWays, MakeASquareLatticeOfASquare) {
   const FunctionField field = testing::isotropic_field(0.1);
-  const Domain domain = {"Square", field, {testing::with_nodes(testing::kUnitSquare, field)}};
+  const DomainCase domain = {"Square", field, {testing::with_nodes(testing::kUnitSquare, field)}};
   const PatchQuads quads = finished(domain, QuadFront::QMorph);
   EXPECT_NEAR(static_cast<double>(quads.mesh->n_faces()), 100, 12);
   EXPECT_GT(mean_jacobian(domain, *quads.mesh), 0.97);
@@ -269,7 +269,7 @@ TEST(FrontalWays, MakeASquareLatticeOfASquare) {
 
 TEST(FrontalRun, IsCancelled) {
   testing::Cancelling observer;
-  const Domain domain = four_points();
+  const DomainCase domain = four_points();
   auto mesh = triangles_of(domain)->release();
   FaceEditor editor(*mesh);
   const std::vector<std::size_t> sizes = sizes_of(domain.loops);

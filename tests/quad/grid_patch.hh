@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -56,6 +57,19 @@ struct GridPatch {
     return mesh;
   }
 };
+
+/// The bound of moves that may make everything worse.
+inline constexpr int kAny = std::numeric_limits<int>::max();
+
+/// The wanted numbers of faces at the vertices of the boundary.
+inline std::vector<int> wanted_of(const GridPatch& patch) {
+  std::vector<int> wanted(patch.number.fixed(), 2);
+  const int m = patch.number.columns(), n = patch.number.rows();
+  for (const auto& [i, j] : {std::pair{0, 0}, {m, 0}, {m, n}, {0, n}}) {
+    wanted[index(patch.vertex(i, j))] = 1;
+  }
+  return wanted;
+}
 
 /// Least scaled Jacobian of the faces that are in use.
 inline double least_jacobian(const GridPatch& patch) {

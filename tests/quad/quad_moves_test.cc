@@ -16,8 +16,7 @@ namespace surfmesh {
 namespace {
 
 using testing::GridPatch;
-
-constexpr int kAny = std::numeric_limits<int>::max();
+using testing::kAny;
 
 /// A grid whose connectivity is changed without regard to shapes.
 class Grid {

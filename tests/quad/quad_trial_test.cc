@@ -14,8 +14,8 @@ namespace surfmesh {
 namespace {
 
 using testing::GridPatch;
-
-constexpr int kAny = std::numeric_limits<int>::max();
+using testing::kAny;
+using testing::wanted_of;
 
 /// Everything that is known of a mesh in use: links, places, metrics, counts and measures.
 std::vector<double> everything(const GridPatch& patch, const QuadState& state) {
@@ -41,17 +41,6 @@ std::vector<double> everything(const GridPatch& patch, const QuadState& state) {
                            1.0 * patch.mesh.halfedge_handle(vh).idx()});
   }
   return all;
-}
-
-/// The wanted faces at the boundary of a rectangle.
-std::vector<int> wanted_of(const GridPatch& patch) {
-  std::vector<int> wanted(patch.number.fixed(), 2);
-  const int m = patch.number.columns(), n = patch.number.rows();
-  for (const VertexHandle vh :
-       {patch.vertex(0, 0), patch.vertex(m, 0), patch.vertex(m, n), patch.vertex(0, n)}) {
-    wanted[index(vh)] = 1;
-  }
-  return wanted;
 }
 
 class QuadTrials : public ::testing::Test {

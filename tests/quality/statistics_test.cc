@@ -139,7 +139,7 @@ TEST(MeasureEdges, OfNothingIsZero) {
 }
 
 TEST(MeasureEdges, NamesAMissingProperty) {
-  EXPECT_THROW(measure_edges(testing::octahedron()), Error);
+  EXPECT_THROW(measure_edges(testing::octahedron<PolyMesh>()), Error);
 }
 
 TEST(MeasureEdges, RefusesACornerThatIsNotSet) {

@@ -15,7 +15,7 @@
 namespace surfmesh {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(FindNearPoint, FindsTheFootOnASphere) {
   const auto sphere = testing::sphere();
@@ -52,7 +52,7 @@ TEST(FindNearPoint, EndsWhereItIsAccurateEnough) {
 TEST(FindNearPoint, GoesIntoPoles) {
   const NearPoint near = find_near_point(*testing::sphere(), {0, 0, 1.5}, {1, 1.1});
   EXPECT_NEAR(near.distance, 0.5, 1e-12);
-  EXPECT_NEAR(near.uv.v, kPi / 2, 1e-6);
+  EXPECT_NEAR(near.uv.v, pi / 2, 1e-6);
 }
 
 TEST(FindNearPoint, SlidesAlongTheBorder) {
@@ -77,15 +77,15 @@ TEST(FindNearPoint, StaysOnItsSideOfASeam) {
   const auto torus = testing::whole_torus();
   const Vec3 point = torus->evaluate({0, 1}, Order::Position).point;
   EXPECT_NEAR(find_near_point(*torus, point, {0.1, 1}).uv.u, 0, 1e-9);
-  EXPECT_NEAR(find_near_point(*torus, point, {2 * kPi - 0.1, 1}).uv.u, 2 * kPi, 1e-9);
+  EXPECT_NEAR(find_near_point(*torus, point, {2 * pi - 0.1, 1}).uv.u, 2 * pi, 1e-9);
 }
 
 TEST(SurfaceSearch, FindsPointsOfATorusFromAside) {
   const Model model = testing::model_of({testing::whole_torus()});
   const SurfaceSearch search(model);
   for (int i = 0; i < 200; ++i) {
-    const double u = std::fmod(0.7548776662 * i, 1) * 2 * kPi,
-                 v = std::fmod(0.569840291 * i, 1) * 2 * kPi;
+    const double u = std::fmod(0.7548776662 * i, 1) * 2 * pi,
+                 v = std::fmod(0.569840291 * i, 1) * 2 * pi;
     const Jet jet = model.patches[0].surface->evaluate({u, v}, Order::First);
     const Vec3 normal = jet.du.cross(jet.dv).normalized();
     EXPECT_NEAR(search.nearest(jet.point + 0.1 * normal).distance, 0.1, 1e-9);

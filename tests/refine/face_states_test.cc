@@ -13,17 +13,15 @@ using testing::empty_square;
 using testing::faces_of;
 using testing::isotropic_field;
 
-constexpr double kAccepted = 0.5;
-
 TEST(FaceStates, PredictUnitTrianglesForTheMetricArea) {
   const auto delaunay = empty_square(isotropic_field(0.1));
-  const FaceStates states(*delaunay, kAccepted);
+  const FaceStates states(*delaunay, testing::kAcceptedSize);
   EXPECT_NEAR(states.predicted_count(), 100 / kUnitTriangleArea, 1e-3);
 }
 
 TEST(FaceStates, AcceptSmallTriangles) {
   const auto delaunay = empty_square(isotropic_field(10));
-  const FaceStates states(*delaunay, kAccepted);
+  const FaceStates states(*delaunay, testing::kAcceptedSize);
   for (const FaceHandle fh : faces_of(*delaunay)) EXPECT_TRUE(states[fh].is_accepted);
   const FaceStates strict(*delaunay, 1e-6);
   for (const FaceHandle fh : faces_of(*delaunay)) EXPECT_FALSE(strict[fh].is_accepted);
@@ -33,7 +31,7 @@ TEST(FaceStates, AcceptSmallTriangles) {
 TEST(FaceStates, MeasureAFanAsItsTriangles) {
   const auto field = testing::four_point_field();
   const auto delaunay = empty_square(field);
-  FaceStates states(*delaunay, kAccepted);
+  FaceStates states(*delaunay, testing::kAcceptedSize);
   states.grow();
   const Uv p{0.4, 0.3};
   const TriangleMetricRule rule{delaunay->uv_handle(), delaunay->metric_handle()};
@@ -42,7 +40,7 @@ TEST(FaceStates, MeasureAFanAsItsTriangles) {
   Fan fan;
   collect_fan(*delaunay, vh, fan);
   states.measure_fan(vh, fan);
-  const FaceStates fresh(*delaunay, kAccepted);
+  const FaceStates fresh(*delaunay, testing::kAcceptedSize);
   constexpr double rounding = 1e-6;  // of float
   EXPECT_NEAR(states.predicted_count(), fresh.predicted_count(),
               rounding * fresh.predicted_count());
@@ -55,7 +53,7 @@ TEST(FaceStates, MeasureAFanAsItsTriangles) {
 TEST(FaceStates, StampTrianglesThatAreMeasuredAnew) {
   const auto field = isotropic_field(0.1);
   const auto delaunay = empty_square(field);
-  FaceStates states(*delaunay, kAccepted);
+  FaceStates states(*delaunay, testing::kAcceptedSize);
   states.grow();
   const TriangleMetricRule rule{delaunay->uv_handle(), delaunay->metric_handle()};
   const VertexHandle vh = delaunay->insert({0.4, 0.3}, FaceHandle(0), rule);

@@ -12,8 +12,6 @@ using testing::empty_square;
 using testing::faces_of;
 using testing::isotropic_field;
 
-constexpr double kAccepted = 0.5;
-
 std::size_t count_entries(Front& front) {
   std::size_t count = 0;
   FrontQueue::Entry entry;
@@ -30,7 +28,7 @@ bool is_at_boundary(const PolyMesh& mesh, FaceHandle fh) {
 
 TEST(Front, IsAtTheBoundaryAtFirst) {
   const auto delaunay = empty_square(isotropic_field(0.1));
-  FaceStates states(*delaunay, kAccepted);
+  FaceStates states(*delaunay, testing::kAcceptedSize);
   for (const FaceHandle fh : faces_of(*delaunay)) states[fh].is_accepted = false;
   Front front(*delaunay, states, Placement::Frontal);
   FrontQueue::Entry entry;
@@ -43,7 +41,7 @@ TEST(Front, IsAtTheBoundaryAtFirst) {
 
 TEST(Front, IsAllThatIsNotAcceptedWithCircumcentres) {
   const auto delaunay = empty_square(isotropic_field(0.1));
-  FaceStates states(*delaunay, kAccepted);
+  FaceStates states(*delaunay, testing::kAcceptedSize);
   std::size_t large = 0;
   for (const FaceHandle fh : faces_of(*delaunay)) large += states[fh].is_accepted ? 0 : 1;
   ASSERT_GT(large, 0u);
@@ -53,7 +51,7 @@ TEST(Front, IsAllThatIsNotAcceptedWithCircumcentres) {
 
 TEST(Front, MovesOnBehindWhatIsAccepted) {
   const auto delaunay = empty_square(isotropic_field(0.1));
-  FaceStates states(*delaunay, kAccepted);
+  FaceStates states(*delaunay, testing::kAcceptedSize);
   Front front(*delaunay, states, Placement::Frontal);
   FrontQueue::Entry entry;
   std::size_t accepted = 0;
@@ -70,7 +68,7 @@ TEST(Front, MovesOnBehindWhatIsAccepted) {
 TEST(Front, HasItsBaseAtTheShortestSideOrTheLongest) {
   const auto field = isotropic_field(0.4);
   const auto delaunay = empty_square(field);
-  FaceStates states(*delaunay, kAccepted);
+  FaceStates states(*delaunay, testing::kAcceptedSize);
   const Front frontal(*delaunay, states, Placement::Frontal);
   const Front circumcentre(*delaunay, states, Placement::Circumcentre);
   const auto length = [&](HalfedgeHandle heh) {

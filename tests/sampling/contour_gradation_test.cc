@@ -7,12 +7,15 @@
 #include <numbers>
 
 #include "support/models.hh"
+#include "support/waves.hh"
 #include "surfmesh/geometry/first_form.hh"
 #include "surfmesh/metric/conformity.hh"
 #include "surfmesh/metric/size_tensor.hh"
 
 namespace surfmesh {
 namespace {
+
+using testing::size_of;
 
 constexpr double kGrade = 1.5;
 
@@ -23,10 +26,6 @@ struct Controls {
   std::vector<std::unique_ptr<ControlSpace>> spaces;
   ContourGradationReport report;
 };
-
-Size size_of(double along, double across, double angle = 0) {
-  return {Length::units(along), Length::units(across), angle};
-}
 
 Controls graded_controls(Model model, const std::vector<Size>& sizes, double grade = kGrade,
                          ControlKind kind = ControlKind::Cells) {

@@ -25,7 +25,7 @@ namespace {
 using testing::model_of;
 using testing::rectangle;
 
-Sizing sizing(double hmax, double proximity = 1) {
+Sizing sizing_for_gaps(double hmax, double proximity = 1) {
   Sizing result = testing::sizing_of(0, 1e-4, hmax, 2);
   result.grade = 1.5;
   result.proximity = proximity;
@@ -33,7 +33,7 @@ Sizing sizing(double hmax, double proximity = 1) {
 }
 
 std::vector<PlacedSize> gaps(const Model& model, double hmax, double proximity = 1) {
-  const Sizing own = sizing(hmax, proximity);
+  const Sizing own = sizing_for_gaps(hmax, proximity);
   return proximity_sizes(model, resolve(own, 1))[0];
 }
 
@@ -155,7 +155,7 @@ Model half_ring(double width) {
 TEST(Proximity, IsTheWidthOfACurvedStripWhateverHmax) {
   for (const double width : {0.05, 1e-3, 1e-5}) {
     for (const double hmax : {0.1, 0.4, 1.0}) {
-      Sizing own = sizing(hmax);
+      Sizing own = sizing_for_gaps(hmax);
       own.hmin = Length::units(1e-7);
       const auto sizes = proximity_sizes(half_ring(width), resolve(own, 1))[0];
       double covered = 0;
@@ -171,7 +171,7 @@ TEST(Proximity, IsTheWidthOfACurvedStripWhateverHmax) {
 TEST(Proximity, GoesAcrossPatchesThatASmoothContourJoins) {
   // Two halves of a strip along its middle line: the gap is the whole.
   const Model model = model_of({rectangle(0, 0, 3, 0.05), rectangle(0, 0.05, 3, 0.1)});
-  const Sizing own = sizing(1);
+  const Sizing own = sizing_for_gaps(1);
   for (const auto& sizes : proximity_sizes(model, resolve(own, 1))) {
     ASSERT_FALSE(sizes.empty());
     for (const PlacedSize& placed : sizes) {
@@ -193,7 +193,7 @@ TEST(Proximity, IsNotInACornerOfAStraightAndACurvedSide) {
 
 TEST(ClampWarning, CountsSourcesAndTables) {
   const Model model = model_of({rectangle(0, 0, 1, 1), rectangle(1, 0, 2, 1)});
-  const SizeBounds bounds = resolve(sizing(0.5), 1).bounds;
+  const SizeBounds bounds = resolve(sizing_for_gaps(0.5), 1).bounds;
   Sources sources;
   sources.everywhere = {{0, testing::size_of(0.2)}};
   EXPECT_FALSE(clamp_notice(model, sources, bounds).has_value());
@@ -224,7 +224,7 @@ std::vector<PlacedSize> features_of(double radius, double hmax, double grade) {
     const double angle = 2 * std::numbers::pi * t;
     return {radius * std::cos(angle), radius * std::sin(angle), 0};
   });
-  Sizing own = sizing(hmax);
+  Sizing own = sizing_for_gaps(hmax);
   own.grade = grade;
   return feature_sizes(circle, resolve(own, 1));
 }
@@ -318,7 +318,7 @@ TEST(ModelSources, HaveNothingOfContoursThatIsOff) {
 TEST(ModelSources, ShareWhatIsNearAPlaceInSpace) {
   Sources sources;
   sources.near.push_back({{Vec3::Zero()}, {testing::size_of(0.1)}});
-  Sizing own = sizing(0.01);
+  Sizing own = sizing_for_gaps(0.01);
   const auto all = model_sources(testing::model_of({rectangle(0, 0, 1, 1), rectangle(1, 0, 2, 1)}),
                                  sources, resolve(own, 1));
   ASSERT_EQ(all.size(), 2u);
@@ -328,7 +328,7 @@ TEST(ModelSources, ShareWhatIsNearAPlaceInSpace) {
 TEST(ModelSources, NeedARadiusNearAPlaceWithoutGradation) {
   Sources sources;
   sources.near.push_back({{Vec3(1, 2, 3)}, {testing::size_of(0.1)}});
-  Sizing own = sizing(1);
+  Sizing own = sizing_for_gaps(1);
   own.grade = 0;
   const Model model = model_of({rectangle(0, 0, 1, 1)});
   EXPECT_NE(error_of([&] {
@@ -358,9 +358,9 @@ Model square_with_touching_hole() {
 }
 
 TEST(ProximitySizes, AreNoneInACusp) {
-  const Sizing sizing{.hmin = Length::units(0.001), .hmax = Length::units(0.5)};
+  const Sizing sizing_for_gaps{.hmin = Length::units(0.001), .hmax = Length::units(0.5)};
   const Model model = square_with_touching_hole();
-  const auto sizes = proximity_sizes(model, resolve(sizing, model.diagonal));
+  const auto sizes = proximity_sizes(model, resolve(sizing_for_gaps, model.diagonal));
   EXPECT_TRUE(sizes.at(0).empty());
 }
 

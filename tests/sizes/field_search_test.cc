@@ -19,11 +19,10 @@
 namespace surfmesh {
 namespace {
 
-const test::PlanePatch kPlane(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY());
 const UvBox kWhole = {{0, 1}, {0, 1}};
 constexpr int kCells = 16;
 
-SizeField field_of(const FieldSource& source, const Surface& surface = kPlane) {
+SizeField field_of(const FieldSource& source, const Surface& surface = test::kUnitPlane) {
   PatchSources sources;
   sources.fields.push_back(source);
   return SizeField(surface, resolve(testing::sizing_of(0, 0.0001, 1, 2), 1), sources);
@@ -150,7 +149,7 @@ std::size_t evaluations_for(const FieldSource& source, std::size_t& found) {
     for (int k = 0; k < 9; ++k) {
       const Uv uv = {std::lerp(cell.u.lower, cell.u.upper, 0.5 * (k % 3)),
                      std::lerp(cell.v.lower, cell.v.upper, 0.5 * (k / 3))};
-      least = std::min(least, least_length(source, kPlane, uv));
+      least = std::min(least, least_length(source, test::kUnitPlane, uv));
     }
     found += search.find_smaller(cell, 0.7 * least).has_value();
   }
@@ -217,7 +216,7 @@ TEST(FieldSearch, LooksIntoAllFieldsWithBounds) {
   sources.fields.push_back(formula_field("0.1"));
   sources.fields.push_back({0, [](Uv, const Vec3&) { return 0.001; }});
   sources.fields.push_back(formula_field("0.002+abs(u-0.317)"));
-  const SizeField field(kPlane, resolve(testing::sizing_of(0, 0.0001, 1, 2), 1), sources);
+  const SizeField field(test::kUnitPlane, resolve(testing::sizing_of(0, 0.0001, 1, 2), 1), sources);
   FieldSearch search(field);
   EXPECT_FALSE(search.find_smaller(kWhole, 0.0015));
   const auto found = search.find_smaller(kWhole, 0.01);

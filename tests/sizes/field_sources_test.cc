@@ -22,17 +22,17 @@ using testing::expect_near;
 using testing::size_of;
 using testing::units;
 
-const test::PlanePatch kPlane(Vec3::Zero(), {2, 0, 0}, {0, 1, 0});
+const test::PlanePatch kWidePlane(Vec3::Zero(), {2, 0, 0}, {0, 1, 0});
 
 /// Sizes from 0.001 to 1 without curvature.
-Sizing sizing(double grade = 0) {
+Sizing sizing_with_grade(double grade = 0) {
   Sizing result = testing::sizing_of(0, 0.001, 1, 2);
   result.grade = grade;
   return result;
 }
 
 SizeField field_of(const PatchSources& sources, double grade = 0) {
-  return SizeField(kPlane, resolve(sizing(grade), 1), sources);
+  return SizeField(kWidePlane, resolve(sizing_with_grade(grade), 1), sources);
 }
 
 std::string error_at(const PatchSources& sources, Uv uv) {
@@ -168,7 +168,8 @@ TEST(FieldSources, TellTheirPrecision) {
 TEST(MakeControl, RepresentsSizesAroundAPlace) {
   PatchSources sources{{{0, size_of(0.3)}}, {{0, {0.5, 0.5}, size_of(0.02), units(0.1)}}};
   const SizeField field = field_of(sources, 1.5);
-  ControlInput input = collect_control_input(kPlane, resolve(sizing(1.5), 1), sources, {});
+  ControlInput input =
+      collect_control_input(kWidePlane, resolve(sizing_with_grade(1.5), 1), sources, {});
   const auto control = make_control(input);
   finish(*control);
   QueryHint hint;
@@ -184,7 +185,7 @@ TEST(PointNodes, HaveTheExtendedForms) {
       {0, {0, 0}, size_of(0.1)},
       {0, {1, 0}, size_of(0.1), units(0.2)},
       {0, {1, 1}, size_of(0.1), units(0.2), Outer{size_of(0.5), units(0.4)}}};
-  const auto nodes = point_nodes(sources, kPlane, resolve(sizing(), 1).bounds);
+  const auto nodes = point_nodes(sources, kWidePlane, resolve(sizing_with_grade(), 1).bounds);
   EXPECT_FALSE(std::isfinite(nodes[0].inner.h11));
   EXPECT_EQ(nodes[1].inner, isotropic(0.1));
   EXPECT_EQ(nodes[1].size, isotropic(0.1));
@@ -213,12 +214,12 @@ TEST(PlaceSources, KnowWhatIsInAPolygon) {
 
 TEST(PlaceSources, RefuseWhatIsNoPlace) {
   std::vector<PlacedSize> sizes;
-  const SizeBounds bounds = resolve(sizing(), 1).bounds;
+  const SizeBounds bounds = resolve(sizing_with_grade(), 1).bounds;
   EXPECT_THROW(add_near({{}, {size_of(1)}}, bounds, sizes), Error);
   EXPECT_THROW(add_near({{Vec3(kUnset, 0, 0)}, {size_of(1)}}, bounds, sizes), Error);
   EXPECT_THROW(add_near({{Vec3::Zero()}, {size_of(1), units(-1)}}, bounds, sizes), Error);
-  EXPECT_THROW(add_border({0, {{0, 0}, {1, 1}}, {size_of(1)}}, kPlane, bounds, sizes), Error);
-  EXPECT_THROW(add_border({0, {{0, 0}, {1, 1}, {2, 0}}, {size_of(1)}}, kPlane, bounds, sizes),
+  EXPECT_THROW(add_border({0, {{0, 0}, {1, 1}}, {size_of(1)}}, kWidePlane, bounds, sizes), Error);
+  EXPECT_THROW(add_border({0, {{0, 0}, {1, 1}, {2, 0}}, {size_of(1)}}, kWidePlane, bounds, sizes),
                Error);
 }
 
@@ -226,17 +227,17 @@ TEST(SizeBounds, CountSizesBeyondThem) {
   Sources sources;
   sources.everywhere = {{0, size_of(0.5)}, {0, size_of(2)}, {1, size_of(2)}};  // a group's, once
   sources.at = {{0, {0, 0}, size_of(0.5, 1e-9), {}, Outer{size_of(7), units(1)}}};
-  EXPECT_EQ(count_clamped(sources, resolve(sizing(), 1).bounds), 3u);
+  EXPECT_EQ(count_clamped(sources, resolve(sizing_with_grade(), 1).bounds), 3u);
 }
 
 TEST(SizeBounds, CountRowsOfTablesBeyondThem) {
-  const SizeBounds bounds = resolve(sizing(), 1).bounds;
+  const SizeBounds bounds = resolve(sizing_with_grade(), 1).bounds;
   const TableSource sizes = {0, {{{0, 0}, size_of(3)}, {{0, 0}, size_of(1)}}};
-  EXPECT_EQ(count_clamped(sizes, kPlane, bounds), 1u);
+  EXPECT_EQ(count_clamped(sizes, kWidePlane, bounds), 1u);
   // Lengths along u of 3, 1 (at the bound) and 0.5, where u is half of x.
   const TableSource metrics = {
       0, {{{0, 0}, {}, {4.0 / 9, 0, 1}}, {{1, 0}, {}, {4, 0, 1}}, {{1, 1}, {}, {16, 0, 4}}}};
-  EXPECT_EQ(count_clamped(metrics, kPlane, bounds), 1u);
+  EXPECT_EQ(count_clamped(metrics, kWidePlane, bounds), 1u);
 }
 
 }  // namespace

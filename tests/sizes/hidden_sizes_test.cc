@@ -21,15 +21,13 @@ namespace {
 
 using Function = std::function<double(Uv)>;
 
-const test::PlanePatch kPlane(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY());
-
-std::vector<Uv> hidden_in(const FieldSource& source, const Surface& surface = kPlane) {
+std::vector<Uv> hidden_in(const FieldSource& source, const Surface& surface = test::kUnitPlane) {
   PatchSources sources;
   sources.fields.push_back(source);
   return find_hidden(SizeField(surface, resolve(testing::sizing_of(0, 0.0001, 1, 2), 1), sources));
 }
 
-std::vector<Uv> hidden_in(const Function& size, const Surface& surface = kPlane) {
+std::vector<Uv> hidden_in(const Function& size, const Surface& surface = test::kUnitPlane) {
   return hidden_in(FieldSource{0, [size](Uv uv, const Vec3&) { return size(uv); }}, surface);
 }
 

@@ -13,8 +13,6 @@
 namespace surfmesh {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 TEST(ResolvedSizing, IsInModelUnits) {
   const ResolvedSizing sizing =
       resolve({.hmin = Length::share(0.01), .hmax = Length::units(5), .sag = Length::share(0.001)},
@@ -77,7 +75,7 @@ struct Fault {
 };
 
 TEST(ResolvedSizing, RefusesWhatIsOutOfRangeByName) {
-  for (const double bad : {-1.0, kUnset, kInfinity}) {
+  for (const double bad : {-1.0, kUnset, std::numeric_limits<double>::infinity()}) {
     const Fault faults[] = {
         {{.curvature = bad}, "curvature"},      {{.hmin = Length::units(bad)}, "hmin"},
         {{.hmax = Length::units(bad)}, "hmax"}, {{.grade = bad}, "grade"},

@@ -13,7 +13,7 @@
 namespace surfmesh {
 namespace {
 
-class Random {
+class RandomPlaces {
  public:
   double operator()(double from, double to) {
     return std::uniform_real_distribution<double>(from, to)(engine_);
@@ -25,7 +25,7 @@ class Random {
 };
 
 std::vector<PlacedSize> random_sizes(int count, bool is_isotropic) {
-  Random random;
+  RandomPlaces random;
   std::vector<PlacedSize> sizes;
   for (int i = 0; i < count; ++i) {
     PlacedSize placed;
@@ -40,13 +40,15 @@ std::vector<PlacedSize> random_sizes(int count, bool is_isotropic) {
   return sizes;
 }
 
-TangentFrame random_place(Random& random) { return {random.point(), Vec3::UnitX(), Vec3::UnitY()}; }
+TangentFrame random_place(RandomPlaces& random) {
+  return {random.point(), Vec3::UnitX(), Vec3::UnitY()};
+}
 
 TEST(SourceTree, GivesTheLeastOfAllIsotropicSizes) {
   const auto sizes = random_sizes(300, true);
   for (const double grade : {0.0, 1.0, 1.5}) {
     const SourceTree tree(sizes, grade);
-    Random random;
+    RandomPlaces random;
     for (int i = 0; i < 200; ++i) {
       const TangentFrame place = random_place(random);
       double least = 0.5;
@@ -62,7 +64,7 @@ TEST(SourceTree, GivesTheLeastOfAllIsotropicSizes) {
 TEST(SourceTree, IsNoLargerThanAnySize) {
   const auto sizes = random_sizes(100, false);
   const SourceTree tree(sizes, 1.5);
-  Random random;
+  RandomPlaces random;
   for (int i = 0; i < 100; ++i) {
     const TangentFrame place = random_place(random);
     const SizeTensor found = tree.minimum_at(place, isotropic(0.5));
@@ -75,7 +77,7 @@ TEST(SourceTree, IsNoLargerThanAnySize) {
 
 TEST(SourceTree, LeavesASizeThatNothingIsBelow) {
   const SizeTensor size = size_tensor(0.004, 0.003, 0.2);
-  Random random;
+  RandomPlaces random;
   const SourceTree tree(random_sizes(100, false), 1.5);
   EXPECT_EQ(tree.minimum_at(random_place(random), size), size);
   EXPECT_EQ(SourceTree({}, 1.5).minimum_at(random_place(random), size), size);

@@ -18,8 +18,6 @@ namespace {
 
 constexpr double kRounding = 1e-12;
 
-const test::PlanePatch kPlane(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY());
-
 std::vector<ControlNode> grid(int n, const std::function<SizeTensor(Uv)>& size) {
   std::vector<ControlNode> nodes;
   for (int j = 0; j < n; ++j) {
@@ -39,7 +37,7 @@ SizeTensor wave(Uv uv) {
 TEST(ThinNodes, KeepsThePrecisionAtAllNodes) {
   const auto nodes = grid(60, wave);
   for (const double precision : {0.4, 0.2, 0.1}) {
-    const NodeInterpolation kept(kPlane, thin_nodes(kPlane, nodes, precision));
+    const NodeInterpolation kept(test::kUnitPlane, thin_nodes(test::kUnitPlane, nodes, precision));
     for (const ControlNode& node : nodes) {
       EXPECT_LE(log_conformity(node.size, kept.at({node.uv, node.point, node.form}).size),
                 precision);
@@ -49,12 +47,12 @@ TEST(ThinNodes, KeepsThePrecisionAtAllNodes) {
 
 TEST(ThinNodes, KeepsFewOfASmoothField) {
   const auto nodes = grid(60, wave);
-  EXPECT_LT(thin_nodes(kPlane, nodes, 0.2).size(), nodes.size() / 10);
-  EXPECT_LT(thin_nodes(kPlane, nodes, 0.1).size(), nodes.size() / 3);
+  EXPECT_LT(thin_nodes(test::kUnitPlane, nodes, 0.2).size(), nodes.size() / 10);
+  EXPECT_LT(thin_nodes(test::kUnitPlane, nodes, 0.1).size(), nodes.size() / 3);
 }
 
 TEST(ThinNodes, KeepsCornersOfAConstantField) {
-  const auto kept = thin_nodes(kPlane, grid(20, [](Uv) { return isotropic(0.1); }), 0.1);
+  const auto kept = thin_nodes(test::kUnitPlane, grid(20, [](Uv) { return isotropic(0.1); }), 0.1);
   EXPECT_EQ(kept.size(), 4u);
 }
 
@@ -62,7 +60,7 @@ TEST(ThinNodes, KeepsANodeThatStandsOut) {
   auto nodes = grid(11, [](Uv) { return isotropic(0.2); });
   nodes[60].size = isotropic(0.02);
   std::set<std::pair<double, double>> places;
-  for (const ControlNode& node : thin_nodes(kPlane, nodes, 0.1)) {
+  for (const ControlNode& node : thin_nodes(test::kUnitPlane, nodes, 0.1)) {
     places.insert({node.uv.u, node.uv.v});
   }
   EXPECT_TRUE(places.contains({0.5, 0.5}));
@@ -73,22 +71,24 @@ TEST(ThinNodes, EndsWithNodesOnTopOfEachOther) {
   nodes.push_back(nodes[7]);
   nodes.back().size = isotropic(0.05);
   std::vector<ControlNode> there;
-  for (const ControlNode& node : thin_nodes(kPlane, nodes, 0.01)) {
+  for (const ControlNode& node : thin_nodes(test::kUnitPlane, nodes, 0.01)) {
     if (node.uv == nodes[7].uv) there.push_back(node);
   }
   ASSERT_EQ(there.size(), 1u);
   EXPECT_LT(log_conformity(there[0].size, isotropic(0.05)), kRounding);
 }
 
-TEST(ThinNodes, KeepNothingOfNothing) { EXPECT_TRUE(thin_nodes(kPlane, {}, 0.1).empty()); }
+TEST(ThinNodes, KeepNothingOfNothing) {
+  EXPECT_TRUE(thin_nodes(test::kUnitPlane, {}, 0.1).empty());
+}
 
 /// A plane that counts how often it is asked, which is four times a round.
 class CountingPlane : public Surface {
  public:
-  Domain domain() const override { return kPlane.domain(); }
+  Domain domain() const override { return test::kUnitPlane.domain(); }
   Jet evaluate(Uv uv, Order order) const override {
     ++evaluations;
-    return kPlane.evaluate(uv, order);
+    return test::kUnitPlane.evaluate(uv, order);
   }
   mutable int evaluations = 0;
 };
@@ -107,7 +107,8 @@ TEST(ThinNodes, TakesFewRoundsForManyNodesAtOnePlace) {
   const auto kept = thin_nodes(plane, nodes, 0.1);
   EXPECT_LE(kept.size(), 26u);
   EXPECT_LE(plane.evaluations, 4 * 10);
-  const auto size = NodeInterpolation(kPlane, kept).at({inside.uv, inside.point, inside.form}).size;
+  const auto size =
+      NodeInterpolation(test::kUnitPlane, kept).at({inside.uv, inside.point, inside.form}).size;
   EXPECT_LE(log_conformity(size, isotropic(0.01)), 0.1);
 }
 
@@ -127,7 +128,7 @@ TEST(ThinNodes, KeepsThePrecisionOfNoiseInFewRounds) {
   auto nodes = grid(n, wave);
   for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i].size = isotropic(0.02 + 0.05 * noise(i));
   const CountingPlane plane;
-  const NodeInterpolation kept(kPlane, thin_nodes(plane, nodes, 0.1));
+  const NodeInterpolation kept(test::kUnitPlane, thin_nodes(plane, nodes, 0.1));
   EXPECT_LE(plane.evaluations, 4 * 30);
   for (const ControlNode& node : nodes) {
     EXPECT_LE(log_conformity(node.size, kept.at({node.uv, node.point, node.form}).size), 0.1);

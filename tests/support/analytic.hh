@@ -48,6 +48,9 @@ class PlanePatch : public AnalyticSurface {
   Vec3 b_;
 };
 
+/// The unit square in the plane z = 0.
+inline const PlanePatch kUnitPlane(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY());
+
 /// Radius r about the z axis, u the angle, v the height.
 class Cylinder : public AnalyticSurface {
  public:

@@ -27,6 +27,9 @@ inline std::vector<Uv> random_points(int count, unsigned seed) {
   return points;
 }
 
+/// Of triangles that are accepted: the square of their metric circumradius.
+inline constexpr double kAcceptedSize = 0.5;
+
 inline const std::vector<Uv> kUnitSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
 /// `count` points on a circle, counter-clockwise; clockwise for a negative count.

@@ -3,9 +3,13 @@
 
 #include <vector>
 
+#include "surfmesh/core/mesh_names.hh"
 #include "surfmesh/pieces/mesh_piece.hh"
 
 namespace surfmesh::testing {
+
+/// Names of the patches of a strip in pieces.
+inline const MeshNames kStripNames = {{"lower & left", "upper"}, {{"first", {1}}, {"all", {0, 1}}}};
 
 /// A flat strip of `columns` x 2 squares, cut into triangles, as `count` pieces of equal width. The
 /// ids go row by row through the whole strip; lower squares are of patch 0, upper ones of patch 1.

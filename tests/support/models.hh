@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -18,6 +19,15 @@
 namespace surfmesh::testing {
 
 using Shape = std::shared_ptr<const Surface>;
+
+/// The sides of a patch p, as its loop.
+inline const std::vector<std::string> kSides = {"p:v0", "p:u1", "-p:v1", "-p:u0"};
+
+/// Contours of more than one patch, or of one more than once.
+inline int count_shared(const Model& model) {
+  return static_cast<int>(std::count_if(model.contours.begin(), model.contours.end(),
+                                        [](const Contour& c) { return c.uses.size() > 1; }));
+}
 
 /// The rectangle from (x0, y0) to (x1, y1) in the plane z = 0, with x and y as parameters.
 inline Shape rectangle(double x0, double y0, double x1, double y1) {

@@ -10,13 +10,11 @@
 namespace surfmesh {
 namespace {
 
-using Json = nlohmann::json;
-
 class CheckProgram : public Program {
  protected:
-  Json check(int status, const std::string& arguments) {
+  nlohmann::json check(int status, const std::string& arguments) {
     EXPECT_EQ(run("check --json " + arguments), status) << err_;
-    return Json::parse(out_);
+    return nlohmann::json::parse(out_);
   }
 
   void mesh(const std::string& model, const std::string& options = "") {
@@ -28,7 +26,7 @@ TEST_F(CheckProgram, FindsNothingWrongWithOurMeshes) {
   for (const std::string model : {"knob.obj", "vault.obj", "icosahedron.off", "sphere.json",
                                   "torus.json", "cylinder.json", "plate.json"}) {
     mesh(model);
-    const Json json = check(0, "a.om --model '" + own_model(model) + "'");
+    const nlohmann::json json = check(0, "a.om --model '" + own_model(model) + "'");
     EXPECT_TRUE(json["clean"]) << model;
     EXPECT_TRUE(json["manifold"] && json["oriented"]) << model;
     EXPECT_FALSE(json["fit"]["projected"]) << model;
@@ -42,8 +40,8 @@ TEST_F(CheckProgram, ProjectsMeshesWithoutParameters) {
     EXPECT_EQ(run("convert a.om a.obj --quiet"), 0);
     // A size among the flags asks for those of a run, by which both are judged then.
     const std::string of_model = " --curvature 0.25 --model '" + own_model(model) + "'";
-    const Json own = check(0, "a.om" + of_model)["fit"];
-    const Json projected = check(0, "a.obj" + of_model)["fit"];
+    const nlohmann::json own = check(0, "a.om" + of_model)["fit"];
+    const nlohmann::json projected = check(0, "a.obj" + of_model)["fit"];
     EXPECT_TRUE(projected["projected"]);
     EXPECT_NEAR(projected["edges"]["mean"], own["edges"]["mean"], 2e-3) << model;
     EXPECT_NEAR(projected["quality"]["mean"], own["quality"]["mean"], 2e-3) << model;
@@ -65,12 +63,12 @@ TEST_F(CheckProgram, TellsAMeshOfAnotherModel) {
 TEST_F(CheckProgram, JudgesAMeshWithoutAMetricByThatOfARun) {
   for (const std::string& options : {std::string(), std::string(" --hmax 4%")}) {
     EXPECT_EQ(run("mesh '" + own_model("knob.obj") + "' -o a.om --report r.json" + options), 0);
-    const Json made = Json::parse(read_text(folder_ / "r.json"))["edges"];
+    const nlohmann::json made = nlohmann::json::parse(read_text(folder_ / "r.json"))["edges"];
     for (const char* ending : {"obj", "stl"}) {
       const std::string file = std::string("a.") + ending;
       EXPECT_EQ(run("convert a.om " + file + " --quiet"), 0);
       const std::string arguments = file + " --model '" + own_model("knob.obj") + "'" + options;
-      const Json fit = check(0, arguments)["fit"];
+      const nlohmann::json fit = check(0, arguments)["fit"];
       EXPECT_FALSE(fit["exact_sizes"]);
       EXPECT_FALSE(fit["stored_metric"]);
       EXPECT_NEAR(fit["edges"]["mean"], made["mean"], 2e-3) << file;
@@ -86,12 +84,12 @@ TEST_F(CheckProgram, TellsAMeshThatIsFartherThanTheSag) {
   EXPECT_EQ(run("convert a.om a.obj --quiet"), 0);
   for (const char* file : {"a.om", "a.obj"}) {
     const std::string arguments = std::string(file) + " --model '" + own_model("knob.obj") + "'";
-    const Json without = check(0, arguments)["fit"];
+    const nlohmann::json without = check(0, arguments)["fit"];
     EXPECT_TRUE(without["sag"].is_null());
     const double reached = without["distance"]["max"];
-    const Json kept = check(0, fmt::format("{} --sag {}", arguments, 1.001 * reached));
+    const nlohmann::json kept = check(0, fmt::format("{} --sag {}", arguments, 1.001 * reached));
     EXPECT_EQ(kept["fit"]["sag"], 1.001 * reached);
-    const Json missed = check(3, fmt::format("{} --sag {}", arguments, 0.999 * reached));
+    const nlohmann::json missed = check(3, fmt::format("{} --sag {}", arguments, 0.999 * reached));
     ASSERT_EQ(missed["notices"].size(), 1u);
     EXPECT_EQ(missed["notices"][0]["kind"], "sag_not_reached");
     EXPECT_EQ(missed["notices"][0]["severity"], "shortfall");
@@ -104,12 +102,13 @@ TEST_F(CheckProgram, TellsAMeshThatIsFartherThanTheSag) {
 TEST_F(CheckProgram, AgreesWithARunThatReachedItsSag) {
   for (const std::string model : {"knob.obj", "vault.obj", "wave.json", "perforated.json"}) {
     mesh(model, "--sag 0.5% --report r.json");
-    const double reached = Json::parse(read_text(folder_ / "r.json"))["sag"]["reached"];
+    const double reached = nlohmann::json::parse(read_text(folder_ / "r.json"))["sag"]["reached"];
     for (const std::string file : {"a.om", "a.obj", "a.stl"}) {
       if (file != "a.om") {
         EXPECT_EQ(run("convert a.om " + file + " --quiet"), 0);
       }
-      const Json fit = check(0, file + " --sag 0.5% --model '" + own_model(model) + "'")["fit"];
+      const nlohmann::json fit =
+          check(0, file + " --sag 0.5% --model '" + own_model(model) + "'")["fit"];
       EXPECT_LE(fit["distance"]["max"], fit["sag"]) << model << ' ' << file;
       EXPECT_GT(fit["distance"]["max"], 0.9 * reached) << model << ' ' << file;
     }
@@ -127,10 +126,10 @@ TEST_F(CheckProgram, MeasuresInTheSizesAskedFor) {
 
 TEST_F(CheckProgram, JudgesAMeshByTheMetricThatItWasMadeBy) {
   mesh("two_scales.json", "--report r.json");
-  const Json report = Json::parse(read_text(folder_ / "r.json"));
+  const nlohmann::json report = nlohmann::json::parse(read_text(folder_ / "r.json"));
   for (const std::string& options :
        {std::string(), " --model '" + own_model("two_scales.json") + "'"}) {
-    const Json stored = check(0, "a.om" + options)["stored_metric"];
+    const nlohmann::json stored = check(0, "a.om" + options)["stored_metric"];
     for (const char* key : {"mean", "min", "max", "unit_fraction", "count"}) {
       EXPECT_EQ(stored["edges"][key], report["edges"][key]) << key;
     }
@@ -149,7 +148,7 @@ TEST_F(CheckProgram, JudgesByTheSizesOfARunWhereSizesAreGiven) {
 
 TEST_F(CheckProgram, HasTheDocumentedKeys) {
   mesh("plate.json");
-  const Json json = check(0, "a.om");
+  const nlohmann::json json = check(0, "a.om");
   for (const char* key : {"mesh", "model", "clean", "faults", "notices", "counts", "closed",
                           "manifold", "oriented", "self_intersections", "area", "volume", "box",
                           "angles", "edge_lengths", "shape", "stored_metric", "fit"}) {
@@ -164,10 +163,10 @@ TEST_F(CheckProgram, HasTheDocumentedKeys) {
 TEST_F(CheckProgram, TellsFaultsAndTheirPlaces) {
   write_text(folder_ / "a.obj",
              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 1 2 4\nf 1 2 4\n");
-  const Json json = check(3, "a.obj");
+  const nlohmann::json json = check(3, "a.obj");
   EXPECT_FALSE(json["clean"]);
   std::vector<std::string> kinds;
-  for (const Json& fault : json["faults"]) kinds.push_back(fault["kind"]);
+  for (const nlohmann::json& fault : json["faults"]) kinds.push_back(fault["kind"]);
   EXPECT_EQ(kinds,
             (std::vector<std::string>{"non_manifold_edge", "turned_neighbour", "duplicate_face",
                                       "duplicate_vertex", "unused_vertex"}));
@@ -181,7 +180,7 @@ TEST_F(CheckProgram, TellsDegenerateFacesOfEveryFormat) {
   const std::string fault =
       "face 1 of the file does not have three different corners, or no inside";
   const auto expect_fault = [&](const std::string& file) {
-    const Json json = check(3, file);
+    const nlohmann::json json = check(3, file);
     ASSERT_EQ(json["faults"].size(), 1u) << file;
     EXPECT_EQ(json["faults"][0]["kind"], "degenerate_face") << file;
     EXPECT_EQ(json["faults"][0]["places"][0], fault) << file;
@@ -211,7 +210,7 @@ TEST_F(CheckProgram, TellsMeshesOfAnotherModel) {
            "another model, or with other options of its cages (patches, weld, scheme)?"))
       << err_;
   mesh("wave.json", "--hmax 4 --curvature 0");
-  const Json json = check(3, "a.om --model '" + own_model("plate.json") + "'");
+  const nlohmann::json json = check(3, "a.om --model '" + own_model("plate.json") + "'");
   EXPECT_FALSE(json["clean"]);
 }
 

@@ -16,8 +16,6 @@
 namespace surfmesh {
 namespace {
 
-using Json = nlohmann::json;
-
 class MeshProgram : public Program {
  protected:
   /// Run `surfmesh mesh <input> -o out.obj <options>` with a model of ours.
@@ -39,7 +37,9 @@ class MeshProgram : public Program {
     EXPECT_EQ(folder_.count(), 0);
   }
 
-  Json report() const { return Json::parse(read_text(folder_ / "report.json")); }
+  nlohmann::json report() const {
+    return nlohmann::json::parse(read_text(folder_ / "report.json"));
+  }
 };
 
 TEST_F(MeshProgram, HelpsWithDefaultsAndAnExample) {
@@ -128,7 +128,7 @@ TEST_F(MeshProgram, SetsEveryOptionByAFlag) {
                  "--smoothing off --report report.json"),
             0)
       << err_;
-  const Json options = report()["options"];
+  const nlohmann::json options = report()["options"];
   EXPECT_EQ(options["contour_curvature"], false);
   EXPECT_EQ(options["inner_nodes"], true);
   EXPECT_EQ(options["curvature_from"], "differences");
@@ -202,7 +202,8 @@ TEST_F(MeshProgram, TellsWhereNormalsHaveNoPlace) {
       says("warning: normals has no effect on a.stl: normals of the corners are written to "
            ".obj, .glb or .om"))
       << err_;
-  EXPECT_EQ(Json::parse(read_text(folder_ / "a.json"))["notices"][0]["kind"], "unused_option");
+  EXPECT_EQ(nlohmann::json::parse(read_text(folder_ / "a.json"))["notices"][0]["kind"],
+            "unused_option");
 }
 
 TEST_F(MeshProgram, TellsNamesThatAFileChanges) {
@@ -296,7 +297,7 @@ TEST_F(MeshProgram, TellsHowRanksWouldShareTheWork) {
   EXPECT_EQ(folder_.count(), 1);
   EXPECT_NE(out_.find("pieces    16 on 8 ranks; "), std::string::npos) << out_;
   EXPECT_NE(out_.find("MB sent in all"), std::string::npos) << out_;
-  const Json pieces = report()["pieces"];
+  const nlohmann::json pieces = report()["pieces"];
   EXPECT_EQ(pieces["count"], 16);
   EXPECT_EQ(pieces["ranks"], 8);
   EXPECT_NEAR(pieces["largest_share"].get<double>(), 1.1, 0.1);
@@ -323,10 +324,10 @@ TEST_F(MeshProgram, TellsOfPiecesInItsReport) {
                 "' --hmax 3% --tile 500 --pieces mesh --piece-count 3 --report report.json"),
             0)
       << err_;
-  const Json pieces = report()["pieces"];
+  const nlohmann::json pieces = report()["pieces"];
   EXPECT_EQ(pieces["count"], 3);
   EXPECT_EQ(pieces["ranks"], 1);
-  EXPECT_EQ(pieces["faces_of_ranks"], Json::array({report()["mesh"]["triangles"]}));
+  EXPECT_EQ(pieces["faces_of_ranks"], nlohmann::json::array({report()["mesh"]["triangles"]}));
   EXPECT_EQ(pieces["seconds_of_ranks"].size(), 1u);
   EXPECT_EQ(pieces["bytes_sent"], 0);
   EXPECT_EQ(report()["mesh"]["closed"], true);
@@ -359,13 +360,13 @@ TEST_F(MeshProgram, IsQuiet) {
 
 TEST_F(MeshProgram, ReportsWhatItDid) {
   EXPECT_EQ(mesh("wave.json", "--hmax 2 --report report.json"), 0) << err_;
-  const Json json = report();
+  const nlohmann::json json = report();
   for (const char* key : {"input", "options", "notices", "mesh", "edges", "quality", "quads", "sag",
                           "control", "seconds", "triangles_per_second"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   EXPECT_EQ(json["input"], own_model("wave.json"));
-  const Json seconds = json["seconds"];
+  const nlohmann::json seconds = json["seconds"];
   double sum = 0;
   for (const auto& [key, value] : seconds.items()) {
     if (key != "total" && key != "serial" && key != "wall") sum += value.get<double>();
@@ -382,7 +383,7 @@ TEST_F(MeshProgram, ReportsWhatItDid) {
 
 TEST_F(MeshProgram, ReachesTheSag) {
   EXPECT_EQ(mesh("knob.obj", "--sag 0.2% --report report.json"), 0) << err_;
-  const Json sag = report()["sag"];
+  const nlohmann::json sag = report()["sag"];
   EXPECT_LE(sag["reached"].get<double>(), sag["asked"].get<double>());
   EXPECT_EQ(report()["options"]["curvature"], "off");
   EXPECT_NE(out_.find("sag"), std::string::npos);
@@ -406,7 +407,7 @@ TEST_F(MeshProgram, EndsWithStatus3WhereTheSurfaceJumps) {
     EXPECT_EQ(run(command), 3) << command;
     EXPECT_NE(err_.find(line), std::string::npos) << command << err_;
   }
-  const Json notices = report()["notices"];
+  const nlohmann::json notices = report()["notices"];
   ASSERT_EQ(notices.size(), 1U);
   EXPECT_EQ(notices[0]["kind"], "surface_jump");
   EXPECT_EQ(notices[0]["severity"], "shortfall");
@@ -436,7 +437,7 @@ TEST_F(MeshProgram, EndsWithStatus3WhereTheSagIsNotReached) {
 
 TEST_F(MeshProgram, BeatsTheModelFileByTheCommandLine) {
   EXPECT_EQ(mesh("plate.json", "--hmax 0.3 --set grade=1.2 --report report.json"), 0) << err_;
-  const Json options = report()["options"];
+  const nlohmann::json options = report()["options"];
   EXPECT_EQ(options["hmax"], "0.3");
   EXPECT_EQ(options["grade"], 1.2);
   EXPECT_EQ(options["curvature"], "off");
@@ -448,7 +449,7 @@ TEST_F(MeshProgram, TakesTheOptionsOfTheControlSpace) {
                  "--reuse 0.1 --report report.json"),
             0)
       << err_;
-  const Json options = report()["options"];
+  const nlohmann::json options = report()["options"];
   EXPECT_EQ(options["interpolation"], "s");
   EXPECT_EQ(options["epsilon"], 0.2);
   EXPECT_EQ(options["inner_nodes"], true);
@@ -504,11 +505,12 @@ TEST_F(MeshProgram, ReportsTheOptionsOfACage) {
   write_text(folder_ / "a.json", R"({"cages": [{"name": "cube", "file": ")" +
                                      own_model("cube.obj") + R"(", "crease_angle": 30}]})");
   EXPECT_EQ(run("mesh a.json -o a.obj --report report.json"), 0) << err_;
-  EXPECT_EQ(report()["given"],
-            Json::parse(R"({"cube:crease_angle": {"value": "30", "from": "model file"}})"));
+  EXPECT_EQ(
+      report()["given"],
+      nlohmann::json::parse(R"({"cube:crease_angle": {"value": "30", "from": "model file"}})"));
   EXPECT_EQ(run("mesh a.json -o a.obj --report report.json --crease-angle 40"), 0) << err_;
   EXPECT_EQ(report()["given"],
-            Json::parse(R"({"crease_angle": {"value": "40", "from": "command line"}})"));
+            nlohmann::json::parse(R"({"crease_angle": {"value": "40", "from": "command line"}})"));
   EXPECT_EQ(report()["options"]["crease_angle"], 40);
   EXPECT_TRUE(report()["notices"].empty());
 }

@@ -16,7 +16,6 @@
 namespace surfmesh {
 namespace {
 
-using Json = nlohmann::json;
 using testing::PseudoTerminal;
 using testing::shown_lines;
 
@@ -50,12 +49,12 @@ class ViewProgram : public Program {
     return text.substr(start, text.find(to, start) - start);
   }
 
-  Json facts() { return Json::parse(between("id=\"facts\">", "</script>")); }
+  nlohmann::json facts() { return nlohmann::json::parse(between("id=\"facts\">", "</script>")); }
 
   std::vector<std::string> fields() {
     std::vector<std::string> names;
-    const Json all = facts();
-    for (const Json& field : all.at("fields")) names.push_back(field.at("name"));
+    const nlohmann::json all = facts();
+    for (const nlohmann::json& field : all.at("fields")) names.push_back(field.at("name"));
     return names;
   }
 
@@ -74,10 +73,10 @@ TEST_F(ViewProgram, ShowsAMeshAsItIs) {
   EXPECT_EQ(view("m.obj -o p.html"), 0) << err_;
   EXPECT_EQ(out_, "p.html: 4 vertices, 2 faces, 0.0 MB\n");
   EXPECT_EQ(err_, "surfmesh: m.obj is shown as it is; to mesh it as a cage, add --mesh\n");
-  const Json all = facts();
+  const nlohmann::json all = facts();
   EXPECT_EQ(all.at("title"), "m.obj");
   EXPECT_EQ(all.at("patches").at(1).at("name"), "right");
-  EXPECT_EQ(all.at("centre"), Json({0.5, 0.5, 0.0}));
+  EXPECT_EQ(all.at("centre"), nlohmann::json({0.5, 0.5, 0.0}));
   EXPECT_EQ(all.at("report"), nullptr);
   EXPECT_EQ(all.at("control"), nullptr);
   EXPECT_EQ(all.at("edges"), nullptr);
@@ -95,7 +94,7 @@ TEST_F(ViewProgram, MeshesACageIfMeshingIsAskedFor) {
   EXPECT_EQ(facts().at("report"), nullptr);
   EXPECT_EQ(view(knob + " --mesh -o p.html"), 0) << err_;
   EXPECT_TRUE(says("is meshed as a cage; to see the file itself, leave out the options")) << err_;
-  const Json all = facts();
+  const nlohmann::json all = facts();
   EXPECT_EQ(all.at("report").at("mesh").at("patches"), 6);
   EXPECT_EQ(all.at("control").size(), 6u);
   EXPECT_EQ(all.at("groups").at(0).at("name"), "flange");
@@ -112,11 +111,11 @@ TEST_F(ViewProgram, MeshesACageIfMeshingIsAskedFor) {
 TEST_F(ViewProgram, MeshesModels) {
   EXPECT_EQ(view(quoted_model("cylinder.json") + " -o p.html"), 0) << err_;
   EXPECT_EQ(err_, "");
-  const Json all = facts();
-  const Json& control = all.at("control").at(0);
+  const nlohmann::json all = facts();
+  const nlohmann::json& control = all.at("control").at(0);
   EXPECT_GT(control.at("nodes").get<int>(), 3);
   std::size_t nodes = 0, faces = 0;
-  for (const Json& part : all.at("control")) {
+  for (const nlohmann::json& part : all.at("control")) {
     nodes += part.at("nodes").get<std::size_t>();
     faces += part.at("faces").get<std::size_t>();
   }
@@ -209,7 +208,7 @@ TEST_F(ViewProgram, ShowsAMeshInAPoint) {
   write_text(folder_ / "m.off", "OFF\n3 1 0\n1 1 1\n1 1 1\n1 1 1\n3 0 1 2\n");
   EXPECT_EQ(view("m.off -o p.html"), 0) << err_;
   EXPECT_EQ(facts().at("radius"), 1.0);
-  EXPECT_EQ(facts().at("centre"), Json({1.0, 1.0, 1.0}));
+  EXPECT_EQ(facts().at("centre"), nlohmann::json({1.0, 1.0, 1.0}));
 }
 
 TEST_F(ViewProgram, ShowsPatchesWithoutNames) {
@@ -220,7 +219,7 @@ TEST_F(ViewProgram, ShowsPatchesWithoutNames) {
   attach(mesh, keys::face_patch, 2);
   write_mesh(mesh, folder_ / "m.om", {.patches = {"", "named"}, .groups = {}});
   EXPECT_EQ(view("m.om -o p.html"), 0) << err_;
-  const Json all = facts();
+  const nlohmann::json all = facts();
   ASSERT_EQ(all.at("patches").size(), 3u);
   EXPECT_EQ(all.at("patches").at(0).at("name"), "");
   EXPECT_EQ(all.at("patches").at(1).at("name"), "named");

@@ -11,12 +11,12 @@
 namespace surfmesh::compare {
 namespace {
 
-constexpr const char* kHead =
+constexpr const char* kHeadOfRemeshing =
     "| sizes | tool | faces | distance of faces, × input | of vertices, × input | of the surface "
     "| of features | Q least / mean | topology | seconds | by the clock | time to surfmesh |\n"
     "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 
-constexpr const char* kHowToRead =
+constexpr const char* kHowToReadRemeshing =
     "\nThe inputs are meshes of limit surfaces by surfmesh, with one size or (adaptive) sizes from "
     "curvature and triangles stretched up to twice, without patches. Each is "
     "remeshed with sides of half, the same and five times the mean length of its own, and by "
@@ -120,7 +120,7 @@ nlohmann::ordered_json to_json(const RemeshRow& row) {
 }  // namespace
 
 std::string remesh_table(const RemeshResult& result) {
-  std::string text = kHead;
+  std::string text = kHeadOfRemeshing;
   text +=
       fmt::format("| input | – | {} | – | – | – |\n", judgement_cells(result.input, result.input));
   const RemeshRow* first = nullptr;
@@ -136,7 +136,7 @@ std::string remesh_table(const RemeshResult& result) {
 
 std::string remesh_section(const std::vector<RemeshResult>& results) {
   if (results.empty()) return "";
-  std::string text = fmt::format("\n## Remeshing\n{}", kHowToRead);
+  std::string text = fmt::format("\n## Remeshing\n{}", kHowToReadRemeshing);
   for (const RemeshResult& result : results) {
     text += fmt::format("\n### {}: {}\n\n{}", result.name, result.about, remesh_table(result));
   }

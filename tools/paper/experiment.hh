@@ -21,6 +21,10 @@ enum class Way {
   Today        ///< with the defaults of surfmesh
 };
 
+/// Interpolations by their letters in the paper: t, o, x.
+inline constexpr Interpolation kT = Interpolation::Triangle, kO = Interpolation::Circles,
+                               kX = Interpolation::Automatic;
+
 /// A row of the tables: how sizes are interpolated, and between which nodes.
 struct Variant {
   Interpolation interpolation = Interpolation::Triangle;

@@ -15,9 +15,6 @@
 namespace surfmesh::paper {
 namespace {
 
-constexpr Interpolation kT = Interpolation::Triangle, kO = Interpolation::Circles,
-                        kX = Interpolation::Automatic;
-
 constexpr double kMargin = 12, kCaption = 22, kTextHeight = 14;
 
 /// A picture of panels side by side, each with a caption below.

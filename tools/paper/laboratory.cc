@@ -13,9 +13,6 @@
 namespace surfmesh::paper {
 namespace {
 
-constexpr Interpolation kT = Interpolation::Triangle, kO = Interpolation::Circles,
-                        kX = Interpolation::Automatic;
-
 double percent(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(whole);
 }

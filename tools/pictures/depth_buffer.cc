@@ -11,7 +11,7 @@ namespace surfmesh {
 namespace {
 
 /// Rows of samples that one thread draws at a time.
-constexpr std::size_t kBandRows = 64;
+constexpr std::size_t kSampleRows = 64;
 
 /// Steps of the lattice of corners to a sample. On pictures of 2^16 samples, the products that
 /// tell on which side of a line a sample lies are exact, so that triangles with one side leave no
@@ -89,7 +89,7 @@ class DepthBuffer::Rows {
     const auto [low, high] = std::minmax({a.y, b.y, c.y});
     const auto band_of = [bands](double y) {
       return static_cast<std::size_t>(
-          std::clamp(std::floor(y / kBandRows), 0.0, static_cast<double>(bands)));
+          std::clamp(std::floor(y / kSampleRows), 0.0, static_cast<double>(bands)));
     };
     if (!(high >= 0) || !std::isfinite(low)) return {0, 0};
     return {band_of(low), std::min(bands, band_of(high) + 1)};
@@ -105,10 +105,10 @@ DepthBuffer::DepthBuffer(const Scene& scene, std::size_t width, std::size_t heig
       columns_(width * static_cast<std::size_t>(samples)),
       rows_(height * static_cast<std::size_t>(samples)),
       front_(columns_ * rows_, -1) {
-  const std::size_t bands = (rows_ + kBandRows - 1) / kBandRows;
+  const std::size_t bands = (rows_ + kSampleRows - 1) / kSampleRows;
   const Rows triangles(*this, bands);
   share_indices(bands, [&](std::size_t band) {
-    const std::size_t first = band * kBandRows, end = std::min(rows_, first + kBandRows);
+    const std::size_t first = band * kSampleRows, end = std::min(rows_, first + kSampleRows);
     std::vector<double> depths(columns_ * (end - first), -std::numeric_limits<double>::infinity());
     for (const int t : triangles.of(band)) {
       const std::array<ScenePoint, 3> corners =

@@ -11,7 +11,7 @@ namespace surfmesh {
 namespace {
 
 /// Steps of a colour map in a picture: more, and each face of a vector picture has its own colour.
-constexpr double kSteps = 160;
+constexpr double kColourSteps = 160;
 
 /// On large areas categories are drawn paler, so that edges and shades stay visible on them.
 constexpr double kWhite = 0.42;
@@ -22,7 +22,7 @@ Rgb paler(const Rgb& colour) {
 }
 
 Rgb step_colour(ColourMap map, double share) {
-  return colour_at(map, std::round(kSteps * share) / kSteps);
+  return colour_at(map, std::round(kColourSteps * share) / kColourSteps);
 }
 
 std::string category_name(const MeshNames& names, MeshField field, std::size_t i) {

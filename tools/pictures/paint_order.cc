@@ -14,7 +14,7 @@ constexpr int kRounds = 10;
 
 /// Pixels by which one surface has to be in front of another to hide it, and by which a corner is
 /// off a plane.
-constexpr double kSameDepth = 1e-3;
+constexpr double kLeastDepth = 1e-3;
 
 constexpr int kNone = -1;
 
@@ -110,7 +110,7 @@ class PaintOrder {
         if (front == static_cast<int>(p) || front == last || front == kNone) return;
         const Piece& other = pieces_[slot(front)];
         if (other.triangle == piece.triangle) return;
-        if (DepthPlane(triangle_of(other)).at(x, y) <= plane.at(x, y) + kSameDepth) return;
+        if (DepthPlane(triangle_of(other)).at(x, y) <= plane.at(x, y) + kLeastDepth) return;
         last = front;
         overlaps_.emplace_back(static_cast<int>(p), front);
       });
@@ -219,7 +219,7 @@ class PaintOrder {
       above.push_back(middle);
       below.push_back(middle);
     }
-    if (!(highest > kSameDepth && lowest < -kSameDepth)) return false;
+    if (!(highest > kLeastDepth && lowest < -kLeastDepth)) return false;
     const int own = pieces_[slot(piece)].triangle;
     pieces_[slot(piece)] = {above, own, 0};
     for (const ScenePoint& p : above) {

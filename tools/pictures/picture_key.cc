@@ -24,7 +24,7 @@ constexpr std::size_t kTitleSigns = 16, kNameSigns = 22;
 constexpr int kBarSteps = 96;
 
 /// Steps between ticks that are wanted at most, and signs of numbers.
-constexpr double kSteps = 6;
+constexpr double kKeySteps = 6;
 
 std::string number_text(double value) { return fmt::format("{:.4g}", value + 0.0); }
 
@@ -39,7 +39,7 @@ double round_step(double step) {
 
 std::vector<double> even_values(double from, double to) {
   std::vector<double> values;
-  const double step = round_step((to - from) / kSteps);
+  const double step = round_step((to - from) / kKeySteps);
   const double first = std::ceil(from / step - 1e-6), last = std::floor(to / step + 1e-6);
   for (double i = first; i <= last && std::isfinite(step); ++i) values.push_back(i * step);
   return values;
@@ -48,7 +48,7 @@ std::vector<double> even_values(double from, double to) {
 /// Of so many decades all these multiples of powers of ten, or fewer.
 std::vector<double> decade_values(double from, double to) {
   const double decades = std::log10(to / from);
-  const double stride = std::max(1.0, std::ceil(decades / kSteps));
+  const double stride = std::max(1.0, std::ceil(decades / kKeySteps));
   std::vector<double> factors = {1};
   if (decades < 4) factors = {1, 3};
   if (decades < 2.2) factors = {1, 2, 5};

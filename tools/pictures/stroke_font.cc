@@ -16,7 +16,7 @@ struct Glyph {
   double width = 0;
 };
 
-constexpr double kCapitalHeight = 12, kCapitalShare = 0.72, kGap = 3;
+constexpr double kCapitalHeight = 12, kCapitalShare = 0.72, kGlyphGap = 3;
 constexpr char kFirst = ' ', kLast = '~';
 
 constexpr std::array<Glyph, kLast - kFirst + 1> kGlyphs = {{
@@ -181,7 +181,7 @@ std::vector<PicturePoints> text_lines(std::string_view text, double height) {
   for (const char sign : text) {
     if (is_continued(sign)) continue;
     add_glyph(glyph_of(sign), left, scale_of(height), lines);
-    left += glyph_of(sign).width + kGap;
+    left += glyph_of(sign).width + kGlyphGap;
   }
   return lines;
 }
@@ -189,9 +189,9 @@ std::vector<PicturePoints> text_lines(std::string_view text, double height) {
 double text_width(std::string_view text, double height) {
   double width = 0;
   for (const char sign : text) {
-    if (!is_continued(sign)) width += glyph_of(sign).width + kGap;
+    if (!is_continued(sign)) width += glyph_of(sign).width + kGlyphGap;
   }
-  return scale_of(height) * std::max(0.0, width - kGap);
+  return scale_of(height) * std::max(0.0, width - kGlyphGap);
 }
 
 }  // namespace surfmesh

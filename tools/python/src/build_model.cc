@@ -75,9 +75,9 @@ void add_formulas(Builder& builder, const std::string& name, const std::array<st
 }
 
 /// Returns  error, (u,v) of the error, samples along u and v, evaluations, diagonal of the samples
-py::tuple add_function(Builder& builder, const std::string& name, const py::object& function,
-                       const Range& u, const Range& v, const Loops& loops,
-                       const std::string& tolerance, std::size_t max_samples) {
+py::tuple add_function_patch(Builder& builder, const std::string& name, const py::object& function,
+                             const Range& u, const Range& v, const Loops& loops,
+                             const std::string& tolerance, std::size_t max_samples) {
   const Sampling sampling =
       sample_surface(surface_function(function), domain_of(u, v),
                      {.tolerance = parse_length(tolerance), .max_samples = max_samples});
@@ -261,7 +261,7 @@ void bind_builder(py::module_& module) {
       .def("add_formulas", &add_formulas, py::arg("name"), py::arg("xyz"), py::arg("where"),
            py::arg("constants"), py::arg("u"), py::arg("v"), py::arg("loops"),
            "A patch of formulas.")
-      .def("add_function", &add_function, py::arg("name"), py::arg("function"), py::arg("u"),
+      .def("add_function", &add_function_patch, py::arg("name"), py::arg("function"), py::arg("u"),
            py::arg("v"), py::arg("loops"), py::arg("tolerance"), py::arg("max_samples"),
            "A patch of a function: error, its (u, v), samples, evaluations.")
       .def("add_grid", &add_grid, py::arg("name"), py::arg("points"), py::arg("u"), py::arg("v"),

@@ -199,7 +199,7 @@ Notices write(const HeldMesh& held, const std::filesystem::path& path, bool has_
   return notices;
 }
 
-std::shared_ptr<HeldMesh> read(const std::filesystem::path& path) {
+std::shared_ptr<HeldMesh> read_held_mesh(const std::filesystem::path& path) {
   const py::gil_scoped_release release;
   return std::make_shared<HeldMesh>(std::unique_ptr<const MeshFile>(new MeshFile(read_mesh(path))));
 }
@@ -246,7 +246,7 @@ void bind_mesh(py::module_& module) {
       .def("report", &report_text, "The report as JSON text, or None.")
       .def("write", &write, py::arg("path"), py::arg("uv"), py::arg("normals"),
            "Write the mesh to a file.");
-  module.def("read_mesh", &read, py::arg("path"), "Read a mesh.");
+  module.def("read_mesh", &read_held_mesh, py::arg("path"), "Read a mesh.");
 }
 
 }  // namespace surfmesh::python
