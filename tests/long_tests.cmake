@@ -67,6 +67,9 @@ function(surfmesh_add_sanitized_tests prefix preset fixture labels)
         ENVIRONMENT "TEST_TMPDIR=${PROJECT_BINARY_DIR}/${preset}")
     endif()
   endforeach()
+  if(preset STREQUAL "sanitize-threads")
+    list(APPEND targets seeded_race)
+  endif()
   list(JOIN targets "," targets)  # a list would become several arguments
   surfmesh_add_building_test(${prefix}.${fixture} "${labels}"
     ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D PRESET=${preset} -D TARGETS=${targets}
@@ -79,6 +82,11 @@ surfmesh_add_sanitized_tests(Sanitize sanitize BuildNightly "sanitize;long;night
   ${sanitized_nightly})
 surfmesh_add_sanitized_tests(SanitizeThreads sanitize-threads BuildThreads
   "sanitize;long;nightly" ${threads_nightly})
+# A race of our own, which has to be found.
+add_test(NAME SanitizeThreads.FindsARace
+  COMMAND ${PROJECT_SOURCE_DIR}/build/sanitize-threads/tests/seeded_race)
+set_tests_properties(SanitizeThreads.FindsARace PROPERTIES LABELS "sanitize;long;nightly"
+  FIXTURES_REQUIRED BuildThreads PASS_REGULAR_EXPRESSION "ThreadSanitizer: data race")
 # Of whole runs, those on several threads or ranks.
 set_property(TEST SanitizeThreads.pipeline APPEND PROPERTY ENVIRONMENT
   "GTEST_FILTER=*Threads*:PiecesOf.*")

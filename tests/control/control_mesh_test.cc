@@ -49,6 +49,12 @@ TEST(ControlMesh, HasAValidMesh) {
   EXPECT_EQ(vertices + control.mesh().n_faces(), control.mesh().n_edges() + 1);
 }
 
+TEST(ControlMesh, KeepsNothingOfItsTriangulationBesideTheMesh) {
+  const ControlMesh control = random_space(100);
+  EXPECT_FALSE(find(control.mesh(), keys::vertex_metric).is_valid());
+  EXPECT_FALSE(find(control.mesh(), keys::edge_constrained).is_valid());
+}
+
 TEST(ControlMesh, ReproducesAConstantFieldExactly) {
   const SizeTensor size = size_tensor(0.3, 0.07, 0.4);
   const ControlMesh control({}, grid({}, 7, [&](Uv) { return size; }), {});

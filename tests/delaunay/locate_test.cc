@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/domain_meshes.hh"
+#include "support/meshes.hh"
 
 namespace surfmesh {
 namespace {
@@ -84,6 +85,51 @@ TEST(Location, OutsideTellsTheOpenEdge) {
   EXPECT_EQ(location.kind, Location::Kind::Outside);
   EXPECT_EQ(delaunay.uv(delaunay.mesh().to_vertex_handle(location.edge)).v, 0);
   EXPECT_EQ(delaunay.uv(delaunay.mesh().from_vertex_handle(location.edge)).v, 0);
+}
+
+/// A row of so many squares that a walk along it ends in a search of all triangles.
+class LongRow : public ::testing::Test {
+ protected:
+  static constexpr int kSquares = 2000;
+
+  LongRow() : mesh_(testing::plane_grid(kSquares, 1)), uv_(attach(mesh_, keys::vertex_uv)) {
+    for (const VertexHandle vh : mesh_.vertices()) {
+      const Vec3 point = to_eigen(mesh_.point(vh));
+      mesh_.property(uv_, vh) = {point.x(), point.y()};
+    }
+  }
+
+  Location locate_from_the_first(Uv p) {
+    return locate(mesh_, uv_, p, FaceHandle(0), random_, mesh_.n_faces());
+  }
+
+  PolyMesh mesh_;
+  decltype(keys::vertex_uv)::Handle uv_;
+  RandomBits random_;
+};
+
+TEST_F(LongRow, HasItsLastTriangles) {
+  const Location location = locate_from_the_first({kSquares - 0.25, 0.25});
+  EXPECT_EQ(location.kind, Location::Kind::Inside);
+  EXPECT_EQ(location.face, FaceHandle(2 * kSquares - 2));
+}
+
+TEST_F(LongRow, HasItsLastVertex) {
+  const Location location = locate_from_the_first({kSquares, 0});
+  EXPECT_EQ(location.kind, Location::Kind::OnVertex);
+  EXPECT_EQ(location.vertex, VertexHandle(kSquares));
+}
+
+TEST_F(LongRow, EndsAtAnOpenEdge) {
+  const Uv p{kSquares + 1.0, 0.5};
+  const Location location = locate_from_the_first(p);
+  ASSERT_EQ(location.kind, Location::Kind::Outside);
+  ASSERT_TRUE(location.edge.is_valid());
+  EXPECT_TRUE(mesh_.is_boundary(mesh_.opposite_halfedge_handle(location.edge)));
+  EXPECT_EQ(mesh_.face_handle(location.edge), location.face);
+  EXPECT_LT(orient2d(mesh_.property(uv_, mesh_.from_vertex_handle(location.edge)),
+                     mesh_.property(uv_, mesh_.to_vertex_handle(location.edge)), p),
+            0);
 }
 
 }  // namespace
