@@ -138,6 +138,29 @@ TEST_P(RunsInTiles, KeepTheNodesOfContours) {
 INSTANTIATE_TEST_SUITE_P(Models, RunsInTiles, ::testing::ValuesIn(tiles_cases()),
                          [](const auto& test) { return name_of(test.param); });
 
+// No patch has the vertex between the three holes: the numbers of all others move up.
+TEST(HolesInTiles, LeaveVerticesOnTheirSurfaces) {
+  const TestFolder folder;
+  const std::string cube = read_text(SURFMESH_SOURCE_DIR "/models/cube.obj");
+  write_text(folder / "cube.obj", cube + "t hole 1/0/0 0\nt hole 1/0/0 2\nt hole 1/0/0 4\n");
+  ModelInput input = load_model(folder / "cube.obj");
+  input.options.sizing.hmax = Length::share(kSize);
+  input.options.across.is_on = false;
+  const MeshResult result = mesh_in_tiles(input);
+  EXPECT_GT(result.report.tiles.count, input.model.patches.size());
+  testing::expect_valid(result.mesh);
+  const auto patch_of = require(result.mesh, keys::face_patch);
+  const auto uv_of = require(result.mesh, keys::corner_uv);
+  for (const HalfedgeHandle heh : result.mesh.halfedges()) {
+    if (result.mesh.is_boundary(heh)) continue;
+    const Surface& surface =
+        input.model.surface(result.mesh.property(patch_of, result.mesh.face_handle(heh)));
+    const Vec3 point = surface.evaluate(result.mesh.property(uv_of, heh), Order::Position).point;
+    const Vec3 corner = to_eigen(result.mesh.point(result.mesh.to_vertex_handle(heh)));
+    ASSERT_NEAR((corner - point).norm(), 0, 1e-9);
+  }
+}
+
 class SagInTiles : public ::testing::TestWithParam<TilesCase> {};
 
 TEST_P(SagInTiles, IsReached) {

@@ -77,6 +77,19 @@ double leg_error(double growth) {
 
 TEST(FrontalPoint, MakesNearlyUnitLegsWhereSizesGrow) { EXPECT_LT(leg_error(0.3), 0.02); }
 
+TEST(FrontalPoint, IsCorrectedByANewtonStep) {
+  for (const SizeTensor& h : random_sizes(100, 100)) {
+    const BaseTriangle t = triangle_in(h, {0, 0}, {1, 0}, {0.7, 0.6});
+    const MetricCorner& point = t.apex;
+    const Uv step = correct_frontal_point(t, point) - point.uv;
+    // To first order, a leg grows by the part of the step along it.
+    for (const MetricCorner& end : {t.a, t.b}) {
+      const double leg = length(end, point.uv);
+      EXPECT_NEAR(inner_product(end.metric, point.uv - end.uv, step) / leg, 1 - leg, 1e-9);
+    }
+  }
+}
+
 TEST(FrontalPoint, ErrsInProportionToTheSquareOfTheGrowth) {
   EXPECT_LT(leg_error(0.2), 0.3 * leg_error(0.4));
   EXPECT_LT(leg_error(0.1), 0.3 * leg_error(0.2));

@@ -99,10 +99,18 @@ TEST_F(OutputsProgram, KeepsItsFilesApartFromAClosedOutput) {
 }
 
 TEST_F(OutputsProgram, TellsHowFarItCameWithoutMemory) {
-  const int status =
-      run(wave_ + "a.obj --hmin 0.05% --hmax 0.05% --threads 1", "ulimit -v 150000;");
-  expect_error(status, own_model("wave.json") + ": /patches/0: patch wave: out of memory at ");
-  EXPECT_TRUE(says(" triangles of it\n")) << err_;
+  // Where memory ends, in kB, depends on the machine: before the triangles, or among them.
+  for (int limit = 140000; limit < 200000; limit += 5000) {
+    const int status = run(wave_ + "a.obj --hmin 0.05% --hmax 0.05% --threads 1",
+                           "ulimit -v " + std::to_string(limit) + ";");
+    if (!says(" triangles of it\n")) {
+      ASSERT_EQ(status, 1) << err_;
+      continue;
+    }
+    expect_error(status, own_model("wave.json") + ": /patches/0: patch wave: out of memory at ");
+    return;
+  }
+  FAIL() << err_;
 }
 
 TEST_F(OutputsProgram, DoesNotOverwriteWhatAModelNames) {
