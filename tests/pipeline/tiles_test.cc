@@ -138,7 +138,7 @@ TEST_P(RunsInTiles, KeepTheNodesOfContours) {
 INSTANTIATE_TEST_SUITE_P(Models, RunsInTiles, ::testing::ValuesIn(tiles_cases()),
                          [](const auto& test) { return name_of(test.param); });
 
-// No patch has the vertex between the three holes: the numbers of all others move up.
+// No patch has the vertex between the three holes.
 TEST(HolesInTiles, LeaveVerticesOnTheirSurfaces) {
   const TestFolder folder;
   const std::string cube = read_text(SURFMESH_SOURCE_DIR "/models/cube.obj");
