@@ -118,7 +118,7 @@ extern "C" void tell_crash(int /*number*/) {
 /// What a program is sent for its own faults.
 constexpr std::array kCrashes = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
-/// A handler of its own stack runs where recursion has used up that of the program.
+/// With a stack of its own, a handler runs even where recursion has used up the program's.
 void use_own_stack() {
   alignas(std::max_align_t) static std::array<char, 65536> room;
   stack_t stack = {};
