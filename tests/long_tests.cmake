@@ -19,7 +19,7 @@ endfunction()
 if(SURFMESH_INSTALL AND TARGET surfmesh_program)
   surfmesh_add_package_test(Package.Installed installed package)
   surfmesh_add_package_test(Package.InstalledShared shared "package;long;nightly")
-  surfmesh_add_package_test(Package.Subproject subproject "package;long")
+  surfmesh_add_package_test(Package.Subproject subproject "package;long;nightly")
 endif()
 
 # The packages of a release, in systems that have nothing else.
@@ -41,7 +41,7 @@ else()
   set_tests_properties(Reference.Doxygen PROPERTIES SKIP_REGULAR_EXPRESSION "^skipped")
 endif()
 
-surfmesh_add_building_test(PublicHeaders.CompileAlone "package;long"
+surfmesh_add_building_test(PublicHeaders.CompileAlone "package;long;nightly"
   ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target all_verify_interface_header_sets)
 
 # The tests of these stages again, under the address and undefined-behaviour sanitizers, and of those

@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
-# Build everything in build/release and run the tests. Exit status 0 if all of them pass.
-# --all adds those that take long: the library as part of another project, each public header alone,
-# random models, faults from outside, and small stages under the address and undefined-behaviour
-# sanitizers. It also installs the programs by which written files are judged, OpenCASCADE, by which CAD
-# files are read, Open MPI and METIS, what the Python module takes, Doxygen, and the script of the pages
-# that `surfmesh view` writes. It is meant to take 45 minutes at most on two cores; --nightly adds the
-# rest: more sanitizers, fuzzing by clang, packages in a clean root.
+# Build in build/release all but the benchmarks, and run the tests. Exit status 0 if all of them pass.
+# --all adds those that take long: random models, faults from outside, and small stages under the address
+# and undefined-behaviour sanitizers. It also installs the programs by which written files are judged,
+# OpenCASCADE, by which CAD files are read, Open MPI and METIS, what the Python module takes, Doxygen, and
+# the script of the pages that `surfmesh view` writes. It is meant to take 45 minutes at most on two
+# cores; --nightly adds the rest: more sanitizers, fuzzing by clang, the library as part of another
+# project, each public header alone, packages in a clean root, the benchmarks.
 set -euo pipefail
 
 tests=release
 setup=()
+targets=(all)
 case "$#:${1-}" in
   0:) ;;
   1:--all | 1:--nightly)
@@ -17,6 +18,7 @@ case "$#:${1-}" in
     setup=(--readers --cad --mpi --python --reference)
     if [ "$tests" = nightly ]; then
       setup+=(--fuzz --release)
+      targets+=(surfmesh_benches)
     fi
     ;;
   *)
@@ -39,5 +41,5 @@ if [ ! -f build/release/CMakeCache.txt ]; then
   joined=(-D SURFMESH_UNITY_BUILD=ON)
 fi
 cmake --preset release "${joined[@]}"
-cmake --build --preset release
+cmake --build --preset release --target "${targets[@]}"
 exec ctest --preset "$tests"

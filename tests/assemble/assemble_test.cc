@@ -22,7 +22,7 @@ using testing::Assembled;
 
 struct Shape {
   const char* name;
-  Model model;
+  testing::MakeModel model;
   long euler;
   bool is_closed;
 };
@@ -30,17 +30,17 @@ struct Shape {
 void PrintTo(const Shape& shape, std::ostream* out) { *out << shape.name; }
 
 std::vector<Shape> shapes() {
-  return {{"Sphere", testing::sphere_of(1), 2, true},
-          {"SphereOfTwo", testing::sphere_of(2), 2, true},
-          {"SphereOfFive", testing::sphere_of(5), 2, true},
-          {"Torus", testing::torus_of(1), 0, true},
-          {"TorusOfTwo", testing::torus_of(2), 0, true},
-          {"TorusOfThree", testing::torus_of(3), 0, true},
-          {"Cylinder", testing::cylinder_of(1), 0, false},
-          {"CylinderOfTwo", testing::cylinder_of(2), 0, false},
-          {"Cone", testing::cone_of(1), 1, false},
-          {"ConeOfTwo", testing::cone_of(2), 1, false},
-          {"OppositeSquares", testing::opposite_squares(), 1, false}};
+  return {{"Sphere", [] { return testing::sphere_of(1); }, 2, true},
+          {"SphereOfTwo", [] { return testing::sphere_of(2); }, 2, true},
+          {"SphereOfFive", [] { return testing::sphere_of(5); }, 2, true},
+          {"Torus", [] { return testing::torus_of(1); }, 0, true},
+          {"TorusOfTwo", [] { return testing::torus_of(2); }, 0, true},
+          {"TorusOfThree", [] { return testing::torus_of(3); }, 0, true},
+          {"Cylinder", [] { return testing::cylinder_of(1); }, 0, false},
+          {"CylinderOfTwo", [] { return testing::cylinder_of(2); }, 0, false},
+          {"Cone", [] { return testing::cone_of(1); }, 1, false},
+          {"ConeOfTwo", [] { return testing::cone_of(2); }, 1, false},
+          {"OppositeSquares", testing::opposite_squares, 1, false}};
 }
 
 /// From a thousand diagonals down to 0.02 of one.
@@ -56,7 +56,7 @@ class AnySize : public ::testing::TestWithParam<std::tuple<Shape, double>> {
  protected:
   void SetUp() override { assembled_ = assemble_with_size(model(), size() * model().diagonal); }
 
-  const Model& model() const { return std::get<0>(GetParam()).model; }
+  const Model& model() const { return model_; }
   double size() const { return std::get<1>(GetParam()); }
   const PolyMesh& mesh() const { return assembled_.mesh; }
 
@@ -66,6 +66,7 @@ class AnySize : public ::testing::TestWithParam<std::tuple<Shape, double>> {
     });
   }
 
+  Model model_ = std::get<0>(GetParam()).model();
   Assembled assembled_;
 };
 
@@ -158,6 +159,22 @@ TEST(Assemble, OrientsNeighboursAlike) {
   for (const FaceHandle fh : result.mesh.faces()) {
     EXPECT_GT(normal(result.mesh, fh).z(), 0);
   }
+}
+
+TEST(Assemble, DropsVerticesThatNoFaceHas) {
+  Model model = testing::cylinder_of(2);
+  const Assembled plain = assemble_with_size(model, 0.2);
+  model.vertices.push_back({Vec3(7, 7, 7)});
+  const Assembled result = assemble_with_size(model, 0.2);
+  testing::expect_valid(result.mesh);
+  ASSERT_EQ(result.mesh.n_vertices(), plain.mesh.n_vertices());
+  EXPECT_EQ(result.mesh.n_faces(), plain.mesh.n_faces());
+  for (const VertexHandle vh : plain.mesh.vertices()) {
+    EXPECT_EQ(point(result.mesh, vh), point(plain.mesh, vh)) << vh.idx();
+  }
+  // No patch is cut into tiles, so those on contours are all that are shared.
+  EXPECT_EQ(result.report.between_tiles.first, result.report.between_tiles.end);
+  EXPECT_EQ(result.report.between_tiles.first, plain.report.between_tiles.first);
 }
 
 TEST(Assemble, KeepsTheParametersOfATurnedPatch) {

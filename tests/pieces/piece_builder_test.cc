@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(Tiles, PieceOfAll, ::testing::ValuesIn(testing::orienta
 
 TEST(PieceOfAMobiusBand, IsJoinedWhereAHalfEdgeMeshIsCut) {
   for (const double most : {0.0, 100.0}) {
-    const testing::MeshedTiles meshed({"Band", testing::mobius_band(), 0.1, most});
+    const testing::MeshedTiles meshed({"Band", testing::mobius_band, 0.1, most});
     PieceBuilder builder;
     std::size_t tile = 0;
     for (TilePart& part : meshed.parts()) builder.add(tile++, std::move(part));

@@ -177,11 +177,15 @@ TEST_P(IdsOf, TilesAreThoseOfTheResult) {
 INSTANTIATE_TEST_SUITE_P(Tiles, IdsOf, ::testing::ValuesIn(testing::orientable_cases()),
                          [](const auto& test) { return test.param.name; });
 
+/// With a vertex that is on no contour.
+Model square_with_a_point() {
+  Model model = testing::unit_square();
+  model.vertices.push_back({Vec3(7, 7, 7)});
+  return model;
+}
+
 TEST(SharedNumbers, LeaveOutWhatNoTileHas) {
-  // A vertex of the model that is on no contour.
-  TiledCase square{"Square", testing::unit_square(), 0.2};
-  square.model.vertices.push_back({Vec3(7, 7, 7)});
-  const MeshedTiles meshed(square);
+  const MeshedTiles meshed({"Square", square_with_a_point, 0.2});
   const SharedNumbers shared = meshed.shared();
   EXPECT_EQ(shared.id(4), -1);
   EXPECT_EQ(shared.id(5), 4);
@@ -189,7 +193,7 @@ TEST(SharedNumbers, LeaveOutWhatNoTileHas) {
 }
 
 TEST(SharedNumbers, KnowPiecesWithoutTiles) {
-  const MeshedTiles meshed({"Squares", testing::opposite_squares(), 0.3});
+  const MeshedTiles meshed({"Squares", testing::opposite_squares, 0.3});
   ASSERT_EQ(meshed.tiles.size(), 2u);
   const SharedNumbers shared = meshed.shared({1, 3}, one_rank(6));
   for (const int piece : {0, 2, 4, 5}) EXPECT_TRUE(shared.neighbours(piece).empty());

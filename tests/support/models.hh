@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -17,6 +18,10 @@
 
 /// Models of a few patches: analytic surfaces, in one piece and cut.
 namespace surfmesh::testing {
+
+/// Makes a model when its test runs: a test program lists all of its tests, hundreds, at each
+/// start.
+using MakeModel = std::function<Model()>;
 
 using Shape = std::shared_ptr<const Surface>;
 

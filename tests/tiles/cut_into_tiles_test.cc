@@ -30,7 +30,7 @@ using testing::unit_triangles;
 
 struct Case {
   std::string name;
-  Model model;
+  testing::MakeModel model;
   FieldOn sizes;
   double most = 300;
   int multiple = 1;
@@ -49,24 +49,24 @@ FieldOn directed(Uv along, double size_along, double size_across) {
 
 std::vector<Case> cases() {
   std::vector<Case> all = {
-      {"Square", testing::unit_square(), sizes_of(0.03)},
-      {"SquareOfGradedSizes", testing::unit_square(), sizes_of(testing::four_point_field()), 500},
-      {"SquareOfStretchedSizes", testing::unit_square(), directed({1, 0}, 0.15, 0.005)},
-      {"SquareOfObliqueSizes", testing::unit_square(), directed({0.8, 0.6}, 0.03, 0.012)},
+      {"Square", testing::unit_square, sizes_of(0.03)},
+      {"SquareOfGradedSizes", testing::unit_square, sizes_of(testing::four_point_field()), 500},
+      {"SquareOfStretchedSizes", testing::unit_square, directed({1, 0}, 0.15, 0.005)},
+      {"SquareOfObliqueSizes", testing::unit_square, directed({0.8, 0.6}, 0.03, 0.012)},
       // Halves are less even beside the shock.
-      {"SquareWithAShock", testing::unit_square(), sizes_of(testing::shock_field(30, 0.04)), 200, 1,
+      {"SquareWithAShock", testing::unit_square, sizes_of(testing::shock_field(30, 0.04)), 200, 1,
        0.25},
-      {"SquareWithALayer", testing::unit_square(), sizes_of(testing::ring_field(0.001)), 500},
-      {"SquareWithAHole", testing::square_with_hole(0.4), sizes_of(0.06)},
-      {"SquareWithTouchingHoles", testing::square_with_touching_holes(), sizes_of(0.06)},
-      {"NarrowRing", testing::narrow_ring(0.9), sizes_of(0.025)},
-      {"ThinStrip", thin_strip(), sizes_of(0.02)},
-      {"Sphere", testing::sphere_of(1), sizes_of(0.1)},
-      {"SphereOfThree", testing::sphere_of(3), sizes_of(0.06)},
-      {"Torus", testing::torus_of(1), sizes_of(0.2)},
-      {"Cone", testing::cone_of(1), sizes_of(0.06)},
-      {"MobiusBand", testing::mobius_band(), sizes_of(0.05)},
-      {"Cylinder", testing::cylinder_of(1), sizes_of(0.1)},
+      {"SquareWithALayer", testing::unit_square, sizes_of(testing::ring_field(0.001)), 500},
+      {"SquareWithAHole", [] { return testing::square_with_hole(0.4); }, sizes_of(0.06)},
+      {"SquareWithTouchingHoles", testing::square_with_touching_holes, sizes_of(0.06)},
+      {"NarrowRing", [] { return testing::narrow_ring(0.9); }, sizes_of(0.025)},
+      {"ThinStrip", thin_strip, sizes_of(0.02)},
+      {"Sphere", [] { return testing::sphere_of(1); }, sizes_of(0.1)},
+      {"SphereOfThree", [] { return testing::sphere_of(3); }, sizes_of(0.06)},
+      {"Torus", [] { return testing::torus_of(1); }, sizes_of(0.2)},
+      {"Cone", [] { return testing::cone_of(1); }, sizes_of(0.06)},
+      {"MobiusBand", testing::mobius_band, sizes_of(0.05)},
+      {"Cylinder", [] { return testing::cylinder_of(1); }, sizes_of(0.1)},
   };
   const std::size_t count = all.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -153,7 +153,7 @@ void expect_same(const PatchBoundary& a, const PatchBoundary& b) {
 class TilesOf : public ::testing::TestWithParam<Case> {
  protected:
   TilesOf()
-      : tiled_(GetParam().model, GetParam().sizes,
+      : tiled_(GetParam().model(), GetParam().sizes,
                {.most = GetParam().most, .multiple = GetParam().multiple}) {}
 
   const PatchBoundary& whole() const { return tiled_.whole[0]; }

@@ -30,8 +30,8 @@ struct LoadOptions {
   CadReader read_cad = {};  ///< reads STEP, IGES and BREP files; none refuses them
 };
 
-/// Read a control cage (.obj, .off) or a model file (.json), chosen by the ending in upper or lower
-/// case.
+/// Read a control cage (.obj, .off, ...), a CAD file (.step, .iges, .brep) or a model file (.json),
+/// chosen by the ending in upper or lower case.
 ///
 /// The model of a model file has the formula patches first, then those of its cages, named
 /// `<cage>:<patch>`; each cage is also a group. Contours are shared within a cage and among formula
