@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,32 +34,120 @@ struct References {
   throw Error(ErrorCode::InvalidInput, fmt::format("the STEP file is damaged: {}", reason));
 }
 
+/// Entities of these kinds without what makes them have no place in space.
+constexpr std::array<std::string_view, 2> kWithoutPlace = {"POINT", "VERTEX"};
+
+/// Ends of the names of entities whose lists have at least one element (ISO 10303-42), which
+/// OpenCASCADE takes for granted. Lists of others, as of tessellations, may be empty.
+constexpr std::array<std::string_view, 12> kWithFullLists = {"SHAPE_REPRESENTATION",
+                                                             "_SHELL",
+                                                             "_LOOP",
+                                                             "_FACE_SET",
+                                                             "_EDGE_SET",
+                                                             "_MODEL",
+                                                             "_CURVE",
+                                                             "POLYLINE",
+                                                             "_SURFACE",
+                                                             "DIRECTION",
+                                                             "_POINT",
+                                                             "_WITH_KNOTS"};
+
+bool has_full_lists(std::string_view name) {
+  return std::any_of(kWithFullLists.begin(), kWithFullLists.end(),
+                     [&](std::string_view end) { return name.ends_with(end); });
+}
+
+bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
+
+bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
+
 /// Reads the numbers of entities: at the start of a statement that of its own, later those that it
-/// refers to.
+/// refers to. Texts and comments are told from the rest as by OpenCASCADE.
 class Entities {
  public:
   explicit Entities(std::string_view text) : text_(text) {}
 
+  /// Throws   InvalidInput for what OpenCASCADE would fall over
   References read() {
     while (position_ < text_.size()) step();
     std::sort(defined_.begin(), defined_.end());
+    const auto twice = std::adjacent_find(defined_.begin(), defined_.end());
+    if (twice != defined_.end()) fail_as_damaged(fmt::format("#{} is defined twice", *twice));
     return resolved();
   }
 
  private:
   void step() {
     const char c = text_[position_];
-    if (c == '\'' || c == '"') return skip_past(text_.substr(position_, 1), 1);
-    if (text_.substr(position_, 2) == "/*") return skip_past("*/", 2);
+    if (c == '\'') return skip_text();
+    if (text_.substr(position_, 2) == "/*") return skip_comment();
+    if (is_letter(c)) return take_word();
     ++position_;
-    if (c == ';') is_at_start_ = true;
+    if (is_blank(c)) return;
+    if (c == '(') open_list();
+    if (c == ')') --depth_;
+    if (c == ';') start_statement();
     if (c == '#') add_number();
     if (c == '=' || c == '(') is_at_start_ = false;
+    word_ = {};
   }
 
-  void skip_past(std::string_view end, std::size_t begin) {
-    const std::size_t at = text_.find(end, position_ + begin);
-    position_ = at == std::string_view::npos ? text_.size() : at + end.size();
+  /// A text ends at a quote before a comma or a closing parenthesis: others belong to it.
+  void skip_text() {
+    do {
+      position_ = std::min(text_.find('\'', position_ + 1), text_.size());
+    } while (position_ < text_.size() && !is_end_of_text());
+    if (position_ < text_.size()) ++position_;
+  }
+
+  bool is_end_of_text() const {
+    std::size_t next = position_ + 1;
+    while (next < text_.size() && is_blank(text_[next])) ++next;
+    return next < text_.size() && (text_[next] == ',' || text_[next] == ')');
+  }
+
+  void skip_comment() {
+    const std::size_t end = text_.find("*/", position_ + 2);
+    position_ = end == std::string_view::npos ? text_.size() : end + 2;
+  }
+
+  void take_word() {
+    const std::size_t begin = position_;
+    while (position_ < text_.size() &&
+           (is_letter(text_[position_]) || (text_[position_] >= '0' && text_[position_] <= '9'))) {
+      ++position_;
+    }
+    word_ = text_.substr(begin, position_ - begin);
+  }
+
+  void start_statement() {
+    is_at_start_ = true;
+    depth_ = 0;
+    entity_ = {};
+  }
+
+  /// The values of an entity, of which the name stands before them, or a list among these.
+  void open_list() {
+    ++depth_;
+    if (!word_.empty()) {
+      entity_ = word_;
+      const bool is_alone = depth_ == 1;
+      if (is_alone &&
+          std::find(kWithoutPlace.begin(), kWithoutPlace.end(), entity_) != kWithoutPlace.end()) {
+        fail_at_entity("has no place in space");
+      }
+      return;
+    }
+    std::size_t next = position_;
+    while (next < text_.size() && is_blank(text_[next])) ++next;
+    if (next < text_.size() && text_[next] == ')' && has_full_lists(entity_)) {
+      fail_at_entity("has an empty list");
+    }
+  }
+
+  [[noreturn]] void fail_at_entity(std::string_view what) const {
+    fail_as_damaged(
+        fmt::format("#{} {} {}", defined_.empty() ? 0 : defined_.back(), entity_, what));
   }
 
   void add_number() {
@@ -96,6 +186,9 @@ class Entities {
   std::string_view text_;
   std::size_t position_ = 0;
   bool is_at_start_ = true;
+  int depth_ = 0;            ///< of parentheses
+  std::string_view word_;    ///< that was read last, if blanks alone came after it
+  std::string_view entity_;  ///< the name before the values being read
   std::vector<Number> defined_;
   std::vector<Reference> references_;
 };

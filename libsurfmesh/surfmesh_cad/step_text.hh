@@ -7,8 +7,8 @@
 
 namespace surfmesh {
 
-/// Check that all entities that those of a STEP file refer to are in it, and that none leads back
-/// to itself.
+/// Check that all entities that those of a STEP file refer to are in it once, that none leads back
+/// to itself, and that loops, shells, curves, surfaces and shapes have what they consist of.
 ///
 /// OpenCASCADE goes on with what is there. It falls over what is not, and follows circles without
 /// end.

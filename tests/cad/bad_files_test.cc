@@ -97,6 +97,62 @@ TEST_F(BadCadFiles, MayReferToTheWrongEntities) {
   }
 }
 
+/// What is said of a STEP file in which a text, where it is found first, is another one.
+class DamagedSteps : public BadCadFiles {
+ protected:
+  std::string error_with(const std::string& before, const std::string& after) {
+    std::string text = text_of("box");
+    const std::size_t at = text.find(before);
+    EXPECT_NE(at, std::string::npos) << before;
+    return error_of_text("broken.step", text.replace(at, before.size(), after));
+  }
+
+  /// The values behind a name in the file, and the name, are others.
+  std::string error_with_entity(const std::string& name, const std::string& entity) {
+    const std::string text = text_of("box");
+    const std::size_t at = text.find(name + "(");
+    EXPECT_NE(at, std::string::npos) << name;
+    return error_with(text.substr(at, text.find(';', at) - at), entity);
+  }
+};
+
+/// OpenCASCADE 7.6 crashes at each of them.
+TEST_F(DamagedSteps, MayHaveListsOfNothing) {
+  for (const char* entity : {"CLOSED_SHELL('',())", "CONNECTED_FACE_SET('',( ))"}) {
+    expect_names(error_with_entity("CLOSED_SHELL", entity), "broken.step", "has an empty list");
+  }
+  expect_names(error_with_entity("EDGE_LOOP", "EDGE_LOOP('',())"), "EDGE_LOOP", "an empty list");
+  expect_names(error_with_entity("EDGE_LOOP", "POLY_LOOP('',(\n))"), "POLY_LOOP", "an empty list");
+  expect_names(error_with_entity("DIRECTION", "DIRECTION('',())"), "DIRECTION", "an empty list");
+  expect_names(error_with_entity("LINE",
+                                 "B_SPLINE_CURVE_WITH_KNOTS('',1,(),.UNSPECIFIED.,.F.,.F.,(),(),"
+                                 ".UNSPECIFIED.)"),
+               "B_SPLINE_CURVE_WITH_KNOTS", "an empty list");
+  expect_names(
+      error_with_entity("ADVANCED_BREP_SHAPE_REPRESENTATION", "SHAPE_REPRESENTATION('',(),#15)"),
+      "SHAPE_REPRESENTATION", "an empty list");
+}
+
+TEST_F(DamagedSteps, MayHaveVerticesWithoutAPlace) {
+  expect_names(error_with_entity("VERTEX_POINT", "VERTEX('')"), "VERTEX", "no place in space");
+  expect_names(error_with_entity("CARTESIAN_POINT", "POINT ('')"), "POINT", "no place in space");
+}
+
+TEST_F(DamagedSteps, MayDefineAnEntityTwice) {
+  expect_names(error_with("ENDSEC;\nEND-ISO", "#20 = DIRECTION('',(1.,0.,0.));\nENDSEC;\nEND-ISO"),
+               "broken.step", "#20 is defined twice");
+}
+
+/// OpenCASCADE takes a quote that is not before a comma or a parenthesis for a part of a text.
+TEST_F(DamagedSteps, MayReferToThemselvesBehindAnOddQuote) {
+  const std::string text = text_of("box");
+  const std::size_t at = text.find("ORIENTED_EDGE("), number = text.rfind('#', at);
+  const std::string self = text.substr(number, text.find(' ', number) - number);
+  const std::string whole = text.substr(number, text.find(';', number) - number);
+  const std::string damaged = self + " = ORIENTED_EDGE('an edge's name',*,*," + self + ",.F.)";
+  expect_names(error_with(whole, damaged), "broken.step", self + " refers to itself");
+}
+
 /// Every number of a BREP file that refers to something is changed.
 TEST_F(BadCadFiles, MayReferToNothing) {
   const std::string text = text_of("box_brep");

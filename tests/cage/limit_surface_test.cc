@@ -321,6 +321,18 @@ TEST(LimitSurface, AtInteriorVerticesOfValenceTwoIsSafe) {
   }
 }
 
+/// Two faces share two edges of a vertex, beside which there is a third face.
+TEST(LimitSurface, AtAFanOfTwoFacesBesideAnotherIsSafe) {
+  Cage cage;
+  cage.points = {{0, 4, 0}, {3, 5, 0}, {6, 2, 0}, {0, 5, 0}, {3, 8, 0},
+                 {6, 8, 3}, {6, 0, 7}, {0, 5, 0}, {0, 8, 7}};
+  cage.faces = {{0, 1, 4, 3}, {3, 4, 1, 6}, {4, 5, 8, 7}};
+  cage.creases = {{{1, 4}, 2.5}, {{3, 4}, 10}};
+  for (const auto& surface : surfaces_of(cage)) {
+    for (Uv uv : samples({}, 20)) EXPECT_NO_THROW(surface->evaluate(uv, Order::Second));
+  }
+}
+
 TEST(LimitSurface, RefusesFacesOfTheWrongSize) {
   const auto expect_refused = [](const Cage& cage, Scheme scheme, const std::string& text) {
     try {

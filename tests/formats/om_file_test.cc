@@ -211,5 +211,64 @@ TEST(OmFile, NeverBreaksAMeshByOneWrongByte) {
   }
 }
 
+/// A chunk of values of vertices.
+std::string chunk_of_vertices(std::string_view name, std::string_view type,
+                              std::string_view value) {
+  std::string chunk = "\xC2";  // custom, of vertices, with a name
+  chunk += '\0';
+  for (const std::string_view word : {name, type}) {
+    chunk += static_cast<char>(word.size());
+    chunk += word;
+  }
+  for (unsigned i = 0; i < 4; ++i) chunk += static_cast<char>(value.size() >> (8 * i) & 255);
+  return chunk.append(value);
+}
+
+/// OpenMesh took the length of a list as it stands: 4 GB for each vertex.
+TEST(OmFile, LeavesOutValuesOfVaryingSizeAndSaysSo) {
+  const TestFolder folder;
+  const PolyMesh mesh = large_example(3);
+  write_mesh(mesh, folder / "a.om");
+  const std::string bytes = read_text(folder / "a.om");
+  const std::string chunks =
+      chunk_of_vertices("list", "std::vector<float>", std::string(400, '\x7f')) +
+      chunk_of_vertices("label", "std::string", std::string(3, '\xff'));
+  for (const std::size_t at : {bytes.size() - 2, bytes.find("surf:uv") - 3}) {
+    const MeshFile file = parse_om(bytes.substr(0, at) + chunks + bytes.substr(at), "b.om");
+    EXPECT_TRUE(is_same_connectivity(mesh, file.mesh));
+    EXPECT_TRUE(is_same_property(mesh, file.mesh, keys::corner_uv));
+    const std::vector<std::string> texts = texts_of(file.notices, Severity::Warning);
+    ASSERT_EQ(texts.size(), 2u);
+    EXPECT_NE(texts[0].find("b.om: the property list is left out"), std::string::npos) << texts[0];
+    EXPECT_NE(texts[1].find("std::string"), std::string::npos) << texts[1];
+  }
+}
+
+/// OpenMesh stops the program at values of elements that come later.
+TEST(OmFile, IsRefusedForValuesBeforeTheirElements) {
+  const TestFolder folder;
+  write_mesh(large_example(3), folder / "a.om");
+  const std::string bytes = read_text(folder / "a.om");
+  constexpr std::size_t kHeader = 16;
+  for (const std::string_view name : {"surf:uv", "surf:contour", "surf:patch"}) {
+    const std::size_t at = bytes.find(name) - 3;
+    const std::string early =
+        bytes.substr(0, kHeader) + bytes.substr(at, bytes.size() - at - 2) + bytes.substr(kHeader);
+    EXPECT_NE(error_of([&] { parse_om(early, "b.om"); }).find("damaged"), std::string::npos)
+        << name;
+  }
+}
+
+/// Elements that are made twice are more than there are values.
+TEST(OmFile, IsRefusedForElementsThatAreMadeTwice) {
+  const TestFolder folder;
+  write_mesh(large_example(3), folder / "a.om");
+  const std::string bytes = read_text(folder / "a.om");
+  constexpr std::size_t kHeader = 16;
+  const std::size_t values = bytes.find("surf:patch") - 3;
+  const std::string twice = bytes.substr(0, values) + bytes.substr(kHeader);
+  EXPECT_NE(error_of([&] { parse_om(twice, "b.om"); }).find("damaged"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace surfmesh

@@ -331,7 +331,7 @@ class Maker {
 
   Json size_of() {
     const auto length = [&] {
-      return text_of(100 * std::pow(10.0, bytes_.real(-0.7, -2.5))) + "%";
+      return text_of(100 * std::pow(10.0, bytes_.real(-0.6, -2))) + "%";
     };
     if (bytes_.happens(160)) return length();
     return Json::array({length(), length()});
@@ -346,7 +346,7 @@ class Maker {
 
   void add_sizing() {
     Json& sizing = sizing_;
-    sizing["hmax"] = share(-0.3, -1.6);
+    sizing["hmax"] = share(-0.2, -1.2);
     sizing["hmin"] = share(-1.7, -4);
     add_choice(sizing, "curvature", {0, 0.1, 0.5, 2}, 100);
     add_choice(sizing, "segments_per_circle", {3, 8, 20}, 30);
@@ -358,8 +358,8 @@ class Maker {
     add_choice(sizing, "isotropic", {true}, 30);
     add_choice(sizing, "curvature_from", {"differences"}, 20);
     add_choice(sizing, "shares_of", {"part"}, 20);
-    if (bytes_.happens(30)) sizing["sag"] = share(-1, -3);
-    if (bytes_.happens(10)) sizing["size"] = share(-0.5, -1.5);
+    if (bytes_.happens(30)) sizing["sag"] = share(-1, -2.3);
+    if (bytes_.happens(10)) sizing["size"] = share(-0.4, -1.2);
   }
 
   void add_options() {

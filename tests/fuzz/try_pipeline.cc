@@ -24,8 +24,8 @@ namespace surfmesh::fuzz {
 namespace {
 
 /// Of processor time: runs that take longer are cancelled, which they have to obey.
-constexpr double kSecondsOfRun = 4;
-constexpr std::size_t kMostElementsOfRun = 1500;
+constexpr double kSecondsOfRun = 2;
+constexpr std::size_t kMostElementsOfRun = 500;
 
 /// Check the triangles of a patch between two stages: proper, and each of positive area in (u,v).
 void check_triangles(DelaunayMesh& delaunay, std::string_view stage) {

@@ -297,15 +297,14 @@ class SurfaceMaker {
     Bfr::SurfaceFactory::Options result;
     result.SetApproxLevelSmooth(options.approximation_level);
     result.SetApproxLevelSharp(options.approximation_level);
-    // Bfr 3.5.0 overwrites memory at interior vertices of valence 2 when patches are shared
-    // through its cache.
-    result.EnableCaching(!has_valence_two(level));
+    // Bfr 3.5.0 overwrites memory at fans of two faces when patches are shared through its cache.
+    result.EnableCaching(!has_fan_of_two(level));
     return result;
   }
 
-  static bool has_valence_two(const Far::TopologyLevel& level) {
+  static bool has_fan_of_two(const Far::TopologyLevel& level) {
     for (int v = 0; v < level.GetNumVertices(); ++v) {
-      if (has_two_faces(level, v)) return true;
+      if (has_fan_of_two(level, v)) return true;
     }
     return false;
   }
@@ -325,12 +324,24 @@ class SurfaceMaker {
     return result;
   }
 
-  static bool has_two_faces(const Far::TopologyLevel& level, int vertex) {
-    return level.GetVertexFaces(vertex).size() == 2 && level.GetVertexEdges(vertex).size() == 2;
+  /// True if two faces share two edges of a vertex, and so close a fan around it, beside which
+  /// there may be others. Vertices of edges with very many faces are not looked at closer.
+  static bool has_fan_of_two(const Far::TopologyLevel& level, int vertex) {
+    constexpr int kMostFacesOfEdge = 8;
+    std::vector<std::pair<int, int>> neighbours;
+    for (const int edge : level.GetVertexEdges(vertex)) {
+      const Far::ConstIndexArray faces = level.GetEdgeFaces(edge);
+      if (faces.size() > kMostFacesOfEdge) return true;
+      for (int i = 0; i < faces.size(); ++i) {
+        for (int j = 0; j < i; ++j) neighbours.push_back(std::minmax(faces[i], faces[j]));
+      }
+    }
+    std::sort(neighbours.begin(), neighbours.end());
+    return std::adjacent_find(neighbours.begin(), neighbours.end()) != neighbours.end();
   }
 
-  /// Mark the vertices whose faces share a refinement: of wide fans, and around inner vertices of
-  /// two faces. There Bfr 3.5.0 reads memory out of bounds if there are tags.
+  /// Mark the vertices whose faces share a refinement: of wide fans, and around fans of two faces.
+  /// There Bfr 3.5.0 reads memory out of bounds if there are tags.
   static std::vector<char> shared_vertices(const Far::TopologyLevel& level,
                                            Sdc::SchemeType scheme) {
     std::vector<char> is_shared(static_cast<std::size_t>(level.GetNumVertices()), 0);
@@ -338,7 +349,7 @@ class SurfaceMaker {
     for (int v = 0; v < level.GetNumVertices(); ++v) {
       const Far::ConstIndexArray faces = level.GetVertexFaces(v);
       if (faces.size() >= kSharedRefinement) is_shared[static_cast<std::size_t>(v)] = 1;
-      if (!has_two_faces(level, v)) continue;
+      if (!has_fan_of_two(level, v)) continue;
       for (const int face : faces) {
         for (const int w : level.GetFaceVertices(face)) is_shared[static_cast<std::size_t>(w)] = 1;
       }

@@ -16,6 +16,7 @@
 #include <new>
 #include <sstream>
 #include <streambuf>
+#include <vector>
 
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/mesh_arrays.hh"
@@ -83,6 +84,7 @@ OpenMesh::IO::Options with_properties() {
 }
 
 // Heads of chunks.
+constexpr std::size_t kHeadSize = 2;
 constexpr std::uint16_t kEndMark = 7u << 2;
 constexpr std::uint16_t kNamesChunk = 1u << 1 | 1u << 2 | 6u << 5 | 3u << 14;
 
@@ -103,29 +105,49 @@ bool is_index(std::int64_t i, std::size_t count) {
 /// OpenMesh itself, whose text values end at 64 KiB, skips it.
 class OmCheck {
  public:
-  explicit OmCheck(std::string_view bytes) : rest_(bytes) {}
+  explicit OmCheck(std::string_view bytes) : bytes_(bytes), rest_(bytes) {}
 
   bool has_header();
   bool are_chunks_sound();
+  /// The bytes without the chunks to leave out.
+  std::string bytes() const;
+
+  /// A chunk whose values OpenMesh reads with the lengths that stand there, as they are: it would
+  /// ask for any memory.
+  struct LeftOut {
+    std::string_view chunk;
+    std::string_view name;  ///< of the property
+    std::string_view type;
+  };
 
   std::size_t vertices = 0;
   std::size_t faces = 0;
   std::size_t edges = 0;
   std::string_view names;  ///< the value of the chunk of names, empty if there is none
+  std::vector<LeftOut> left_out;
 
  private:
   // Entities and types, as in OMFormat.hh.
-  static constexpr unsigned kVertex = 0, kMesh = 1, kFace = 2, kHalfedge = 6;
+  static constexpr unsigned kVertex = 0, kMesh = 1, kFace = 2, kEdge = 4, kHalfedge = 6;
   static constexpr unsigned kPosition = 0, kCustom = 6, kTopology = 7;
 
   std::uint64_t read_unsigned(std::size_t size);
   std::int64_t read_signed(std::size_t size);
   bool skip(std::uint64_t size);
+  std::string_view take_word();
   bool skip_custom(unsigned entity);
+  bool skip_positions(std::size_t size);
   bool check_topology(unsigned entity, unsigned dimensions, std::size_t size);
+  bool are_made(unsigned entity) const;
 
+  std::string_view bytes_;  ///< all
   std::string_view rest_;
+  bool has_positions_ = false, has_halfedges_ = false, has_faces_ = false;  ///< read so far
 };
+
+bool is_of_varying_size(std::string_view type) {
+  return type.starts_with("std::vector<") || type == "std::string";
+}
 
 /// Take a little-endian number; 0 beyond the end.
 std::uint64_t OmCheck::read_unsigned(std::size_t size) {
@@ -160,13 +182,58 @@ bool OmCheck::has_header() {
   return true;
 }
 
+/// A text with its length, a byte, before it; cut off at the end.
+std::string_view OmCheck::take_word() {
+  const std::uint64_t size = read_unsigned(1);
+  const std::string_view word = rest_.substr(0, size);
+  rest_.remove_prefix(word.size());
+  return word;
+}
+
 /// A custom chunk has a name, the name of its type and a size before its values.
 bool OmCheck::skip_custom(unsigned entity) {
-  const std::string_view name = rest_.substr(std::min<std::size_t>(1, rest_.size()));
-  if (!skip(read_unsigned(1)) || !skip(read_unsigned(1)) || rest_.size() < 4) return false;
+  const std::size_t start = bytes_.size() - rest_.size() - kHeadSize;
+  const std::string_view name = take_word(), type = take_word();
+  if (!are_made(entity) || rest_.size() < 4) return false;
   const std::uint64_t size = read_unsigned(4);
-  if (entity == kMesh && name.starts_with(keys::mesh_names)) names = rest_.substr(0, size);
-  return skip(size);
+  if (entity == kMesh && name == keys::mesh_names) names = rest_.substr(0, size);
+  if (!skip(size)) return false;
+  if (is_of_varying_size(type)) {
+    left_out.push_back({bytes_.substr(start, bytes_.size() - rest_.size() - start), name, type});
+  }
+  return true;
+}
+
+std::string OmCheck::bytes() const {
+  std::string result;
+  const char* from = bytes_.data();
+  for (const LeftOut& one : left_out) {
+    result.append(from, one.chunk.data());
+    from = one.chunk.data() + one.chunk.size();
+  }
+  return result.append(from, bytes_.data() + bytes_.size());
+}
+
+/// OpenMesh makes the elements where these chunks stand, anew at each. It stops the program at
+/// values of elements that are not made yet.
+bool OmCheck::are_made(unsigned entity) const {
+  switch (entity) {
+    case kVertex:
+      return has_positions_ || vertices == 0;
+    case kEdge:
+    case kHalfedge:
+      return has_halfedges_ || edges == 0;
+    case kFace:
+      return has_faces_ || faces == 0;
+    default:
+      return true;
+  }
+}
+
+bool OmCheck::skip_positions(std::size_t size) {
+  if (has_positions_) return false;
+  has_positions_ = true;
+  return skip(std::uint64_t{vertices} * 3 * size);
 }
 
 /// A halfedge has its next halfedge, the vertex at its tip and its face; a vertex or a face has a
@@ -177,6 +244,9 @@ bool OmCheck::check_topology(unsigned entity, unsigned dimensions, std::size_t s
   if (entity != kVertex && entity != kFace && !is_halfedge) return false;
   if (dimensions != (is_halfedge ? 3u : 1u) || count * dimensions * size > rest_.size())
     return false;
+  // Of vertices it says more, of the others it makes them.
+  if (are_made(entity) != (entity == kVertex) && count > 0) return false;
+  (is_halfedge ? has_halfedges_ : entity == kFace ? has_faces_ : has_positions_) = true;
   for (std::size_t i = 0; i < count; ++i) {
     const std::int64_t halfedge = read_signed(size);
     if (!is_index(halfedge, 2 * edges) && (halfedge != -1 || entity != kVertex)) return false;
@@ -189,8 +259,8 @@ bool OmCheck::check_topology(unsigned entity, unsigned dimensions, std::size_t s
 }
 
 bool OmCheck::are_chunks_sound() {
-  while (rest_.size() >= 2) {
-    const auto head = static_cast<unsigned>(read_unsigned(2));
+  while (rest_.size() >= kHeadSize) {
+    const auto head = static_cast<unsigned>(read_unsigned(kHeadSize));
     if (head == kEndMark) return rest_.empty();
     const bool has_name = (head >> 1 & 1) != 0;
     const unsigned entity = head >> 2 & 7;
@@ -204,7 +274,7 @@ bool OmCheck::are_chunks_sound() {
       is_good = has_name && skip_custom(entity);
     } else if (type == kPosition) {
       is_good = !has_name && entity == kVertex && is_float && dimensions == 3 && bits < 2 &&
-                skip(std::uint64_t{vertices} * 3 * (4u << bits));
+                skip_positions(std::size_t{4} << bits);
     } else if (type == kTopology) {
       // The flag of floats means nothing here: the writer sets it although these are integers.
       is_good = !has_name && is_signed && bits < 3 &&
@@ -469,7 +539,14 @@ MeshFile parse_om(std::string bytes, const std::string& name) {
   if (!check.are_chunks_sound()) fail(name, "the file is cut short or damaged");
   MeshFile file;
   if (!check.names.empty()) file.names = NamesReader(check.names, name).read();
-  read_checked(std::move(bytes), check, name, file.mesh);
+  for (const OmCheck::LeftOut& one : check.left_out) {
+    file.notices.push_back(
+        warning_at(name, NoticeKind::IgnoredInput,
+                   fmt::format("the property {} is left out: values of varying size, as of {}, are "
+                               "not read",
+                               one.name, one.type)));
+  }
+  read_checked(check.left_out.empty() ? std::move(bytes) : check.bytes(), check, name, file.mesh);
   check_positions(file.mesh, name);
   check_patches(file.mesh, name);
   PolyMesh& mesh = file.mesh;
