@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Build in build/release all but the benchmarks, and run the tests. Exit status 0 if all of them pass.
+# Build everything but the benchmarks in build/release, and run the tests. Exit status 0 if all of them
+# pass.
 # --all adds those that take long: random models, faults from outside, and small stages under the address
 # and undefined-behaviour sanitizers. It also installs the programs by which written files are judged,
 # OpenCASCADE, by which CAD files are read, Open MPI and METIS, what the Python module takes, Doxygen, and
 # the script of the pages that `surfmesh view` writes. It is meant to take 45 minutes at most on two
 # cores; --nightly adds the rest: more sanitizers, fuzzing by clang, the library as part of another
-# project, each public header alone, packages in a clean root, the benchmarks.
+# project, each public header alone, packages in a clean root; and it builds the benchmarks.
 set -euo pipefail
 
 tests=release

@@ -34,40 +34,64 @@ struct References {
   throw Error(ErrorCode::InvalidInput, fmt::format("the STEP file is damaged: {}", reason));
 }
 
-/// Entities of these kinds without what makes them have no place in space.
+/// Entities of these kinds alone, without what makes them one of a finer kind, have no place in
+/// space.
 constexpr std::array<std::string_view, 2> kWithoutPlace = {"POINT", "VERTEX"};
 
-/// Ends of the names of entities whose lists have at least one element (ISO 10303-42), which
-/// OpenCASCADE takes for granted. Lists of others, as of tessellations, may be empty.
-constexpr std::array<std::string_view, 12> kWithFullLists = {"SHAPE_REPRESENTATION",
-                                                             "_SHELL",
-                                                             "_LOOP",
-                                                             "_FACE_SET",
-                                                             "_EDGE_SET",
-                                                             "_MODEL",
-                                                             "_CURVE",
-                                                             "POLYLINE",
-                                                             "_SURFACE",
-                                                             "DIRECTION",
-                                                             "_POINT",
-                                                             "_WITH_KNOTS"};
+/// Entities whose lists have at least one element by the standard. OpenCASCADE 7.6 takes it for
+/// granted, and crashes at an empty one.
+constexpr std::array<std::string_view, 30> kWithFullLists = {
+    "ADVANCED_BREP_SHAPE_REPRESENTATION",
+    "BEZIER_CURVE",
+    "BEZIER_SURFACE",
+    "B_SPLINE_CURVE",
+    "B_SPLINE_CURVE_WITH_KNOTS",
+    "B_SPLINE_SURFACE",
+    "B_SPLINE_SURFACE_WITH_KNOTS",
+    "CLOSED_SHELL",
+    "CONNECTED_EDGE_SET",
+    "CONNECTED_FACE_SET",
+    "DIRECTION",
+    "EDGE_BASED_WIREFRAME_MODEL",
+    "EDGE_BASED_WIREFRAME_SHAPE_REPRESENTATION",
+    "EDGE_LOOP",
+    "FACETED_BREP_SHAPE_REPRESENTATION",
+    "FACE_BASED_SURFACE_MODEL",
+    "GEOMETRICALLY_BOUNDED_SURFACE_SHAPE_REPRESENTATION",
+    "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION",
+    "INTERSECTION_CURVE",
+    "MANIFOLD_SURFACE_SHAPE_REPRESENTATION",
+    "OPEN_SHELL",
+    "POLY_LOOP",
+    "QUASI_UNIFORM_CURVE",
+    "QUASI_UNIFORM_SURFACE",
+    "SEAM_CURVE",
+    "SHAPE_REPRESENTATION",
+    "SHELL_BASED_SURFACE_MODEL",
+    "SURFACE_CURVE",
+    "UNIFORM_CURVE",
+    "UNIFORM_SURFACE"};
 
-bool has_full_lists(std::string_view name) {
-  return std::any_of(kWithFullLists.begin(), kWithFullLists.end(),
-                     [&](std::string_view end) { return name.ends_with(end); });
+template <class Names>
+bool has(const Names& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
+bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == '\0'; }
 
 bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 /// Reads the numbers of entities: at the start of a statement that of its own, later those that it
-/// refers to. Texts and comments are told from the rest as by OpenCASCADE.
+/// refers to. On the way it refuses points, vertices and lists without what they consist of.
+///
+/// Texts, comments and the end are told from the rest as OpenCASCADE's step.lex does it.
 class Entities {
  public:
   explicit Entities(std::string_view text) : text_(text) {}
 
-  /// Throws   InvalidInput for what OpenCASCADE would fall over
+  /// Throws   InvalidInput for what OpenCASCADE would crash at
   References read() {
     while (position_ < text_.size()) step();
     std::sort(defined_.begin(), defined_.end());
@@ -79,31 +103,41 @@ class Entities {
  private:
   void step() {
     const char c = text_[position_];
-    if (c == '\'') return skip_text();
     if (text_.substr(position_, 2) == "/*") return skip_comment();
+    if (is_blank(c)) {
+      ++position_;
+    } else if (c == ')') {
+      close();
+    } else {
+      take(c);
+    }
+  }
+
+  void take(char c) {
+    is_list_empty_ = false;
+    if (c == '\'') return skip_text();
     if (is_letter(c)) return take_word();
     ++position_;
-    if (is_blank(c)) return;
-    if (c == '(') open_list();
-    if (c == ')') --depth_;
+    if (c == '(') open();
     if (c == ';') start_statement();
     if (c == '#') add_number();
     if (c == '=' || c == '(') is_at_start_ = false;
     word_ = {};
   }
 
-  /// A text ends at a quote before a comma or a closing parenthesis: others belong to it.
+  /// A text ends at a quote before a comma or a closing parenthesis; other quotes belong to it.
   void skip_text() {
     do {
       position_ = std::min(text_.find('\'', position_ + 1), text_.size());
     } while (position_ < text_.size() && !is_end_of_text());
     if (position_ < text_.size()) ++position_;
+    word_ = {};
   }
 
+  /// The rule of step.lex is [']/[" "\n\r]*[\)\,], where a class in brackets has the double quote.
   bool is_end_of_text() const {
-    std::size_t next = position_ + 1;
-    while (next < text_.size() && is_blank(text_[next])) ++next;
-    return next < text_.size() && (text_[next] == ',' || text_[next] == ')');
+    const std::size_t next = text_.find_first_not_of("\" \n\r", position_ + 1);
+    return next != std::string_view::npos && (text_[next] == ',' || text_[next] == ')');
   }
 
   void skip_comment() {
@@ -114,40 +148,38 @@ class Entities {
   void take_word() {
     const std::size_t begin = position_;
     while (position_ < text_.size() &&
-           (is_letter(text_[position_]) || (text_[position_] >= '0' && text_[position_] <= '9'))) {
+           (is_letter(text_[position_]) || is_digit(text_[position_]))) {
       ++position_;
     }
     word_ = text_.substr(begin, position_ - begin);
+    const bool is_end = word_ == "END" && text_.substr(position_).starts_with("-ISO");
+    if (is_end) position_ = text_.size();
   }
 
   void start_statement() {
     is_at_start_ = true;
-    depth_ = 0;
-    entity_ = {};
+    names_.clear();
   }
 
-  /// The values of an entity, of which the name stands before them, or a list among these.
-  void open_list() {
-    ++depth_;
-    if (!word_.empty()) {
-      entity_ = word_;
-      const bool is_alone = depth_ == 1;
-      if (is_alone &&
-          std::find(kWithoutPlace.begin(), kWithoutPlace.end(), entity_) != kWithoutPlace.end()) {
-        fail_at_entity("has no place in space");
-      }
-      return;
-    }
-    std::size_t next = position_;
-    while (next < text_.size() && is_blank(text_[next])) ++next;
-    if (next < text_.size() && text_[next] == ')' && has_full_lists(entity_)) {
-      fail_at_entity("has an empty list");
-    }
+  /// A parenthesis begins the values of the entity whose name is before it, or a list among them.
+  void open() {
+    is_list_empty_ = word_.empty();
+    const bool is_alone = names_.empty();
+    names_.push_back(!word_.empty() ? word_ : is_alone ? std::string_view() : names_.back());
+    if (is_alone && has(kWithoutPlace, names_.back())) fail_at_entity("has no place in space");
+  }
+
+  void close() {
+    if (is_list_empty_ && has(kWithFullLists, names_.back())) fail_at_entity("has an empty list");
+    is_list_empty_ = false;
+    if (!names_.empty()) names_.pop_back();
+    ++position_;
+    word_ = {};
   }
 
   [[noreturn]] void fail_at_entity(std::string_view what) const {
-    fail_as_damaged(
-        fmt::format("#{} {} {}", defined_.empty() ? 0 : defined_.back(), entity_, what));
+    const Number number = defined_.empty() ? 0 : defined_.back();
+    fail_as_damaged(fmt::format("#{} {} {}", number, names_.back(), what));
   }
 
   void add_number() {
@@ -186,9 +218,9 @@ class Entities {
   std::string_view text_;
   std::size_t position_ = 0;
   bool is_at_start_ = true;
-  int depth_ = 0;            ///< of parentheses
-  std::string_view word_;    ///< that was read last, if blanks alone came after it
-  std::string_view entity_;  ///< the name before the values being read
+  bool is_list_empty_ = false;           ///< nothing has come since a list began
+  std::string_view word_;                ///< the last word, if only blanks or comments follow it
+  std::vector<std::string_view> names_;  ///< of the entities whose parentheses are open
   std::vector<Number> defined_;
   std::vector<Reference> references_;
 };

@@ -7,8 +7,9 @@
 
 namespace surfmesh {
 
-/// Check that all entities that those of a STEP file refer to are in it once, that none leads back
-/// to itself, and that loops, shells, curves, surfaces and shapes have what they consist of.
+/// Check that every entity of a STEP file is defined once, that every reference leads to one, that
+/// no entity leads back to itself, and that vertices have a point, and loops, shells, curves,
+/// surfaces and shapes have members.
 ///
 /// OpenCASCADE goes on with what is there. It falls over what is not, and follows circles without
 /// end.

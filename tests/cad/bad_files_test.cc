@@ -97,9 +97,10 @@ TEST_F(BadCadFiles, MayReferToTheWrongEntities) {
   }
 }
 
-/// What is said of a STEP file in which a text, where it is found first, is another one.
+/// STEP files of a box, damaged in one place.
 class DamagedSteps : public BadCadFiles {
  protected:
+  /// The error where `before` is replaced, where it first occurs, by `after`.
   std::string error_with(const std::string& before, const std::string& after) {
     std::string text = text_of("box");
     const std::size_t at = text.find(before);
@@ -107,7 +108,7 @@ class DamagedSteps : public BadCadFiles {
     return error_of_text("broken.step", text.replace(at, before.size(), after));
   }
 
-  /// The values behind a name in the file, and the name, are others.
+  /// The same, replacing the first entity of that name.
   std::string error_with_entity(const std::string& name, const std::string& entity) {
     const std::string text = text_of("box");
     const std::size_t at = text.find(name + "(");
@@ -131,6 +132,22 @@ TEST_F(DamagedSteps, MayHaveListsOfNothing) {
   expect_names(
       error_with_entity("ADVANCED_BREP_SHAPE_REPRESENTATION", "SHAPE_REPRESENTATION('',(),#15)"),
       "SHAPE_REPRESENTATION", "an empty list");
+}
+
+TEST_F(DamagedSteps, MayHaveListsOfCommentsOnly) {
+  expect_names(error_with_entity("EDGE_LOOP", "EDGE_LOOP /* of */ ('',( /* none */ ))"),
+               "EDGE_LOOP", "an empty list");
+}
+
+/// OpenCASCADE takes a face without bounds, and what comes after the end.
+TEST_F(DamagedSteps, AreReadWhereThatIsNoFault) {
+  const std::string text = text_of("box");
+  const std::size_t bounds = text.find("ADVANCED_FACE("), surface = text.find("),#", bounds) + 2;
+  const std::string face = text.substr(bounds, text.find(';', bounds) - bounds);
+  const std::string without =
+      "FACE_SURFACE('',()," + text.substr(surface, text.find(';', bounds) - surface);
+  EXPECT_EQ(error_with(face, without).find("list"), std::string::npos);
+  EXPECT_EQ(error_of_text("box.step", text + "\n#20 = VERTEX('it''s #21\n" + text), "no error");
 }
 
 TEST_F(DamagedSteps, MayHaveVerticesWithoutAPlace) {

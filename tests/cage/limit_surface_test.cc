@@ -328,8 +328,14 @@ TEST(LimitSurface, AtAFanOfTwoFacesBesideAnotherIsSafe) {
                  {6, 8, 3}, {6, 0, 7}, {0, 5, 0}, {0, 8, 7}};
   cage.faces = {{0, 1, 4, 3}, {3, 4, 1, 6}, {4, 5, 8, 7}};
   cage.creases = {{{1, 4}, 2.5}, {{3, 4}, 10}};
+  Eigen::AlignedBox3d bounds;
+  for (const Vec3& point : cage.points) bounds.extend(point);
   for (const auto& surface : surfaces_of(cage)) {
-    for (Uv uv : samples({}, 20)) EXPECT_NO_THROW(surface->evaluate(uv, Order::Second));
+    for (Uv uv : samples({}, 20)) {
+      const Jet jet = surface->evaluate(uv, Order::Second);
+      EXPECT_LT(bounds.exteriorDistance(jet.point), 1e-9);
+      EXPECT_TRUE(jet.du.allFinite() && jet.dv.allFinite());
+    }
   }
 }
 

@@ -32,7 +32,7 @@ import time
 from scenarios import Scenario, plain_scenarios, rank_scenarios
 
 NOBODY = 65534
-# Of mpirun where a rank was killed, be it after its work was done, too.
+# mpirun's status if a rank was killed, even after its work was done.
 KILLED = 128 + signal.SIGKILL
 MIB = 1 << 20
 
@@ -70,7 +70,7 @@ def finish(run, scenario, folder):
     return Outcome(run.returncode, err.decode(errors="replace"), scenario.left_in(folder))
 
 
-def faults_of(outcome, had_old, may_be_killed=False):
+def faults_of(outcome, had_old, may_be_killed=False, is_rank_killed=False):
     """What is wrong with the end of a run, in words."""
     states, extra = outcome.left
     before, bad = "old" if had_old else "none", []
@@ -88,7 +88,7 @@ def faults_of(outcome, had_old, may_be_killed=False):
         bad.append("hangs")
     elif status not in (0, 1, 3) and not 128 < status < 160:
         bad.append(f"exit status {status}: {outcome.err[-200:]}")
-    elif (status in (0, 3)) != is_new and not (is_new and status == KILLED):
+    elif (status in (0, 3)) != is_new and not (is_new and is_rank_killed and status == KILLED):
         bad.append(f"exit status {status}, but outputs are {states}")
     elif status == 1 and "surfmesh: error: " not in outcome.err:
         bad.append(f"status 1 without a message: {outcome.err[-200:]!r}")
@@ -358,7 +358,8 @@ def killed_ranks(bench, scenarios):
                     os.kill(bench.r.choice(ranks), number)
             outcome = finish(run, scenario, folder)
             bench.judge("killed rank", scenario, outcome, True,
-                        f"{signal.Signals(number).name} after {moment:.3f} of {whole:.3f} s")
+                        f"{signal.Signals(number).name} after {moment:.3f} of {whole:.3f} s",
+                        is_rank_killed=number == signal.SIGKILL)
             shutil.rmtree(folder, ignore_errors=True)
 
 

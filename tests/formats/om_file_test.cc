@@ -238,9 +238,9 @@ TEST(OmFile, LeavesOutValuesOfVaryingSizeAndSaysSo) {
     EXPECT_TRUE(is_same_connectivity(mesh, file.mesh));
     EXPECT_TRUE(is_same_property(mesh, file.mesh, keys::corner_uv));
     const std::vector<std::string> texts = texts_of(file.notices, Severity::Warning);
-    ASSERT_EQ(texts.size(), 2u);
-    EXPECT_NE(texts[0].find("b.om: the property list is left out"), std::string::npos) << texts[0];
-    EXPECT_NE(texts[1].find("std::string"), std::string::npos) << texts[1];
+    ASSERT_EQ(texts.size(), 1u);
+    EXPECT_NE(texts[0].find("b.om: the property list (and 1 more) is left out"), std::string::npos)
+        << texts[0];
   }
 }
 

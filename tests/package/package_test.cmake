@@ -105,13 +105,14 @@ endfunction()
 
 file(REMOVE_RECURSE ${prefix} ${folder}/consumer ${folder}/around ${folder}/find)
 if(MODE STREQUAL "subproject")
-  # As projects are built while they are worked on.
+  # Debug, as people build while developing.
   list(APPEND common -DCMAKE_BUILD_TYPE=Debug)
   check_project_around()
   set(surfmesh -DSURFMESH_SOURCE=${SOURCE} -DSURFMESH_UNITY_BUILD=ON)
 elseif(MODE STREQUAL "shared")
+  # Not joined: of all builds from nothing, this one shows that each file includes what it needs.
   run(${CMAKE_COMMAND} -S ${SOURCE} -B ${folder}/library ${common} -DBUILD_SHARED_LIBS=ON
-      -DSURFMESH_UNITY_BUILD=ON -DSURFMESH_BUILD_TESTS=OFF -DSURFMESH_BUILD_BENCH=OFF)
+      -DSURFMESH_BUILD_TESTS=OFF -DSURFMESH_BUILD_BENCH=OFF)
   run(${CMAKE_COMMAND} --build ${folder}/library)
   install_surfmesh(${folder}/library)
   check_pkg_config()

@@ -19,8 +19,7 @@
 /// Models of a few patches: analytic surfaces, in one piece and cut.
 namespace surfmesh::testing {
 
-/// Makes a model when its test runs: a test program lists all of its tests, hundreds, at each
-/// start.
+/// Makes a model only when its test runs: test programs list all their tests at each start.
 using MakeModel = std::function<Model()>;
 
 using Shape = std::shared_ptr<const Surface>;

@@ -18,7 +18,8 @@ std::size_t descend(std::size_t depth) {
   if (depth == std::numeric_limits<std::size_t>::max()) return 0;
   volatile char room[4096] = {};
   room[depth % sizeof(room)] = 1;
-  return descend(depth + 1) + static_cast<std::size_t>(room[0]);
+  const std::size_t below = descend(depth + 1);
+  return below + static_cast<std::size_t>(room[0]);
 }
 
 TEST(TellsCrash, EndsTheProgramWithATextAndStatusOne) {

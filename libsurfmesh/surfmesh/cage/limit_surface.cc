@@ -324,8 +324,9 @@ class SurfaceMaker {
     return result;
   }
 
-  /// True if two faces share two edges of a vertex, and so close a fan around it, beside which
-  /// there may be others. Vertices of edges with very many faces are not looked at closer.
+  /// True if two faces share two edges of a vertex: a closed fan, even if the vertex has other
+  /// faces. Also true, without looking, if an edge has more than kMostFacesOfEdge faces: comparing
+  /// pairs would take too long.
   static bool has_fan_of_two(const Far::TopologyLevel& level, int vertex) {
     constexpr int kMostFacesOfEdge = 8;
     std::vector<std::pair<int, int>> neighbours;

@@ -95,7 +95,7 @@ bool is_index(std::int64_t i, std::size_t count) {
   return i >= 0 && static_cast<std::size_t>(i) < count;
 }
 
-/// Checks that the bytes of an .om file are what write_om() makes, before OpenMesh reads them: it
+/// Checks that the bytes of an .om file are what OpenMesh writes, before OpenMesh reads them: it
 /// trusts its input, and stops the program, writes outside of its arrays or reads on beyond the end
 /// where that is wrong.
 ///
@@ -112,8 +112,8 @@ class OmCheck {
   /// The bytes without the chunks to leave out.
   std::string bytes() const;
 
-  /// A chunk whose values OpenMesh reads with the lengths that stand there, as they are: it would
-  /// ask for any memory.
+  /// A chunk of values of varying size. OpenMesh trusts the lengths in it, so a small file could
+  /// ask for any amount of memory.
   struct LeftOut {
     std::string_view chunk;
     std::string_view name;  ///< of the property
@@ -206,12 +206,14 @@ bool OmCheck::skip_custom(unsigned entity) {
 
 std::string OmCheck::bytes() const {
   std::string result;
+  result.reserve(bytes_.size());
   const char* from = bytes_.data();
   for (const LeftOut& one : left_out) {
     result.append(from, one.chunk.data());
     from = one.chunk.data() + one.chunk.size();
   }
-  return result.append(from, bytes_.data() + bytes_.size());
+  result.append(from, bytes_.data() + bytes_.size());
+  return result;
 }
 
 /// OpenMesh makes the elements where these chunks stand, anew at each. It stops the program at
@@ -244,7 +246,7 @@ bool OmCheck::check_topology(unsigned entity, unsigned dimensions, std::size_t s
   if (entity != kVertex && entity != kFace && !is_halfedge) return false;
   if (dimensions != (is_halfedge ? 3u : 1u) || count * dimensions * size > rest_.size())
     return false;
-  // Of vertices it says more, of the others it makes them.
+  // Vertices exist by now; halfedges and faces are made here, once.
   if (are_made(entity) != (entity == kVertex) && count > 0) return false;
   (is_halfedge ? has_halfedges_ : entity == kFace ? has_faces_ : has_positions_) = true;
   for (std::size_t i = 0; i < count; ++i) {
@@ -517,6 +519,17 @@ void check_patches(const PolyMesh& mesh, const std::string& name) {
   }
 }
 
+/// Tell of the properties that are left out, all at once: a file may have any number of them.
+Notice notice_of(const std::vector<OmCheck::LeftOut>& left_out, const std::string& name) {
+  const OmCheck::LeftOut& first = left_out.front();
+  const std::size_t others = left_out.size() - 1;
+  return warning_at(
+      name, NoticeKind::IgnoredInput,
+      fmt::format("the property {}{} is left out: values of varying size, as of {}, "
+                  "are not read",
+                  first.name, others > 0 ? fmt::format(" (and {} more)", others) : "", first.type));
+}
+
 /// The faces only. That there are none is told by whoever reads.
 MeshArraysFile parse_om_faces(std::string bytes, const std::string& name) {
   const MeshFile file = parse_om(std::move(bytes), name);
@@ -539,13 +552,7 @@ MeshFile parse_om(std::string bytes, const std::string& name) {
   if (!check.are_chunks_sound()) fail(name, "the file is cut short or damaged");
   MeshFile file;
   if (!check.names.empty()) file.names = NamesReader(check.names, name).read();
-  for (const OmCheck::LeftOut& one : check.left_out) {
-    file.notices.push_back(
-        warning_at(name, NoticeKind::IgnoredInput,
-                   fmt::format("the property {} is left out: values of varying size, as of {}, are "
-                               "not read",
-                               one.name, one.type)));
-  }
+  if (!check.left_out.empty()) file.notices.push_back(notice_of(check.left_out, name));
   read_checked(check.left_out.empty() ? std::move(bytes) : check.bytes(), check, name, file.mesh);
   check_positions(file.mesh, name);
   check_patches(file.mesh, name);

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "surfmesh/cage/creases.hh"
-#include "surfmesh/cage/interpolating_cage.hh"
 #include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/cage/weld_cage.hh"
 #include "surfmesh/core/error.hh"
@@ -20,7 +19,6 @@
 #include "surfmesh/model/append_model.hh"
 #include "surfmesh/pipeline/at_file.hh"
 #include "surfmesh/pipeline/file_options.hh"
-#include "surfmesh/pipeline/option_table.hh"
 #include "surfmesh/pipeline/refused_options.hh"
 
 namespace surfmesh::detail {

@@ -11,7 +11,6 @@
 #include "surfmesh/core/run_context.hh"
 #include "surfmesh/formats/mesh_endings.hh"
 #include "surfmesh/formats/mesh_format.hh"
-#include "surfmesh/formats/read_cage.hh"
 #include "surfmesh/io/input_file.hh"
 #include "surfmesh/model/join_sides.hh"
 #include "surfmesh/model_file/read_model.hh"

@@ -9,6 +9,7 @@
 #include "surfmesh/cage/interpolating_cage.hh"
 #include "surfmesh/cage/mend_cage.hh"
 #include "surfmesh/core/error.hh"
+#include "surfmesh/model/cad_input.hh"
 #include "surfmesh/pipeline/file_options.hh"
 #include "surfmesh/pipeline/option_table.hh"
 
