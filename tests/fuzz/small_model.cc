@@ -330,9 +330,7 @@ class Maker {
   }
 
   Json size_of() {
-    const auto length = [&] {
-      return text_of(100 * std::pow(10.0, bytes_.real(-0.6, -2))) + "%";
-    };
+    const auto length = [&] { return text_of(100 * std::pow(10.0, bytes_.real(-0.6, -2))) + "%"; };
     if (bytes_.happens(160)) return length();
     return Json::array({length(), length()});
   }
