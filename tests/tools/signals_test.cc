@@ -5,6 +5,8 @@
 
 #include <csignal>
 #include <cstddef>
+#include <filesystem>
+#include <limits>
 
 #include "support/folders.hh"
 

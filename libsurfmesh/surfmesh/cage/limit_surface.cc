@@ -325,10 +325,13 @@ class SurfaceMaker {
   }
 
   /// True if two faces share two edges of a vertex: a closed fan, even if the vertex has other
-  /// faces. Also true, without looking, if an edge has more than kMostFacesOfEdge faces: comparing
-  /// pairs would take too long.
+  /// faces, as only non-manifold ones do. Also true, without looking, if an edge has more than
+  /// kMostFacesOfEdge faces: comparing pairs would take too long.
   static bool has_fan_of_two(const Far::TopologyLevel& level, int vertex) {
     constexpr int kMostFacesOfEdge = 8;
+    if (!level.IsVertexNonManifold(vertex)) {
+      return level.GetVertexFaces(vertex).size() == 2 && level.GetVertexEdges(vertex).size() == 2;
+    }
     std::vector<std::pair<int, int>> neighbours;
     for (const int edge : level.GetVertexEdges(vertex)) {
       const Far::ConstIndexArray faces = level.GetEdgeFaces(edge);
