@@ -8,13 +8,18 @@
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
 #include <Precision.hxx>
+#include <ShapeAnalysis_Edge.hxx>
 #include <ShapeBuild_ReShape.hxx>
+#include <ShapeConstruct_ProjectCurveOnSurface.hxx>
 #include <ShapeFix_Shape.hxx>
 #include <ShapeUpgrade_ShapeDivideContinuity.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Solid.hxx>
@@ -112,6 +117,37 @@ void replace(CadShape& cad, const TopoDS_Shape& shape, const Handle(ShapeBuild_R
   cad.shape = shape;
 }
 
+/// Whether an edge has no curve in the parameters of a face, and its curve in space gives none.
+bool fails_to_project(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  if (ShapeAnalysis_Edge().HasPCurve(edge, face)) return false;
+  double first = 0, last = 0;
+  const Handle(Geom_Curve) in_space = BRep_Tool::Curve(edge, first, last);
+  if (in_space.IsNull()) return false;
+  ShapeConstruct_ProjectCurveOnSurface projection;
+  projection.Init(BRep_Tool::Surface(face), BRep_Tool::Tolerance(edge));
+  Handle(Geom2d_Curve) on_surface;
+  Handle(Geom_Curve) curve = in_space;
+  projection.Perform(curve, first, last, on_surface);
+  return on_surface.IsNull();
+}
+
+/// Whether OpenCASCADE (7.6) crashes where it mends a shape: ShapeFix_Edge::FixAddPCurve takes for
+/// granted that an edge that a wire runs along twice can be projected.
+bool crashes_where_mended(const TopoDS_Shape& shape) {
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
+    for (TopExp_Explorer wire(face.Current(), TopAbs_WIRE); wire.More(); wire.Next()) {
+      TopTools_MapOfShape seen;
+      for (TopExp_Explorer edge(wire.Current(), TopAbs_EDGE); edge.More(); edge.Next()) {
+        if (seen.Add(edge.Current())) continue;
+        if (fails_to_project(TopoDS::Edge(edge.Current()), TopoDS::Face(face.Current()))) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
 /// Faces and edges, for what is told.
 std::string counts_of(const TopoDS_Shape& shape) {
   return fmt::format("{} faces and {} edges", count_of(shape, TopAbs_FACE),
@@ -176,6 +212,7 @@ void divide_at_corners(CadShape& cad) {
 }
 
 bool mend_faces(CadShape& cad) {
+  if (crashes_where_mended(cad.shape)) return false;
   ShapeFix_Shape fix(cad.shape);
   const bool is_changed = fix.Perform();
   if (!is_changed || fix.Shape().IsNull()) return false;

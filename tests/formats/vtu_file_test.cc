@@ -52,6 +52,13 @@ TEST(VtuFile, HoldsValues) {
             std::string::npos);
 }
 
+TEST(VtuFile, HasNamesOfAnyBytes) {
+  VtkGrid grid = three_cells();
+  grid.at_cells = {{"caf\xE9\x01<&\">", 1, std::vector<int>{0, 0, -1}}};
+  EXPECT_NE(written(grid).find(" Name=\"caf\xEF\xBF\xBD\xEF\xBF\xBD&lt;&amp;&quot;>\" "),
+            std::string::npos);
+}
+
 TEST(VtuFile, RefusesPositionsThatAreNotFinite) {
   VtkGrid grid = three_cells();
   grid.points[3] = Vec3::Constant(kUnset);

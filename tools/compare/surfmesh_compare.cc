@@ -78,7 +78,11 @@ void make_directories(Arguments& arguments) {
 
 void write_results(const Comparison& comparison, const std::filesystem::path& output) {
   write_file(output / "compare.md", markdown(comparison));
-  write_file(output / "compare.json", to_json(comparison).dump(2) + "\n");
+  // Names of files need not be UTF-8: what is not becomes a replacement character.
+  const std::string text =
+      to_json(comparison).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+      "\n";
+  write_file(output / "compare.json", text);
   write_file(output / "compare_speed.svg", speed_chart(comparison.cases));
   write_file(output / "compare_quality.svg", quality_chart(comparison.cases));
 }

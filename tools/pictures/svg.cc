@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pictures/clean_text.hh"
+#include "surfmesh/io/clean_text.hh"
 
 namespace surfmesh {
 namespace {

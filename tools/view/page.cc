@@ -7,9 +7,9 @@
 #include <initializer_list>
 #include <string_view>
 
+#include "surfmesh/io/clean_text.hh"
 #include "surfmesh/io/json.hh"
 
-#include "pictures/clean_text.hh"
 #include "view/page_arrays.hh"
 #include "view/page_facts.hh"
 #include "view/page_mesh.hh"

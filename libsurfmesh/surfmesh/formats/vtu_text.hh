@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "surfmesh/io/clean_text.hh"
+
 /// The words of VTK's XML files.
 namespace surfmesh::vtu {
 
@@ -26,7 +28,7 @@ inline constexpr std::string_view kType<std::uint8_t> = "UInt8";
 /// A name as the value of an XML attribute.
 inline std::string escaped(std::string_view name) {
   std::string text;
-  for (const char c : name) {
+  for (const char c : clean_text(name)) {
     if (c == '&') {
       text += "&amp;";
     } else if (c == '<') {
@@ -34,7 +36,7 @@ inline std::string escaped(std::string_view name) {
     } else if (c == '"') {
       text += "&quot;";
     } else {
-      text += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+      text += c;
     }
   }
   return text;

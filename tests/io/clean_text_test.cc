@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pictures/clean_text.hh"
+#include "surfmesh/io/clean_text.hh"
 
 #include <gtest/gtest.h>
 
