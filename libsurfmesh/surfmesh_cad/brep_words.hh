@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <string>
 #include <string_view>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh_cad/cad_number.hh"
 
 namespace surfmesh {
 
@@ -59,13 +59,9 @@ class BrepWords {
   void reals(int count) {
     for (int i = 0; i < count; ++i) {
       const std::string_view text = word();
-      double value = 0;
-      const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-      // Out of range is what is as small as 1e-320, too.
-      const bool is_number = error == std::errc() || error == std::errc::result_out_of_range;
-      if (!is_number || stop != text.data() + text.size() || !std::isfinite(value)) {
-        fail_brep(fmt::format("{} is no number", text));
-      }
+      const auto value = cad_number(text);
+      if (!value) fail_brep(fmt::format("{} is no number", text));
+      if (is_too_large(*value)) fail_brep(fmt::format("{} is too large", text));
     }
   }
 

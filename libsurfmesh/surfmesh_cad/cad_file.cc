@@ -14,6 +14,7 @@
 #include "surfmesh/core/error.hh"
 #include "surfmesh/io/input_file.hh"
 #include "surfmesh_cad/brep_text.hh"
+#include "surfmesh_cad/iges_text.hh"
 #include "surfmesh_cad/step_text.hh"
 
 namespace surfmesh {
@@ -24,9 +25,6 @@ constexpr std::uintmax_t kMostBytes = 512ull << 20;
 
 /// What is looked at of the beginning and of the end of a file: comments may stand there.
 constexpr std::size_t kLookedAt = 1 << 16;
-
-/// The column that tells the section of a line of an IGES file, from 0.
-constexpr std::size_t kSectionColumn = 72;
 
 [[noreturn]] void fail(const std::string& reason) { throw Error(ErrorCode::InvalidInput, reason); }
 
@@ -70,11 +68,6 @@ void check_step(const Ends& ends) {
   if (bare(ends.tail).find("END-ISO-10303-21") == std::string::npos) {
     fail("the STEP file is cut off: it does not end with END-ISO-10303-21");
   }
-}
-
-/// The section of a line: S, G, D, P or T; 0 if it has none.
-char section_of(std::string_view line) {
-  return line.size() > kSectionColumn ? line[kSectionColumn] : '\0';
 }
 
 std::string_view last_line(std::string_view text) {
@@ -126,6 +119,7 @@ CadFormat check_cad_file(const std::filesystem::path& path) {
   const Ends ends = read_ends(path, size);
   if (ending == ".igs" || ending == ".iges") {
     check_iges(ends);
+    check_iges_text(read_file(path));
     return CadFormat::Iges;
   }
   if (ending != ".step" && ending != ".stp") {

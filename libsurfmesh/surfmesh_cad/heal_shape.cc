@@ -25,10 +25,13 @@
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "surfmesh_cad/loop_box.hh"
 #include "surfmesh_cad/spline_corners.hh"
+#include "surfmesh_cad/turns.hh"
 
 namespace surfmesh {
 namespace {
@@ -154,19 +157,47 @@ std::string counts_of(const TopoDS_Shape& shape) {
                      count_of(shape, TopAbs_EDGE));
 }
 
+/// The ends of the curves that bound a face, in its parameters.
+LoopBox ends_of(const TopoDS_Face& face) {
+  LoopBox box;
+  for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
+    double first = 0, last = 0;
+    const Handle(Geom2d_Curve) curve =
+        BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Current()), face, first, last);
+    if (curve.IsNull()) continue;
+    for (const double t : {first, last}) {
+      const gp_Pnt2d end = curve->Value(t);
+      box.extend(Uv{end.X(), end.Y()});
+    }
+  }
+  return box;
+}
+
+/// Why nothing can be done with a face; empty if something can.
+std::string damage_of(const TopoDS_Face& face) {
+  TopLoc_Location ignored;
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face, ignored);
+  if (surface.IsNull()) return "it has no surface";
+  if (!surface->IsUPeriodic() && !surface->IsVPeriodic()) return {};
+  const LoopBox ends = ends_of(face);
+  if (ends.width() < 0) return {};  // there is no curve
+  const double count = turns(*surface, {ends.u0, ends.u1, ends.v0, ends.v1});
+  return count > kMostTurns ? fmt::format("it goes {:.3g} times around its surface", count) : "";
+}
+
 }  // namespace
 
-void drop_empty_faces(CadShape& cad) {
+void drop_damaged_faces(CadShape& cad) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(cad.shape, TopAbs_FACE, faces);
   const Handle(ShapeBuild_ReShape) changes = new ShapeBuild_ReShape;
   bool has_changes = false;
-  TopLoc_Location ignored;
   for (Standard_Integer f = 1; f <= faces.Extent(); ++f) {
-    if (!BRep_Tool::Surface(TopoDS::Face(faces(f)), ignored).IsNull()) continue;
+    const std::string damage = damage_of(TopoDS::Face(faces(f)));
+    if (damage.empty()) continue;
     changes->Remove(faces(f));
     has_changes = true;
-    Notice notice = shortfall(NoticeKind::IgnoredInput, "the face is left out: it has no surface");
+    Notice notice = shortfall(NoticeKind::IgnoredInput, "the face is left out: " + damage);
     locate(fmt::format("face {} of {}", f, faces.Extent()), notice);
     append({notice}, cad.notices);
   }

@@ -6,9 +6,9 @@
 
 namespace surfmesh {
 
-/// Take out faces without a surface, over which OpenCASCADE's own healing would fall. Tells it as
-/// ignored input.
-void drop_empty_faces(CadShape& cad);
+/// Take out faces without a surface, and those that go around it kMostTurns or more: OpenCASCADE's
+/// own healing would crash, or not end. Tells it as ignored input.
+void drop_damaged_faces(CadShape& cad);
 
 /// Sew faces that are in no solid: always with a tolerance given, else if no two faces of the shape
 /// are in one shell. Shells that are closed then become solids, or hollows of those around them.

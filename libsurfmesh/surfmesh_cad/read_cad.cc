@@ -37,9 +37,9 @@ BuiltModel best_model(CadShape& cad) {
 }
 
 Model model_of(CadShape cad, const CadOptions& options) {
-  drop_empty_faces(cad);
+  drop_damaged_faces(cad);
   if (cad.shape.IsNull() || count_of(cad.shape, TopAbs_FACE) == 0) {
-    throw Error(ErrorCode::InvalidInput, "it has no faces with a surface");
+    throw Error(ErrorCode::InvalidInput, "it has no faces that can be used");
   }
   sew_faces(cad, options);
   merge_small_edges(cad);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh_cad/cad_number.hh"
 
 namespace surfmesh {
 namespace {
@@ -117,6 +118,7 @@ class Entities {
     is_list_empty_ = false;
     if (c == '\'') return skip_text();
     if (is_letter(c)) return take_word();
+    if (is_start_of_number()) return take_real();
     ++position_;
     if (c == '(') open();
     if (c == ';') start_statement();
@@ -154,6 +156,23 @@ class Entities {
     word_ = text_.substr(begin, position_ - begin);
     const bool is_end = word_ == "END" && text_.substr(position_).starts_with("-ISO");
     if (is_end) position_ = text_.size();
+  }
+
+  bool is_start_of_number() const {
+    const std::size_t digit = text_.find_first_not_of("+-.", position_);
+    return digit != std::string_view::npos && is_digit(text_[digit]);
+  }
+
+  void take_real() {
+    const std::size_t end =
+        std::min(text_.find_first_not_of("0123456789+-.Ee", position_), text_.size());
+    const std::string_view number = text_.substr(position_, end - position_);
+    if (is_too_large(cad_number(number).value_or(0))) {
+      fail_as_damaged(fmt::format("#{} has a number too large: {}",
+                                  defined_.empty() ? 0 : defined_.back(), number));
+    }
+    position_ = end;
+    word_ = {};
   }
 
   void start_statement() {

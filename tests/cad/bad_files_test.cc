@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -168,6 +169,29 @@ TEST_F(DamagedSteps, MayReferToThemselvesBehindAnOddQuote) {
   const std::string whole = text.substr(number, text.find(';', number) - number);
   const std::string damaged = self + " = ORIENTED_EDGE('an edge's name',*,*," + self + ",.F.)";
   expect_names(error_with(whole, damaged), "broken.step", self + " refers to itself");
+}
+
+/// OpenCASCADE computes with NaN then: it crashes, or does not come to an end.
+TEST_F(BadCadFiles, MayHaveNumbersThatOverflow) {
+  const auto error_with = [&](const std::string& shape, const std::string& name,
+                              const std::string& before, const std::string& after) {
+    std::string text = text_of(shape);
+    const std::size_t at = text.find(before);
+    EXPECT_NE(at, std::string::npos) << before;
+    return error_of_text(name, text.replace(at, before.size(), after));
+  };
+  for (const char* number : {"1.E300", "-1.5E102", "01.E+999"}) {
+    const std::string reason = std::string("has a number too large: ").append(number);
+    expect_names(error_with("box", "a.step", "(0.,0.,1.)", fmt::format("(0.,0.,{})", number)),
+                 "a.step", reason);
+    expect_names(
+        error_with("box_brep", "a.brep", "\n1 0 0 1 0", fmt::format("\n1 0 0 {} 0", number)),
+        "a.brep", fmt::format("{} is too large", number));
+  }
+  expect_names(error_with("loose_box", "a.igs", "108,-1.,-0.,", "108,1.D+300,"), "a.igs",
+               "line 106: 1.D+300 is too large");
+  EXPECT_EQ(error_with("box", "a.step", "DIRECTION('',(0.,0.,1.)", "DIRECTION('',(1.E-999,0.,+1.)"),
+            "no error");
 }
 
 /// Every number of a BREP file that refers to something is changed.

@@ -6,6 +6,8 @@
 #include <set>
 #include <type_traits>
 
+#include "surfmesh/core/validate.hh"
+
 namespace surfmesh {
 namespace {
 
@@ -158,6 +160,30 @@ TEST(BuildFaces, CutsSheetsThatMeetInOneEdge) {
   EXPECT_EQ(separation.cut_edges, 3u);
   EXPECT_EQ(separation.copied, (std::vector<int>{1, 0, 0, 1}));
   expect_linked(mesh);
+}
+
+/// Faces 0 and 1 are the two sides of one triangle. A third has one of its edges, or two others one
+/// each: those are cut, though at their ends faces 0 and 1 are neighbours by what is left.
+TEST(BuildFaces, ClosesTheSlitsBetweenNeighboursThatItCut) {
+  for (const auto& others :
+       {std::vector<std::vector<int>>{{0, 1, 3}}, {{0, 1, 3}, {1, 2, 3}}, {{0, 1, 3}, {1, 0, 3}}}) {
+    std::vector<std::vector<int>> faces = {{0, 1, 2}, {1, 0, 2}};
+    faces.insert(faces.end(), others.begin(), others.end());
+    for (const FirstSide first : {FirstSide::FromFirstCorner, FirstSide::ToFirstCorner}) {
+      PolyMesh mesh;
+      const Separation separation = build_faces(mesh, 4, faces_of(faces), first);
+      EXPECT_EQ(find_faults(mesh), std::vector<std::string>{});
+      EXPECT_EQ(separation.cut_edges % 2, faces.size() % 2);
+      expect_linked(mesh);
+      for (std::size_t f = 0; f < faces.size(); ++f) {
+        const HalfedgeHandle heh = mesh.halfedge_handle(FaceHandle(static_cast<int>(f)));
+        const int begin = first == FirstSide::FromFirstCorner ? faces[f][0] : faces[f][2];
+        const int vertex = mesh.from_vertex_handle(heh).idx();
+        EXPECT_EQ(vertex < 4 ? vertex : separation.copied[static_cast<std::size_t>(vertex - 4)],
+                  begin);
+      }
+    }
+  }
 }
 
 TEST(BuildTriangles, GluesTwinsAsTheirVerticesWould) {

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "surfmesh/core/close_slits.hh"
+
 namespace surfmesh {
 namespace {
 
@@ -123,8 +125,8 @@ class HalfedgeAssignment {
   std::size_t edge_count() const { return count_; }
 
   /// Glue sides to their twins, those without one (-1, or no twins at all) by their vertices.
-  /// Returns  the number of sides left open though others have their vertices
-  std::size_t assign(std::size_t vertex_count, std::span<const int> twins) {
+  /// Returns  the edges of sides left open though others have their vertices, in rising order
+  std::vector<EdgeHandle> assign(std::size_t vertex_count, std::span<const int> twins) {
     std::vector<int> others;
     for (std::size_t side = 0; side < halfedge_of_.size(); ++side) {
       const int twin = twins.empty() ? -1 : twins[side];
@@ -136,14 +138,17 @@ class HalfedgeAssignment {
         glue(static_cast<int>(side), twin);
       }
     }
-    std::size_t cut = 0;
+    std::vector<EdgeHandle> cut;
     SideTable(vertex_count, corners_, others).for_each_edge([&](auto first, auto last) {
       if (last - first == 2 && first->is_rising != first[1].is_rising) {
         glue(first->index, first[1].index);
         return;
       }
-      if (last - first > 1) cut += static_cast<std::size_t>(last - first);
-      for (; first != last; ++first) give(first->index, 2 * count_++);
+      const bool is_cut = last - first > 1;
+      for (; first != last; ++first) {
+        if (is_cut) cut.emplace_back(static_cast<int>(count_));
+        give(first->index, 2 * count_++);
+      }
     });
     return cut;
   }
@@ -259,8 +264,7 @@ template <class Corners>
 Separation build_connectivity(PolyMesh& mesh, std::size_t vertex_count, const Corners& corners,
                               std::span<const int> twins) {
   HalfedgeAssignment<Corners> halfedges(mesh, corners);
-  Separation separation;
-  separation.cut_edges = halfedges.assign(vertex_count, twins);
+  const std::vector<EdgeHandle> cut = halfedges.assign(vertex_count, twins);
   mesh.resize(vertex_count, halfedges.edge_count(), corners.face_count());
   halfedges.set_vertices();
   for (std::size_t f = 0; f < corners.face_count(); ++f) {
@@ -274,8 +278,10 @@ Separation build_connectivity(PolyMesh& mesh, std::size_t vertex_count, const Co
     mesh.set_halfedge_handle(fh, halfedges.of(corners.leading_side(f)));
   }
   link_open_halfedges(mesh);
+  Separation separation;
   separation.copied =
       FanSeparation(mesh).run(corners.count(), [&](std::size_t c) { return halfedges.of(c); });
+  separation.cut_edges = cut.size() - 2 * close_slits(mesh, cut);
   return separation;
 }
 

@@ -99,7 +99,8 @@ inline constexpr int kOpenSide = -2;
 /// Two triangles are glued where one has the edge (a,b) and the other (b,a), and only if no third
 /// triangle has that edge; otherwise the edge stays open on both. If the triangles at a vertex do
 /// not form one fan (surfaces touch there, or edges were left open), each fan but the first gets a
-/// copy of the vertex. Edges with given twins are numbered first, in the order of the triangles;
+/// copy of the vertex. Two open sides that then still lie between the same two vertices are glued.
+/// Edges with given twins are numbered first, in the order of the triangles;
 /// the others follow, ordered by their vertices.
 ///
 /// `twins` holds what is known already. For each side (3 × triangle + corner at its origin) it
