@@ -60,8 +60,22 @@ void check_next(BrepWords& words, Section next) {
   }
 }
 
-/// Check the sections of curves and surfaces.
+/// A location is a matrix of three rows and four columns, or powers of those before it.
+void check_locations(BrepWords& words, int count) {
+  for (int l = 0; l < count; ++l) {
+    if (words.count(1, 2) == 1) {
+      words.reals(12);
+      continue;
+    }
+    while (words.integer() != 0) words.integer();
+  }
+}
+
+/// Check the sections of locations, curves and surfaces.
 void check_geometry(std::string_view text) {
+  const SectionStart locations = section_start(text, kSections[Locations]);
+  BrepWords places(text, locations.end);
+  check_locations(places, locations.count);
   const SectionStart curve2ds = section_start(text, kSections[Curve2ds]);
   BrepWords words(text, curve2ds.end);
   check_brep_curves(words, curve2ds.count, 2);
@@ -163,8 +177,10 @@ class ShapeWords {
     }
   }
 
+  /// A tolerance and three flags, then its curves.
   void check_edge() {
-    words_.reals(4);
+    words_.reals(1);
+    for (int flag = 0; flag < 3; ++flag) integer();
     for (int kind = integer(); kind != 0; kind = integer()) check_curve(kind);
   }
 
@@ -219,7 +235,8 @@ class ShapeWords {
 
   /// A face may have a triangulation: "2" and its index, before the flags of seven digits.
   void check_face() {
-    words_.reals(2);
+    integer();  // a flag
+    words_.reals(1);
     index(Surfaces, 0);
     location();
     constexpr std::size_t kFlags = 7;

@@ -6,15 +6,12 @@
 #include <limits>
 #include <system_error>
 
+#include "surfmesh/io/out_of_range.hh"
+
 namespace surfmesh {
 namespace {
 
 constexpr double kMostNumber = 1e101;
-
-bool has_negative_exponent(std::string_view text) {
-  const std::size_t exponent = text.find_first_of("eE");
-  return exponent != std::string_view::npos && text.substr(exponent + 1).starts_with('-');
-}
 
 }  // namespace
 
@@ -27,7 +24,7 @@ std::optional<double> cad_number(std::string_view text) {
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (stop != text.data() + text.size() || error == std::errc::invalid_argument) return {};
   if (error == std::errc()) return value;
-  return has_negative_exponent(text) ? 0 : std::numeric_limits<double>::infinity();
+  return is_too_near_to_zero(text) ? 0 : std::numeric_limits<double>::infinity();
 }
 
 bool is_too_large(double number) { return std::abs(number) > kMostNumber; }

@@ -12,8 +12,8 @@ namespace surfmesh {
 /// double, 0 if it is as near to zero as that.
 std::optional<double> cad_number(std::string_view text);
 
-/// Whether a number is too large to be one of a shape: OpenCASCADE's own infinity is 2e100. The
-/// product of three larger ones overflows; it then computes with NaN, and may not come to an end.
+/// Whether a number is too large to be one of a shape: OpenCASCADE's own infinity is 2e100.
+/// Products of a few larger ones overflow; it then computes with NaN, and may not come to an end.
 bool is_too_large(double number);
 
 }  // namespace surfmesh

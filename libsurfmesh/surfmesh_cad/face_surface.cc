@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh_cad/face_surface.hh"
 
-#include <fmt/format.h>
-
 #include <BRep_Tool.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
@@ -116,10 +114,7 @@ Handle(Geom_Surface) surface_of(const TopoDS_Face& face) {
 
 std::shared_ptr<const Surface> face_surface(const Handle(Geom_Surface) & surface,
                                             const Domain& domain) {
-  const double count = turns(*surface, domain);
-  if (count > kMostTurns) {
-    throw Error(ErrorCode::Geometry, fmt::format("it goes {:.3g} times around its surface", count));
-  }
+  check_turns(*surface, domain);
   if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface)) {
     return spline_surface(spline, domain);
   }

@@ -8,18 +8,20 @@
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
 #include <Precision.hxx>
 #include <ShapeAnalysis_Edge.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeConstruct_ProjectCurveOnSurface.hxx>
+#include <ShapeExtend_WireData.hxx>
 #include <ShapeFix_Shape.hxx>
 #include <ShapeUpgrade_ShapeDivideContinuity.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Solid.hxx>
@@ -29,6 +31,8 @@
 #include <utility>
 #include <vector>
 
+#include "surfmesh/core/error.hh"
+#include "surfmesh_cad/face_surface.hh"
 #include "surfmesh_cad/loop_box.hh"
 #include "surfmesh_cad/spline_corners.hh"
 #include "surfmesh_cad/turns.hh"
@@ -120,29 +124,36 @@ void replace(CadShape& cad, const TopoDS_Shape& shape, const Handle(ShapeBuild_R
   cad.shape = shape;
 }
 
-/// Whether an edge has no curve in the parameters of a face, and its curve in space gives none.
-bool fails_to_project(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-  if (ShapeAnalysis_Edge().HasPCurve(edge, face)) return false;
+/// Whether an edge has no curve in the parameters of a face that is as long as itself, and its
+/// curve in space gives none. The precision is that of ShapeFix_Edge.
+bool fails_to_project(const TopoDS_Edge& edge, const TopoDS_Face& face) try {
+  ShapeAnalysis_Edge analysis;
+  Handle(Geom2d_Curve) on_surface;
   double first = 0, last = 0;
-  const Handle(Geom_Curve) in_space = BRep_Tool::Curve(edge, first, last);
+  if (analysis.PCurve(edge, face, on_surface, first, last) &&
+      analysis.CheckPCurveRange(first, last, on_surface)) {
+    return false;
+  }
+  Handle(Geom_Curve) in_space = BRep_Tool::Curve(edge, first, last);
   if (in_space.IsNull()) return false;
   ShapeConstruct_ProjectCurveOnSurface projection;
-  projection.Init(BRep_Tool::Surface(face), BRep_Tool::Tolerance(edge));
-  Handle(Geom2d_Curve) on_surface;
-  Handle(Geom_Curve) curve = in_space;
-  projection.Perform(curve, first, last, on_surface);
+  projection.Init(BRep_Tool::Surface(face), Precision::Confusion());
+  on_surface.Nullify();
+  projection.Perform(in_space, first, last, on_surface);
   return on_surface.IsNull();
+} catch (const Standard_Failure&) {
+  return false;  // which ShapeFix_Edge catches, too
 }
 
 /// Whether OpenCASCADE (7.6) crashes where it mends a shape: ShapeFix_Edge::FixAddPCurve takes for
 /// granted that an edge that a wire runs along twice can be projected.
 bool crashes_where_mended(const TopoDS_Shape& shape) {
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
-    for (TopExp_Explorer wire(face.Current(), TopAbs_WIRE); wire.More(); wire.Next()) {
-      TopTools_MapOfShape seen;
-      for (TopExp_Explorer edge(wire.Current(), TopAbs_EDGE); edge.More(); edge.Next()) {
-        if (seen.Add(edge.Current())) continue;
-        if (fails_to_project(TopoDS::Edge(edge.Current()), TopoDS::Face(face.Current()))) {
+    for (TopExp_Explorer it(face.Current(), TopAbs_WIRE); it.More(); it.Next()) {
+      const Handle(ShapeExtend_WireData) wire =
+          new ShapeExtend_WireData(TopoDS::Wire(it.Current()));
+      for (Standard_Integer e = 1; e <= wire->NbEdges(); ++e) {
+        if (wire->IsSeam(e) && fails_to_project(wire->Edge(e), TopoDS::Face(face.Current()))) {
           return true;
         }
       }
@@ -157,32 +168,37 @@ std::string counts_of(const TopoDS_Shape& shape) {
                      count_of(shape, TopAbs_EDGE));
 }
 
-/// The ends of the curves that bound a face, in its parameters.
-LoopBox ends_of(const TopoDS_Face& face) {
+/// The ends of the curves that bound a face, and the points of those that are splines, in its
+/// parameters.
+LoopBox points_around(const TopoDS_Face& face) {
   LoopBox box;
   for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
     double first = 0, last = 0;
     const Handle(Geom2d_Curve) curve =
         BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Current()), face, first, last);
     if (curve.IsNull()) continue;
-    for (const double t : {first, last}) {
-      const gp_Pnt2d end = curve->Value(t);
-      box.extend(Uv{end.X(), end.Y()});
-    }
+    const auto extend = [&box](const gp_Pnt2d& point) { box.extend(Uv{point.X(), point.Y()}); };
+    extend(curve->Value(first));
+    extend(curve->Value(last));
+    const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(curve);
+    if (spline.IsNull()) continue;
+    for (Standard_Integer p = 1; p <= spline->NbPoles(); ++p) extend(spline->Pole(p));
   }
   return box;
 }
 
-/// Why nothing can be done with a face; empty if something can.
-std::string damage_of(const TopoDS_Face& face) {
-  TopLoc_Location ignored;
-  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face, ignored);
-  if (surface.IsNull()) return "it has no surface";
+/// Why nothing can be done with a face; empty if something can, or if that is not known.
+std::string damage_of(const TopoDS_Face& face) try {
+  const Handle(Geom_Surface) surface = surface_of(face);
   if (!surface->IsUPeriodic() && !surface->IsVPeriodic()) return {};
-  const LoopBox ends = ends_of(face);
-  if (ends.width() < 0) return {};  // there is no curve
-  const double count = turns(*surface, {ends.u0, ends.u1, ends.v0, ends.v1});
-  return count > kMostTurns ? fmt::format("it goes {:.3g} times around its surface", count) : "";
+  const LoopBox box = points_around(face);
+  if (box.width() < 0) return {};  // there is no curve
+  check_turns(*surface, {box.u0, box.u1, box.v0, box.v1});
+  return {};
+} catch (const Error& error) {
+  return error.what();
+} catch (const Standard_Failure&) {
+  return {};
 }
 
 }  // namespace

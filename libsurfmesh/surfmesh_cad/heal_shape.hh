@@ -6,8 +6,8 @@
 
 namespace surfmesh {
 
-/// Take out faces without a surface, and those that go around it kMostTurns or more: OpenCASCADE's
-/// own healing would crash, or not end. Tells it as ignored input.
+/// Take out faces without a surface, and those more than kMostTurns away from its start:
+/// OpenCASCADE's own healing would crash, or not end. Tells it as ignored input.
 void drop_damaged_faces(CadShape& cad);
 
 /// Sew faces that are in no solid: always with a tolerance given, else if no two faces of the shape

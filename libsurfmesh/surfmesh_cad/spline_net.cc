@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surfmesh_cad/spline_net.hh"
 
+#include <fmt/format.h>
+
 #include <Standard_Handle.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
@@ -8,11 +10,17 @@
 #include <cmath>
 #include <vector>
 
+#include "surfmesh/core/error.hh"
+#include "surfmesh_cad/turns.hh"
+
 namespace surfmesh {
 namespace {
 
 /// Beyond an end of a period by less than this share of it, nothing is repeated.
 constexpr double kPeriodSlack = 1e-13;
+
+/// Splines that are repeated to more points are damaged: files have none as large.
+constexpr std::size_t kMostPoints = 1 << 24;
 
 /// The periods that cover a range, as numbers from the one that the knots are given for on. One
 /// that is not periodic is there once.
@@ -22,7 +30,13 @@ struct Repeats {
   double period = 0;
 };
 
+/// Throws   Geometry if there are more than kMostTurns
 Repeats repeats(double start, double period, double from, double to) {
+  const double turns = std::max(std::abs(from - start), std::abs(to - start)) / period;
+  if (!(turns <= kMostTurns)) {
+    throw Error(ErrorCode::Geometry,
+                fmt::format("it is {:.3g} periods away from where its spline starts", turns));
+  }
   const int first = static_cast<int>(std::floor((from - start) / period + kPeriodSlack));
   const int end = static_cast<int>(std::ceil((to - start) / period - kPeriodSlack));
   return {first, std::max(first, end - 1), period};
@@ -73,7 +87,12 @@ NurbsNet spline_net(const Handle(Geom_BSplineSurface) & surface, const Domain& d
                knots_of(clamped->VKnots(), clamped->VMultiplicities(), along_v)};
   const bool is_rational = clamped->IsURational() || clamped->IsVRational();
   const std::vector<Standard_Integer> columns = points_of(clamped->NbUPoles(), along_u);
-  for (const Standard_Integer j : points_of(clamped->NbVPoles(), along_v)) {
+  const std::vector<Standard_Integer> rows = points_of(clamped->NbVPoles(), along_v);
+  if (columns.size() > kMostPoints / rows.size()) {
+    throw Error(ErrorCode::Geometry,
+                fmt::format("it takes {} x {} points of its spline", columns.size(), rows.size()));
+  }
+  for (const Standard_Integer j : rows) {
     auto& points = net.points.emplace_back();
     if (is_rational) net.weights.emplace_back();
     for (const Standard_Integer i : columns) {

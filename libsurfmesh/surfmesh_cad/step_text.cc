@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,6 +20,9 @@ namespace surfmesh {
 namespace {
 
 using Number = std::uint64_t;
+
+/// OpenCASCADE has numbers of entities as int.
+constexpr Number kMostNumber = std::numeric_limits<std::int32_t>::max();
 
 struct Reference {
   Number to = 0;
@@ -116,9 +120,14 @@ class Entities {
 
   void take(char c) {
     is_list_empty_ = false;
+    if (is_defined_next_ && c != '=') {
+      fail_as_damaged(fmt::format("#{} has no = behind it", defined_.back()));
+    }
+    is_defined_next_ = false;
     if (c == '\'') return skip_text();
     if (is_letter(c)) return take_word();
-    if (is_start_of_number()) return take_real();
+    if (c == '"') return skip_binary();
+    if (is_digit(c) || c == '+' || c == '-' || c == '.') return take_real();
     ++position_;
     if (c == '(') open();
     if (c == ';') start_statement();
@@ -158,20 +167,29 @@ class Entities {
     if (is_end) position_ = text_.size();
   }
 
-  bool is_start_of_number() const {
-    const std::size_t digit = text_.find_first_not_of("+-.", position_);
-    return digit != std::string_view::npos && is_digit(text_[digit]);
+  std::size_t skip(std::string_view characters, std::size_t from) const {
+    return std::min(text_.find_first_not_of(characters, from), text_.size());
   }
 
+  /// Take a number, or the first point of a value between two.
   void take_real() {
-    const std::size_t end =
-        std::min(text_.find_first_not_of("0123456789+-.Ee", position_), text_.size());
+    std::size_t end = skip("0123456789.", skip("+-", position_));
+    if (end < text_.size() && (text_[end] == 'E' || text_[end] == 'e')) {
+      end = skip("0123456789", skip("+-", end + 1));
+    }
     const std::string_view number = text_.substr(position_, end - position_);
     if (is_too_large(cad_number(number).value_or(0))) {
-      fail_as_damaged(fmt::format("#{} has a number too large: {}",
-                                  defined_.empty() ? 0 : defined_.back(), number));
+      fail_as_damaged(
+          fmt::format("#{}: {} is too large", defined_.empty() ? 0 : defined_.back(), number));
     }
     position_ = end;
+    word_ = {};
+  }
+
+  /// A binary value: digits to the base 16 between quotes of two strokes.
+  void skip_binary() {
+    const std::size_t end = skip("0123456789ABCDEF", position_ + 1);
+    position_ = end < text_.size() && text_[end] == '"' ? end + 1 : position_ + 1;
     word_ = {};
   }
 
@@ -206,9 +224,14 @@ class Entities {
     const char* begin = text_.data() + position_;
     const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), number);
     position_ += static_cast<std::size_t>(end - begin);
-    if (error != std::errc()) return;
+    if (end == begin) return;
+    if (error != std::errc() || number > kMostNumber) {
+      fail_as_damaged(fmt::format("#{} is too large a number of an entity",
+                                  text_.substr(position_ - (end - begin), end - begin)));
+    }
     if (is_at_start_) {
       defined_.push_back(number);
+      is_defined_next_ = true;
     } else if (!defined_.empty()) {
       references_.push_back({number, defined_.back()});
     }
@@ -237,6 +260,7 @@ class Entities {
   std::string_view text_;
   std::size_t position_ = 0;
   bool is_at_start_ = true;
+  bool is_defined_next_ = false;         ///< the number of a new entity was the last
   bool is_list_empty_ = false;           ///< nothing has come since a list began
   std::string_view word_;                ///< the last word, if only blanks or comments follow it
   std::vector<std::string_view> names_;  ///< of the entities whose parentheses are open

@@ -7,9 +7,10 @@
 
 namespace surfmesh {
 
-/// Check that every entity of a STEP file is defined once, that every reference leads to one, that
-/// no entity leads back to itself, that vertices have a point, and loops, shells, curves, surfaces
-/// and shapes have members, and that no number is too large.
+/// Check that every entity of a STEP file is defined once and has a number that OpenCASCADE can
+/// hold, that every reference leads to one, that no entity leads back to itself, that vertices have
+/// a point, and loops, shells, curves, surfaces and shapes have members, and that no number is too
+/// large.
 ///
 /// OpenCASCADE goes on with what is there. It falls over what is not, and follows circles and
 /// numbers that overflow without end.

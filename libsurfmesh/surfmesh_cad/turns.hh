@@ -7,12 +7,14 @@
 
 namespace surfmesh {
 
-/// A face that goes so often around a periodic surface, or lies so many turns from its start, is
-/// damaged: OpenCASCADE goes from turn to turn.
+/// A face that lies so many turns around a periodic surface away from its start is damaged:
+/// OpenCASCADE goes from turn to turn.
 inline constexpr double kMostTurns = 1e4;
 
-/// How often a domain goes around a surface, or how many turns it is away from its start, whichever
-/// is more; 0 if the surface is not periodic.
-double turns(const Geom_Surface& surface, const Domain& domain);
+/// Check that no side of a domain is more than kMostTurns away from the start of its surface, which
+/// can be of any kind.
+///
+/// Throws   Geometry, with the number of turns
+void check_turns(const Geom_Surface& surface, const Domain& domain);
 
 }  // namespace surfmesh

@@ -161,6 +161,20 @@ TEST_F(DamagedSteps, MayDefineAnEntityTwice) {
                "broken.step", "#20 is defined twice");
 }
 
+/// OpenCASCADE has these numbers as int, and goes on behind a broken statement with less entities.
+TEST_F(DamagedSteps, MayHaveBrokenNumbers) {
+  for (const char* number : {"2147483648", "99999999999999999999"}) {
+    const std::string entity =
+        fmt::format("#{} = DIRECTION('',(0.,1.));\nENDSEC;\nEND-ISO", number);
+    expect_names(error_with("ENDSEC;\nEND-ISO", entity), "broken.step",
+                 fmt::format("#{} is too large", number));
+  }
+  for (const char* number : {"#13 ", "#13 9 ", "#13 /* = */ #14 = "}) {
+    expect_names(error_with("#13 = ", number), "broken.step", "#13 has no = behind it");
+  }
+  EXPECT_EQ(error_with("#13 = ", "#13 /* is */\n=").find("no ="), std::string::npos);
+}
+
 /// OpenCASCADE takes a quote that is not before a comma or a parenthesis for a part of a text.
 TEST_F(DamagedSteps, MayReferToThemselvesBehindAnOddQuote) {
   const std::string text = text_of("box");
@@ -181,12 +195,14 @@ TEST_F(BadCadFiles, MayHaveNumbersThatOverflow) {
     return error_of_text(name, text.replace(at, before.size(), after));
   };
   for (const char* number : {"1.E300", "-1.5E102", "01.E+999"}) {
-    const std::string reason = std::string("has a number too large: ").append(number);
+    const std::string reason = fmt::format("{} is too large", number);
     expect_names(error_with("box", "a.step", "(0.,0.,1.)", fmt::format("(0.,0.,{})", number)),
                  "a.step", reason);
     expect_names(
         error_with("box_brep", "a.brep", "\n1 0 0 1 0", fmt::format("\n1 0 0 {} 0", number)),
-        "a.brep", fmt::format("{} is too large", number));
+        "a.brep", reason);
+    const std::string place = fmt::format("Locations 1\n1\n0 0 0 {}\n0 0 0 0\n0 0 0 0\n", number);
+    expect_names(error_with("box_brep", "a.brep", "Locations 0\n", place), "a.brep", reason);
   }
   expect_names(error_with("loose_box", "a.igs", "108,-1.,-0.,", "108,1.D+300,"), "a.igs",
                "line 106: 1.D+300 is too large");
@@ -219,6 +235,20 @@ TEST_F(BadCadFiles, MayHaveAFaceWithoutSurface) {
   ASSERT_FALSE(model.notices.empty());
   expect_names(model.notices.back().text, "part.brep: face 1 of 6", "no surface");
   EXPECT_EQ(model.notices.back().severity, Severity::Shortfall);
+}
+
+TEST_F(BadCadFiles, MayHaveAFaceFarAroundItsSurface) {
+  std::string text = text_of("torus_part");
+  const std::string line = "\n1 1.5707963267948966 -0 0 1";
+  const std::size_t at = text.find(line);
+  ASSERT_NE(at, std::string::npos);
+  write_text(folder_ / "part.brep", text.replace(at, line.size(), "\n1 1e13 -0 0 1"));
+  const Model model = read_cad(folder_ / "part.brep");
+  EXPECT_EQ(model.patches.size(), 2u);
+  ASSERT_FALSE(model.notices.empty());
+  expect_names(model.notices.front().text, "part.brep: face 1 of 3",
+               "it is 1.59e+12 turns away from the start of its surface");
+  EXPECT_EQ(model.notices.front().severity, Severity::Shortfall);
 }
 
 TEST_F(BadCadFiles, MayHaveNoFaces) {

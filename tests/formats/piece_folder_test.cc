@@ -150,6 +150,9 @@ TEST(PieceFolder, TellsWhereNoFolderCanBe) {
             "io: cannot write " + root + "/file: it is no folder");
   EXPECT_EQ(error_of([&] { write_strip(root + "/none/mesh", 1); }),
             "io: cannot write " + root + "/none/mesh: there is no folder " + root + "/none");
+  EXPECT_EQ(error_of([&] { write_strip(root + "/caf\xE9", 1); }),
+            "io: cannot write " + root +
+                "/caf\xE9: its name is not UTF-8, as the .pvtu file in it has to be");
   EXPECT_EQ(folder.count(), 1);
 }
 

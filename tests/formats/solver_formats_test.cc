@@ -162,6 +162,23 @@ TEST(ChangedNames, AreWordsOfTheirOwn) {
   EXPECT_TRUE(changed_names(mesh, "a.glb", names).empty());
 }
 
+TEST(ChangedNames, AreOfCharactersInFilesOfVtk) {
+  const PolyMesh mesh = named_example(0);
+  const MeshNames names = {{"a\xFF", "a\xEF\xBF\xBD"}, {{"\x01", {0}}}, {"rim"}};
+  for (const char* file : {"a.vtu", "a.vtk"}) {
+    EXPECT_EQ(texts_of(changed_names(mesh, file, names)),
+              Texts{std::string(file) +
+                    ": 2 names are changed to be words of their own, the first: a\xFF is "
+                    "a\xEF\xBF\xBD_2"});
+  }
+  const TestFolder folder;
+  write_mesh(mesh, folder / "a.vtu", names);
+  const MeshNames read = read_mesh(folder / "a.vtu").names;
+  EXPECT_EQ(read.patches, (std::vector<std::string>{"a\xEF\xBF\xBD_2", "a\xEF\xBF\xBD"}));
+  ASSERT_EQ(read.groups.size(), 1u);
+  EXPECT_EQ(read.groups[0].name, "\xEF\xBF\xBD");
+}
+
 TEST(UnusedOptions, TellThatOnlyMshFilesHaveVersions) {
   EXPECT_EQ(texts_of(unused_options(testing::octahedron(), "a.vtu", {.msh = MshVersion::Text22})),
             Texts{"msh has no effect on a.vtu: it is of .msh files"});

@@ -165,6 +165,10 @@ TEST(FormulaGrammar, ModHasTheSignOfThePeriod) {
   EXPECT_EQ(evaluate_constant("mod(5.5,-2)"), -0.5);
   EXPECT_EQ(evaluate_constant("mod(-5.5,-2)"), -1.5);
   EXPECT_EQ(evaluate_constant("mod(-4,2)"), 0);
+  EXPECT_EQ(evaluate_constant("atan(1/mod(-4,2))"),
+            std::atan(std::numeric_limits<double>::infinity()));
+  EXPECT_EQ(evaluate_constant("atan(1/mod(4,-2))"),
+            -std::atan(std::numeric_limits<double>::infinity()));
   EXPECT_THROW(evaluate_constant("mod(1,0)"), Error);
   EXPECT_EQ(evaluate_constant("mod(1e308,1e-300)"), std::fmod(1e308, 1e-300));
 }

@@ -15,8 +15,9 @@ namespace surfmesh {
 /// An operation on intervals gives one that holds every result, as rounded, for operands inside.
 /// Sums, products, quotients and square roots need no margin for that: rounding keeps the order, so
 /// the extremes are at the ends. Operands without a result (0/0, √−1) are left out; if there are no
-/// others, the result is unbounded. No result is NaN. A zero at the end of a divisor has the sign
-/// of the rest of the divisor.
+/// others, the result is unbounded. No result is NaN. A zero at the end of a divisor is taken to
+/// have the sign of the rest of the divisor: a quotient by a zero of the other sign, which is
+/// infinite, may lie outside.
 struct Interval {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();

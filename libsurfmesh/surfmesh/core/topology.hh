@@ -13,11 +13,10 @@
 
 namespace surfmesh {
 
-// Only these operations and those of core/renumber.hh and core/face_editor.hh change the
-// connectivity of a mesh. They
-// work in place; the frequent ones are inlined. OpenMesh's own operations are compiled with
-// assertions in Debian's library (a flip takes 218 ns instead of 26) and lose edge properties in a
-// split. Properties after an operation:
+// Only these operations and those of core/renumber.hh, core/face_editor.hh and core/close_slits.hh
+// change the connectivity of a mesh. They work in place; the frequent ones are inlined. OpenMesh's
+// own operations are compiled with assertions in Debian's library (a flip takes 218 ns instead of
+// 26) and lose edge properties in a split. Properties after an operation:
 //   flip            vertex, face: kept; edge, halfedge: those of the flipped edge are kept
 //   collapse        kept; those of removed elements are lost, and the last elements take over their
 //                   numbers with their own values
@@ -97,11 +96,12 @@ inline constexpr int kOpenSide = -2;
 /// Build the connectivity of a mesh without elements, in bulk.
 ///
 /// Two triangles are glued where one has the edge (a,b) and the other (b,a), and only if no third
-/// triangle has that edge; otherwise the edge stays open on both. If the triangles at a vertex do
-/// not form one fan (surfaces touch there, or edges were left open), each fan but the first gets a
-/// copy of the vertex. Two open sides that then still lie between the same two vertices are glued.
-/// Edges with given twins are numbered first, in the order of the triangles;
-/// the others follow, ordered by their vertices.
+/// triangle has that edge; otherwise the edge is cut: it stays open on both. If the triangles at a
+/// vertex do not form one fan (surfaces touch there, or edges were left open), each fan but the
+/// first gets a copy of the vertex. Where two sides that were cut then still lie between the same
+/// two vertices, they are glued after all. Edges with given twins are numbered first, in the order
+/// of the triangles; the others follow, ordered by their vertices, but for the last ones, which
+/// take the numbers of edges that are glued after all.
 ///
 /// `twins` holds what is known already. For each side (3 × triangle + corner at its origin) it
 /// names the side it is glued to, which has the same two vertices and names it in turn; -1 leaves

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/io/out_of_range.hh"
 #include "surfmesh/io/text_scanner.hh"
 
 namespace surfmesh {
@@ -38,8 +39,7 @@ std::optional<double> real_of(std::string_view word) {
     return std::nullopt;
   }
   if (error == std::errc()) return value;
-  // Out of range, which leaves the value: too near to 0, if it has a negative exponent.
-  if (word.find("e-") != word.npos || word.find("E-") != word.npos) return 0;
+  if (is_too_near_to_zero(word)) return 0;
   return word[0] == '-' ? -std::numeric_limits<double>::infinity()
                         : std::numeric_limits<double>::infinity();
 }

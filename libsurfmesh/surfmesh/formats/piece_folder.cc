@@ -15,6 +15,7 @@
 #include "surfmesh/core/out_of_memory.hh"
 #include "surfmesh/exchange/agree_on_error.hh"
 #include "surfmesh/formats/pvtu_file.hh"
+#include "surfmesh/io/clean_text.hh"
 #include "surfmesh/io/folder_names.hh"
 #include "surfmesh/io/output_file.hh"
 
@@ -119,6 +120,9 @@ std::string PieceFolder::piece_name(int piece) const {
 /// Nothing that a user may miss is replaced.
 void PieceFolder::check_old() const {
   std::error_code error;
+  if (clean_text(name_) != name_) {
+    fail_for(given_, "its name is not UTF-8, as the .pvtu file in it has to be");
+  }
   if (!fs::is_directory(folder_.parent_path(), error)) {
     fail_for(given_, fmt::format("there is no folder {}", folder_.parent_path().string()));
   }

@@ -114,7 +114,10 @@ std::vector<std::string> lost_in_vtk(const PolyMesh& mesh, const MeshNames&, con
 }  // namespace
 
 MeshFormat vtk_format() {
-  return {.ending = ".vtk", .write = write_vtk, .what_is_lost = lost_in_vtk};
+  return {.ending = ".vtk",
+          .write = write_vtk,
+          .what_is_lost = lost_in_vtk,
+          .changed_names = changed_in_vtk};
 }
 
 }  // namespace surfmesh

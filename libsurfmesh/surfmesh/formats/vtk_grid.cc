@@ -13,6 +13,8 @@
 #include "surfmesh/core/properties.hh"
 #include "surfmesh/core/shared_vertices.hh"
 #include "surfmesh/formats/mesh_format.hh"
+#include "surfmesh/formats/obj_labels.hh"
+#include "surfmesh/io/clean_text.hh"
 #include "surfmesh/io/file_writer.hh"
 #include "surfmesh/quality/mesh_field.hh"
 
@@ -131,15 +133,45 @@ std::vector<int> contours_of_points(const MeshArrays& arrays) {
   return contour_of;
 }
 
-/// Arrays of the indices that have each name.
-void add_indices(std::string_view kind, const std::vector<std::string>& names,
-                 std::vector<VtkValues>& whole) {
-  std::map<std::string, std::vector<int>> indices_of;
+/// What is of each name: patches or contours that have it, or patches of groups.
+using IndicesOf = std::map<std::string, std::vector<int>>;
+
+IndicesOf indices_of(const std::vector<std::string>& names) {
+  IndicesOf indices;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!names[i].empty()) indices_of[names[i]].push_back(static_cast<int>(i));
+    if (!names[i].empty()) indices[names[i]].push_back(static_cast<int>(i));
   }
-  for (auto& [name, indices] : indices_of) {
-    whole.push_back({fmt::format("{}:{}", kind, name), 1, std::move(indices)});
+  return indices;
+}
+
+IndicesOf indices_of(const std::vector<Group>& groups) {
+  IndicesOf indices;
+  for (const Group& group : groups) {
+    if (group.patches.empty()) continue;
+    std::vector<int>& patches = indices[group.name];
+    patches.insert(patches.end(), group.patches.begin(), group.patches.end());
+    std::sort(patches.begin(), patches.end());
+  }
+  return indices;
+}
+
+/// Names that differ as names that XML can hold, too: those that it can hold stay.
+std::map<std::string, std::string> clean_words(const IndicesOf& indices) {
+  std::map<std::string, std::string> words;
+  DifferentNames different;
+  for (const bool is_clean : {true, false}) {
+    for (const auto& [name, ignored] : indices) {
+      std::string word = clean_text(name);
+      if ((word == name) == is_clean) words[name] = different.add(word);
+    }
+  }
+  return words;
+}
+
+void add_indices(std::string_view kind, IndicesOf indices, std::vector<VtkValues>& whole) {
+  const auto words = clean_words(indices);
+  for (auto& [name, of_name] : indices) {
+    whole.push_back({fmt::format("{}:{}", kind, words.at(name)), 1, std::move(of_name)});
   }
 }
 
@@ -147,19 +179,21 @@ void add_indices(std::string_view kind, const std::vector<std::string>& names,
 
 std::vector<VtkValues> vtk_names(const MeshNames& names) {
   std::vector<VtkValues> whole;
-  add_indices("patch", names.patches, whole);
-  std::map<std::string, std::vector<int>> patches_of;
-  for (const Group& group : names.groups) {
-    std::vector<int>& patches = patches_of[group.name];
-    patches.insert(patches.end(), group.patches.begin(), group.patches.end());
-  }
-  for (auto& [name, patches] : patches_of) {
-    if (patches.empty()) continue;
-    std::sort(patches.begin(), patches.end());
-    whole.push_back({fmt::format("group:{}", name), 1, std::move(patches)});
-  }
-  add_indices("contour", names.contours, whole);
+  add_indices("patch", indices_of(names.patches), whole);
+  add_indices("group", indices_of(names.groups), whole);
+  add_indices("contour", indices_of(names.contours), whole);
   return whole;
+}
+
+std::vector<ChangedName> changed_in_vtk(const PolyMesh&, const MeshNames& names) {
+  std::vector<ChangedName> changed;
+  for (const IndicesOf& indices :
+       {indices_of(names.patches), indices_of(names.groups), indices_of(names.contours)}) {
+    for (const auto& [name, word] : clean_words(indices)) {
+      if (name != word) changed.push_back({name, word});
+    }
+  }
+  return changed;
 }
 
 VtkGrid vtk_grid(const PolyMesh& mesh, const MeshNames& names) {

@@ -10,6 +10,7 @@
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/mesh_names.hh"
+#include "surfmesh/formats/mesh_format.hh"
 
 namespace surfmesh {
 
@@ -50,8 +51,12 @@ struct VtkGrid {
 /// Cost     0.1 µs a triangle, and 0.2 µs where it has a metric
 VtkGrid vtk_grid(const PolyMesh& mesh, const MeshNames& names);
 
-/// The arrays of a grid as a whole that hold the names of patches, groups and contours.
+/// The arrays of a grid as a whole that hold the names of patches, groups and contours, in
+/// characters that XML has.
 std::vector<VtkValues> vtk_names(const MeshNames& names);
+
+/// Names that have other characters.
+std::vector<ChangedName> changed_in_vtk(const PolyMesh& mesh, const MeshNames& names);
 
 /// What of a mesh the grid does not hold, as what_is_lost of write_mesh.hh.
 std::vector<std::string> lost_in_grid(const PolyMesh& mesh);

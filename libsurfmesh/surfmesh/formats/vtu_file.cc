@@ -158,7 +158,8 @@ MeshFormat vtu_format() {
   return {.ending = ".vtu",
           .parse = parse_vtu,
           .write = write_mesh_as_vtu,
-          .what_is_lost = lost_in_vtu};
+          .what_is_lost = lost_in_vtu,
+          .changed_names = changed_in_vtk};
 }
 
 }  // namespace surfmesh

@@ -7,8 +7,8 @@
 
 namespace surfmesh {
 
-/// a − b·floor(a/b): what is left of a after whole periods b, from 0 to b and with the sign of b,
-/// which a zero has, too; NaN for b = 0.
+/// a − b·floor(a/b): what is left of a after whole periods b, from 0 to b and with the sign of b;
+/// a zero has it, too. NaN for b = 0.
 /// Error    one rounding; none if a and b have the same sign
 inline double floored_mod(double a, double b) {
   const double rest = std::fmod(a, b);

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/io/out_of_range.hh"
 
 namespace surfmesh {
 namespace {
@@ -23,15 +24,6 @@ bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 std::string_view without_plus(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+') word.remove_prefix(1);
   return word;
-}
-
-/// Tells numbers too near to zero from numbers too large, both of which from_chars only calls out
-/// of range.
-bool is_tiny(std::string_view word) {
-  const std::size_t exponent = word.find_first_of("eE");
-  if (exponent != std::string_view::npos) return word.substr(exponent + 1).starts_with('-');
-  const std::size_t digit = word.find_first_not_of("-0");
-  return digit != std::string_view::npos && word[digit] == '.';
 }
 
 }  // namespace
@@ -105,7 +97,7 @@ double TextScanner::to_number(std::string_view word, std::string_view what) cons
     fail(fmt::format("{} is {}, which is not a number", what, quoted(word)));
   }
   if (error == std::errc::result_out_of_range) {
-    if (is_tiny(digits)) return 0;
+    if (is_too_near_to_zero(digits)) return 0;
     fail(fmt::format("{} is {}, which is too large", what, quoted(word)));
   }
   if (!std::isfinite(value)) fail(fmt::format("{} is {}, which is not finite", what, quoted(word)));

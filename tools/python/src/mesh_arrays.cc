@@ -11,6 +11,7 @@
 
 #include "arrays.hh"
 #include "bindings.hh"
+#include "clean_names.hh"
 #include "held_mesh.hh"
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/properties.hh"
@@ -181,7 +182,7 @@ std::vector<std::string> fields(const HeldMesh& held) {
 py::list groups(const HeldMesh& held) {
   py::list list;
   for (const Group& group : held.names().groups) {
-    list.append(py::make_tuple(group.name, group.patches));
+    list.append(py::make_tuple(clean_text(group.name), group.patches));
   }
   return list;
 }
@@ -228,10 +229,10 @@ void bind_mesh(py::module_& module) {
       .def("field", &field, py::arg("name"), "Values of a field.")
       .def("fields", &fields, "Names of the fields that the mesh has.")
       .def(
-          "patch_names", [](const HeldMesh& held) { return held.names().patches; },
+          "patch_names", [](const HeldMesh& held) { return clean_names(held.names().patches); },
           "Names of patches.")
       .def(
-          "contour_names", [](const HeldMesh& held) { return held.names().contours; },
+          "contour_names", [](const HeldMesh& held) { return clean_names(held.names().contours); },
           "Names of contours.")
       .def("groups", &groups, "Names of groups with their patches.")
       .def(

@@ -10,6 +10,7 @@
 
 #include "arrays.hh"
 #include "bindings.hh"
+#include "clean_names.hh"
 #include "surfmesh/core/error.hh"
 #include "surfmesh/core/option_range.hh"
 #include "surfmesh/core/parallel.hh"
@@ -130,18 +131,19 @@ void bind_input(py::module_& module) {
           },
           py::arg("name"), "The indices of the patches of a group.")
       .def(
-          "patch_names", [](const HeldInput& held) { return mesh_names(held.input.model).patches; },
+          "patch_names",
+          [](const HeldInput& held) { return clean_names(mesh_names(held.input.model).patches); },
           "Names of patches.")
       .def(
           "contour_names",
-          [](const HeldInput& held) { return mesh_names(held.input.model).contours; },
+          [](const HeldInput& held) { return clean_names(mesh_names(held.input.model).contours); },
           "Names of contours.")
       .def(
           "groups",
           [](const HeldInput& held) {
             py::list list;
             for (const Group& group : mesh_names(held.input.model).groups) {
-              list.append(py::make_tuple(group.name, group.patches));
+              list.append(py::make_tuple(clean_text(group.name), group.patches));
             }
             return list;
           },

@@ -9,6 +9,7 @@
 #include "surfmesh/core/notice.hh"
 #include "surfmesh/core/version.hh"
 #include "surfmesh/formula/formula.hh"
+#include "surfmesh/io/clean_text.hh"
 
 namespace surfmesh::python {
 namespace {
@@ -19,7 +20,7 @@ namespace py = pybind11;
 void raise(const Error& error) {
   const py::object type =
       py::module_::import("surfmesh._errors").attr("error_type")(name(error.code()));
-  PyErr_SetString(type.ptr(), error.what());
+  PyErr_SetString(type.ptr(), clean_text(error.what()).c_str());
 }
 
 void bind_notices(py::module_& module) {
@@ -31,7 +32,7 @@ void bind_notices(py::module_& module) {
           "severity", [](const Notice& notice) { return std::string(name(notice.severity)); },
           "\"warning\", or \"shortfall\" where something asked for was not reached.")
       .def_property_readonly(
-          "text", [](const Notice& notice) { return notice.text; }, "Plain English.")
+          "text", [](const Notice& notice) { return clean_text(notice.text); }, "Plain English.")
       .def_property_readonly(
           "patch", [](const Notice& notice) { return notice.patch; },
           "Index of the patch it is about, or the first of several; -1 for none.")
@@ -47,9 +48,10 @@ void bind_notices(py::module_& module) {
           "Where it is in space (x, y, z), or None.")
       .def_property_readonly(
           "count", [](const Notice& notice) { return notice.count; }, "How often it came.")
-      .def("__str__", [](const Notice& notice) { return notice.text; })
+      .def("__str__", [](const Notice& notice) { return clean_text(notice.text); })
       .def("__repr__", [](const Notice& notice) {
-        return "<surfmesh.Notice " + std::string(name(notice.kind)) + ": " + notice.text + ">";
+        return "<surfmesh.Notice " + std::string(name(notice.kind)) + ": " +
+               clean_text(notice.text) + ">";
       });
 }
 
