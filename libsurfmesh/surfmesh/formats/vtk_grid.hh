@@ -10,9 +10,10 @@
 #include "surfmesh/core/mesh.hh"
 #include "surfmesh/core/mesh_arrays.hh"
 #include "surfmesh/core/mesh_names.hh"
-#include "surfmesh/formats/mesh_format.hh"
 
 namespace surfmesh {
+
+struct ChangedName;
 
 /// Values at the points or the cells of a grid, or of the grid as a whole, with `components`
 /// numbers each.
