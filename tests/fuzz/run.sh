@@ -115,9 +115,10 @@ for target in "${targets[@]}"; do
   [ -d "tests/fuzz/findings/$target" ] && folders+=("tests/fuzz/findings/$target")
   dictionary=()
   [ -e "tests/fuzz/$target.dict" ] && dictionary=(-dict="tests/fuzz/$target.dict")
-  # OpenCASCADE keeps what its readers allocate.
+  # OpenCASCADE keeps what its readers allocate, which would be told at the end, too.
   leaks=1
   [ "$target" = cad ] && leaks=0
+  export ASAN_OPTIONS="detect_leaks=$leaks"
   # Entropic scheduling takes a third of the time where each run is long.
   entropic=1
   [ "$target" = pipeline ] && entropic=0
