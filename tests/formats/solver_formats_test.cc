@@ -170,6 +170,8 @@ TEST(ChangedNames, AreOfCharactersInFilesOfVtk) {
               Texts{std::string(file) +
                     ": 2 names are changed to be words of their own, the first: a\xFF is "
                     "a\xEF\xBF\xBD_2"});
+    EXPECT_EQ(what_is_lost(mesh, file, names).back(),
+              "2 names as they are, the first: a\xFF is a\xEF\xBF\xBD_2");
   }
   const TestFolder folder;
   write_mesh(mesh, folder / "a.vtu", names);

@@ -84,7 +84,10 @@ std::vector<ChangedName> changed_words(const PolyMesh& mesh, const MeshNames& na
 
 void add_changed_words(const PolyMesh& mesh, const MeshNames& names, const WordRule& rule,
                        std::vector<std::string>& lost) {
-  const std::vector<ChangedName> changed = changed_words(mesh, names, rule);
+  add_changed(changed_words(mesh, names, rule), lost);
+}
+
+void add_changed(const std::vector<ChangedName>& changed, std::vector<std::string>& lost) {
   if (changed.empty()) return;
   lost.push_back(fmt::format("{} as they are, the first: {} is {}",
                              counted(changed.size(), "name", "names"), changed.front().name,

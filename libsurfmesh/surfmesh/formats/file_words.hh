@@ -38,6 +38,9 @@ std::vector<ChangedName> changed_words(const PolyMesh& mesh, const MeshNames& na
 void add_changed_words(const PolyMesh& mesh, const MeshNames& names, const WordRule& rule,
                        std::vector<std::string>& lost);
 
+/// The same where it is known which ones are.
+void add_changed(const std::vector<ChangedName>& changed, std::vector<std::string>& lost);
+
 /// A name as a part of one line: bytes below 32 and 127 are blanks.
 std::string one_line(std::string_view name);
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "surfmesh/core/error.hh"
+#include "surfmesh/formats/file_words.hh"
 #include "surfmesh/formats/vtk_grid.hh"
 #include "surfmesh/io/file_writer.hh"
 
@@ -107,8 +108,11 @@ void write_vtk(const PolyMesh& mesh, const MeshNames& names, const OutputOptions
   VtkWriter(grid, file).write();
 }
 
-std::vector<std::string> lost_in_vtk(const PolyMesh& mesh, const MeshNames&, const OutputOptions&) {
-  return lost_in_grid(mesh);
+std::vector<std::string> lost_in_vtk(const PolyMesh& mesh, const MeshNames& names,
+                                     const OutputOptions&) {
+  std::vector<std::string> lost = lost_in_grid(mesh);
+  add_changed(changed_in_vtk(mesh, names), lost);
+  return lost;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "surfmesh/core/parallel.hh"
+#include "surfmesh/formats/file_words.hh"
 #include "surfmesh/formats/mesh_format.hh"
 #include "surfmesh/formats/vtu_reader.hh"
 #include "surfmesh/formats/vtu_text.hh"
@@ -143,8 +144,11 @@ void write_mesh_as_vtu(const PolyMesh& mesh, const MeshNames& names, const Outpu
   write_vtu(vtk_grid(mesh, names), VtuNumbers::Binary, file);
 }
 
-std::vector<std::string> lost_in_vtu(const PolyMesh& mesh, const MeshNames&, const OutputOptions&) {
-  return lost_in_grid(mesh);
+std::vector<std::string> lost_in_vtu(const PolyMesh& mesh, const MeshNames& names,
+                                     const OutputOptions&) {
+  std::vector<std::string> lost = lost_in_grid(mesh);
+  add_changed(changed_in_vtk(mesh, names), lost);
+  return lost;
 }
 
 }  // namespace
