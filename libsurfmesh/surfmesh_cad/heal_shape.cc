@@ -259,7 +259,14 @@ void divide_at_corners(CadShape& cad) {
 }
 
 bool mend_faces(CadShape& cad) {
-  if (crashes_where_mended(cad.shape)) return false;
+  if (crashes_where_mended(cad.shape)) {
+    append(
+        {warning(NoticeKind::IgnoredInput,
+                 "faces that cannot be used as they are were not mended: OpenCASCADE would crash "
+                 "at a seam that cannot be projected onto its face")},
+        cad.notices);
+    return false;
+  }
   ShapeFix_Shape fix(cad.shape);
   const bool is_changed = fix.Perform();
   if (!is_changed || fix.Shape().IsNull()) return false;

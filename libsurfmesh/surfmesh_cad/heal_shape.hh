@@ -23,7 +23,7 @@ void divide_at_corners(CadShape& cad);
 void merge_small_edges(CadShape& cad);
 
 /// Mend wires, seams and curves of faces, for shapes of which faces cannot be used as they are.
-/// Returns  whether anything is different
+/// Returns  whether anything is different; a notice tells where OpenCASCADE would crash
 bool mend_faces(CadShape& cad);
 
 /// The others tell what they did as notices of the kind HealedShape, and keep the facts of faces.

@@ -29,7 +29,10 @@ BuiltModel best_model(CadShape& cad) {
   BuiltModel built = build_model(cad);
   if (built.left_out.empty()) return built;
   CadShape mended = cad;
-  if (!mend_faces(mended)) return built;
+  if (!mend_faces(mended)) {
+    cad.notices = std::move(mended.notices);
+    return built;
+  }
   BuiltModel again = build_model(mended);
   if (again.left_out.size() >= built.left_out.size()) return built;
   cad = std::move(mended);

@@ -161,7 +161,7 @@ TEST_F(DamagedSteps, MayDefineAnEntityTwice) {
                "broken.step", "#20 is defined twice");
 }
 
-/// OpenCASCADE has these numbers as int, and goes on behind a broken statement with less entities.
+/// OpenCASCADE has these numbers as int, and goes on behind a broken statement with fewer entities.
 TEST_F(DamagedSteps, MayHaveBrokenNumbers) {
   for (const char* number : {"2147483648", "99999999999999999999"}) {
     const std::string entity =

@@ -92,7 +92,7 @@ TEST(StepText, HasNumbersOfAnySizeOnlyInTexts) {
   }
 }
 
-/// In seconds by a quadratic search, in milliseconds by a linear one.
+/// To look for the end of the run at each point of it would take hours.
 TEST(StepText, MayHaveMillionsOfPoints) {
   EXPECT_EQ(error_of_step(std::string(4'000'000, '.')), "no error");
 }

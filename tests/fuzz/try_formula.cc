@@ -31,8 +31,7 @@ JetNumber<order> number_of(const FormulaProgram& program, Uv uv) {
 
 /// Where a divisor is zero there are no derivatives, and the sign of the zero is arbitrary
 /// (core/interval.hh).
-void check_bounds(const FormulaProgram& program, Uv uv) {
-  const JetNumber<1> number = number_of<1>(program, uv);
+void check_bounds(const FormulaProgram& program, Uv uv, const JetNumber<1>& number) {
   if (std::isnan(number.value()) || !std::isfinite(number.du()) || !std::isfinite(number.dv())) {
     return;
   }
@@ -49,11 +48,11 @@ void check_values(const FormulaProgram& program) {
   for (const double u : kPlaces) {
     for (const double v : kPlaces) {
       const double value = number_of<0>(program, {u, v}).value();
-      const double first = number_of<1>(program, {u, v}).value();
+      const JetNumber<1> first = number_of<1>(program, {u, v});
       const double second = number_of<2>(program, {u, v}).value();
-      demand(is_same(value, first), "values agree at order 1");
+      demand(is_same(value, first.value()), "values agree at order 1");
       demand(is_same(value, second), "values agree at order 2");
-      check_bounds(program, {u, v});
+      check_bounds(program, {u, v}, first);
     }
   }
 }

@@ -41,8 +41,9 @@ std::size_t close_slits(PolyMesh& mesh, const std::vector<EdgeHandle>& open_edge
   // Backwards, so that no edge that is still to come gets another number.
   for (auto it = open_edges.rbegin(); it != open_edges.rend(); ++it) {
     const EdgeHandle other = across_slit(mesh, *it);
-    if (!(other < *it) || !std::binary_search(open_edges.begin(), open_edges.end(), other))
-      continue;
+    const bool is_slit =
+        other < *it && std::binary_search(open_edges.begin(), open_edges.end(), other);
+    if (!is_slit) continue;
     glue(mesh, other, *it);
     const EdgeHandle last(static_cast<int>(--count));
     if (last != *it) detail::renumber_element(mesh, last, *it);
